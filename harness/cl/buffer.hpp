@@ -1,0 +1,69 @@
+// Device memory and queues, move-only.
+#pragma once
+#include <span>
+
+#include "harness/cl/device.hpp"
+
+namespace pelage::cl {
+
+/// Throws DeviceError naming the call, the OpenCL error by name and what the user can do.
+void check(cl_int code, std::string_view call);
+
+class Queue {
+ public:
+  explicit Queue(const Device& device);  ///< in order, profiling on
+  ~Queue();
+  Queue(Queue&& other) noexcept;
+  Queue& operator=(Queue&& other) noexcept;
+  cl_command_queue get() const { return queue_; }
+  const Device& device() const { return device_; }
+  void finish() const;
+
+ private:
+  Device device_;
+  cl_command_queue queue_ = nullptr;
+};
+
+/// Untyped storage behind Buffer<T>.
+class Memory {
+ public:
+  Memory() = default;
+  Memory(const Device& device, std::size_t bytes);  ///< at least one byte is allocated
+  ~Memory();
+  Memory(Memory&& other) noexcept;
+  Memory& operator=(Memory&& other) noexcept;
+  cl_mem get() const { return memory_; }
+  std::size_t bytes() const { return bytes_; }
+  void write(const Queue& queue, const void* source, std::size_t bytes);       ///< blocking
+  void read(const Queue& queue, void* target, std::size_t bytes, std::size_t offset = 0) const;  ///< blocking
+
+ private:
+  cl_mem memory_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+/// `count` values of T on the device.
+template <class T>
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(const Device& device, std::size_t count) : memory_(device, count * sizeof(T)), count_(count) {}
+  Buffer(const Queue& queue, std::span<const T> values) : Buffer(queue.device(), values.size()) { write(queue, values); }
+  std::size_t size() const { return count_; }
+  cl_mem get() const { return memory_.get(); }
+  void write(const Queue& queue, std::span<const T> values) { memory_.write(queue, values.data(), values.size_bytes()); }
+  void read(const Queue& queue, std::span<T> values, std::size_t first = 0) const {
+    memory_.read(queue, values.data(), values.size_bytes(), first * sizeof(T));
+  }
+  std::vector<T> read(const Queue& queue) const {
+    std::vector<T> values(count_);
+    read(queue, values);
+    return values;
+  }
+
+ private:
+  Memory memory_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace pelage::cl
