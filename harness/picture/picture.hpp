@@ -6,6 +6,11 @@
 
 namespace pelage {
 
+/// A rectangle of pixels; (x, y) is its top left one.
+struct Window {
+  int x, y, width, height;
+};
+
 /// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on pure background, 1 on the base surface
 /// and in between the fur's coverage; colour already includes the background. Values are not clamped.
 struct Picture {
