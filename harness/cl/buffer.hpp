@@ -6,6 +6,9 @@
 
 namespace pelage::cl {
 
+/// The name of an OpenCL error code, as CL/cl.h writes it.
+std::string error_name(cl_int code);
+
 /// Throws DeviceError naming the call, the OpenCL error by name and what the user can do.
 void check(cl_int code, std::string_view call);
 
@@ -34,7 +37,7 @@ class Memory {
   Memory& operator=(Memory&& other) noexcept;
   cl_mem get() const { return memory_; }
   std::size_t bytes() const { return bytes_; }
-  void write(const Queue& queue, const void* source, std::size_t bytes);       ///< blocking
+  void write(const Queue& queue, const void* source, std::size_t bytes);                         ///< blocking
   void read(const Queue& queue, void* target, std::size_t bytes, std::size_t offset = 0) const;  ///< blocking
 
  private:
@@ -48,10 +51,14 @@ class Buffer {
  public:
   Buffer() = default;
   Buffer(const Device& device, std::size_t count) : memory_(device, count * sizeof(T)), count_(count) {}
-  Buffer(const Queue& queue, std::span<const T> values) : Buffer(queue.device(), values.size()) { write(queue, values); }
+  Buffer(const Queue& queue, std::span<const T> values) : Buffer(queue.device(), values.size()) {
+    write(queue, values);
+  }
   std::size_t size() const { return count_; }
   cl_mem get() const { return memory_.get(); }
-  void write(const Queue& queue, std::span<const T> values) { memory_.write(queue, values.data(), values.size_bytes()); }
+  void write(const Queue& queue, std::span<const T> values) {
+    memory_.write(queue, values.data(), values.size_bytes());
+  }
   void read(const Queue& queue, std::span<T> values, std::size_t first = 0) const {
     memory_.read(queue, values.data(), values.size_bytes(), first * sizeof(T));
   }

@@ -12,14 +12,14 @@ namespace pelage::cl {
 
 struct DeviceInfo {
   std::string platform, platform_version, name, vendor, version, c_version, driver;
-  int platform_index = 0, device_index = 0;      ///< device_index counts within the platform
+  int platform_index = 0, device_index = 0;  ///< device_index counts within the platform
   bool gpu = false, cpu = false;
   unsigned compute_units = 0;
   std::uint64_t global_memory = 0, local_memory = 0, max_allocation = 0;
   std::size_t max_work_group = 0;
-  std::uint64_t timer_resolution_ns = 0;         ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
+  std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
   bool fp64 = false;
-  int lanes = 1;                                 ///< 16 where float16 work-items pay (CPU devices of PoCL), else 1
+  int lanes = 1;  ///< 16 where float16 work-items pay (CPU devices of PoCL), else 1
 };
 
 /// A device with a context of its own. Copies share both.
@@ -28,7 +28,8 @@ class Device {
   const DeviceInfo& info() const;
   cl_device_id id() const;
   cl_context context() const;
-  std::string spec() const;                      ///< "PLATFORM:INDEX", as --device takes it
+  std::string spec() const;             ///< "PLATFORM:INDEX", as --device takes it
+  std::string platform_suffix() const;  ///< the loader's short name: "POCL", "NV"; may be empty
 
  private:
   struct State;
@@ -37,12 +38,14 @@ class Device {
   friend std::vector<Device> devices();
 };
 
-/// Every device of every platform, platforms in the loader's order. A platform without devices is passed over.
+/// Every device of every platform, platforms in the loader's order. A platform without devices is passed
+/// over.
 std::vector<Device> devices();
 
-/// The device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or part of a device's
-/// name; empty: $PELAGE_DEVICE, else the first GPU, else the first CPU. Throws InputError when nothing or several match
-/// (naming the candidates), NoDeviceError when there is no device at all.
+/// The device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or part of a
+/// device's name, or of its platform's where no device's name has it; empty: $PELAGE_DEVICE, else the first
+/// GPU, else the first CPU. Throws InputError when nothing or several match (naming the candidates),
+/// NoDeviceError when there is no device at all.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -9,8 +9,8 @@
 
 namespace pelage::cl {
 
-/// The folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else beside the binary's
-/// source tree, else the installed share folder. Throws InputError when none exists.
+/// The folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else beside the
+/// binary's source tree, else the installed share folder. Throws InputError when none exists.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(std::filesystem::path folder);
 
@@ -38,7 +38,8 @@ class Event {
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
-  /// End minus start in ms, once finished; empty when the device's timer is not real (resolution 0, or end <= start).
+  /// End minus start in ms, once finished; empty when the device's timer is not real (resolution 0, or end <=
+  /// start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
 
@@ -53,7 +54,8 @@ class Kernel {
   Kernel(Kernel&& other) noexcept;
   Kernel& operator=(Kernel&& other) noexcept;
 
-  /// Sets every argument in order: Buffer<T>, Memory, or a trivially copyable value (scalars, records of params.h).
+  /// Sets every argument in order: Buffer<T>, Memory, or a trivially copyable value (scalars, records of
+  /// params.h).
   template <class... A>
   Kernel& with(const A&... values) {
     cl_uint index = 0;
@@ -61,16 +63,21 @@ class Kernel {
     return *this;
   }
   /// Enqueues over `global` work-items; local 0 leaves the work-group size to the device.
-  Event enqueue(const Queue& queue, std::array<std::size_t, 2> global, std::array<std::size_t, 2> local = {0, 0}) const;
+  Event enqueue(const Queue& queue, std::array<std::size_t, 2> global,
+                std::array<std::size_t, 2> local = {0, 0}) const;
   Event enqueue(const Queue& queue, std::size_t global, std::size_t local = 0) const;
 
  private:
   template <class T>
-  void set(cl_uint index, const Buffer<T>& buffer) { set_memory(index, buffer.get()); }
+  void set(cl_uint index, const Buffer<T>& buffer) {
+    set_memory(index, buffer.get());
+  }
   void set(cl_uint index, const Memory& memory) { set_memory(index, memory.get()); }
   template <class T>
-    requires std::is_trivially_copyable_v<T>
-  void set(cl_uint index, const T& value) { set_bytes(index, sizeof(T), &value); }
+  requires(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> &&
+           !std::is_same_v<T, bool>) void set(cl_uint index, const T& value) {
+    set_bytes(index, sizeof(T), &value);
+  }
   void set_memory(cl_uint index, cl_mem memory);
   void set_bytes(cl_uint index, std::size_t bytes, const void* value);
 

@@ -1,0 +1,253 @@
+#include "harness/cl/device.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+
+#include "harness/cl/buffer.hpp"
+#include "harness/error.hpp"
+
+namespace pelage::cl {
+
+struct Device::State {
+  cl_device_id id = nullptr;
+  DeviceInfo info;
+  std::string
+      platform_suffix;  // cl_khr_icd's short name: POCL, NV, MESA; empty where the extension is missing
+  // Created on first use: listing devices must not occupy every GPU of a shared machine.
+  mutable std::once_flag created;
+  mutable cl_context context = nullptr;
+
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State() {
+    if (context != nullptr) clReleaseContext(context);
+  }
+};
+
+namespace {
+
+std::string trimmed(std::string text) {
+  while (!text.empty() && (text.back() == '\0' || std::isspace(static_cast<unsigned char>(text.back())) != 0))
+    text.pop_back();
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? std::string{} : text.substr(first);
+}
+
+std::string platform_text(cl_platform_id platform, cl_platform_info key) {
+  std::size_t size = 0;
+  if (clGetPlatformInfo(platform, key, 0, nullptr, &size) != CL_SUCCESS || size == 0) return {};
+  std::string text(size, '\0');
+  if (clGetPlatformInfo(platform, key, size, text.data(), nullptr) != CL_SUCCESS) return {};
+  return trimmed(text);
+}
+
+std::string device_text(cl_device_id device, cl_device_info key) {
+  std::size_t size = 0;
+  if (clGetDeviceInfo(device, key, 0, nullptr, &size) != CL_SUCCESS || size == 0) return {};
+  std::string text(size, '\0');
+  if (clGetDeviceInfo(device, key, size, text.data(), nullptr) != CL_SUCCESS) return {};
+  return trimmed(text);
+}
+
+template <class T>
+T device_value(cl_device_id device, cl_device_info key) {
+  T value{};
+  if (clGetDeviceInfo(device, key, sizeof value, &value, nullptr) != CL_SUCCESS) return T{};
+  return value;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+bool contains(std::string_view text, std::string_view part) {
+  return lower(text).find(lower(part)) != std::string::npos;
+}
+
+// Sixteen lanes to a work-item pay on CPU devices of PoCL, which is the only compiler seen to take them well.
+int lanes_of(const DeviceInfo& info) {
+  if (const char* forced = std::getenv("PELAGE_LANES"); forced != nullptr && *forced != '\0') {
+    const std::string_view value = forced;
+    if (value != "1" && value != "16")
+      throw InputError(fmt::format("PELAGE_LANES is '{}': it may be 1 or 16", value));
+    return value == "16" ? 16 : 1;
+  }
+  return info.cpu && info.platform == "Portable Computing Language" ? 16 : 1;
+}
+
+DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
+  DeviceInfo info;
+  info.platform = platform_text(platform, CL_PLATFORM_NAME);
+  info.platform_version = platform_text(platform, CL_PLATFORM_VERSION);
+  info.name = device_text(device, CL_DEVICE_NAME);
+  info.vendor = device_text(device, CL_DEVICE_VENDOR);
+  info.version = device_text(device, CL_DEVICE_VERSION);
+  info.c_version = device_text(device, CL_DEVICE_OPENCL_C_VERSION);
+  info.driver = device_text(device, CL_DRIVER_VERSION);
+  const auto type = device_value<cl_device_type>(device, CL_DEVICE_TYPE);
+  info.gpu = (type & CL_DEVICE_TYPE_GPU) != 0;
+  info.cpu = (type & CL_DEVICE_TYPE_CPU) != 0;
+  info.compute_units = device_value<cl_uint>(device, CL_DEVICE_MAX_COMPUTE_UNITS);
+  info.global_memory = device_value<cl_ulong>(device, CL_DEVICE_GLOBAL_MEM_SIZE);
+  info.local_memory = device_value<cl_ulong>(device, CL_DEVICE_LOCAL_MEM_SIZE);
+  info.max_allocation = device_value<cl_ulong>(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
+  info.max_work_group = device_value<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+  info.timer_resolution_ns = device_value<std::size_t>(device, CL_DEVICE_PROFILING_TIMER_RESOLUTION);
+  info.fp64 = device_value<cl_device_fp_config>(device, CL_DEVICE_DOUBLE_FP_CONFIG) != 0;
+  info.lanes = lanes_of(info);
+  return info;
+}
+
+std::vector<cl_platform_id> platforms() {
+  cl_uint count = 0;
+  // -1001 (no platform found) is the loader's way of saying zero.
+  const cl_int code = clGetPlatformIDs(0, nullptr, &count);
+  if (code == -1001 || count == 0) return {};
+  check(code, "clGetPlatformIDs");
+  std::vector<cl_platform_id> ids(count);
+  check(clGetPlatformIDs(count, ids.data(), nullptr), "clGetPlatformIDs");
+  return ids;
+}
+
+std::vector<cl_device_id> device_ids(cl_platform_id platform) {
+  cl_uint count = 0;
+  // Any failure here means that this platform has nothing to offer; the others may.
+  if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count) != CL_SUCCESS || count == 0) return {};
+  std::vector<cl_device_id> ids(count);
+  if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, count, ids.data(), nullptr) != CL_SUCCESS) return {};
+  return ids;
+}
+
+}  // namespace
+
+Device::Device(std::shared_ptr<const State> state) : state_(std::move(state)) {}
+
+const DeviceInfo& Device::info() const {
+  return state_->info;
+}
+
+cl_device_id Device::id() const {
+  return state_->id;
+}
+
+cl_context Device::context() const {
+  std::call_once(state_->created, [this] {
+    cl_int code = CL_SUCCESS;
+    state_->context = clCreateContext(nullptr, 1, &state_->id, nullptr, nullptr, &code);
+    check(code, fmt::format("clCreateContext on {}", info().name));
+  });
+  return state_->context;
+}
+
+std::string Device::spec() const {
+  return fmt::format("{}:{}", info().platform_index, info().device_index);
+}
+
+std::string Device::platform_suffix() const {
+  return state_->platform_suffix;
+}
+
+std::vector<Device> devices() {
+  std::vector<Device> found;
+  int platform_index = 0;
+  for (cl_platform_id platform : platforms()) {
+    int device_index = 0;
+    for (cl_device_id id : device_ids(platform)) {
+      auto state = std::make_shared<Device::State>();
+      state->id = id;
+      state->info = describe(platform, id);
+      state->info.platform_index = platform_index;
+      state->info.device_index = device_index++;
+      state->platform_suffix = platform_text(platform, 0x0920);  // CL_PLATFORM_ICD_SUFFIX_KHR
+      found.push_back(Device(std::move(state)));
+    }
+    ++platform_index;
+  }
+  return found;
+}
+
+namespace {
+
+std::string candidates(const std::vector<Device>& list) {
+  std::string text;
+  for (const Device& device : list)
+    text += fmt::format("{}{} {} ({})", text.empty() ? "" : "; ", device.spec(), device.info().name,
+                        device.info().platform);
+  return text;
+}
+
+std::vector<Device> matching(const std::vector<Device>& all, const auto& wanted) {
+  std::vector<Device> found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), wanted);
+  return found;
+}
+
+bool all_digits(std::string_view text) {
+  return !text.empty() && text.size() <= 4 && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// "PLATFORM:INDEX", where PLATFORM is an index, part of the platform's name, or the loader's short name for
+// it.
+std::optional<std::vector<Device>> by_platform(const std::vector<Device>& all, std::string_view wanted) {
+  const auto colon = wanted.rfind(':');
+  if (colon == std::string_view::npos || colon == 0 || !all_digits(wanted.substr(colon + 1))) return {};
+  const std::string_view platform = wanted.substr(0, colon);
+  const int index = std::stoi(std::string(wanted.substr(colon + 1)));
+  return matching(all, [&](const Device& d) {
+    if (d.info().device_index != index) return false;
+    if (all_digits(platform)) return d.info().platform_index == std::stoi(std::string(platform));
+    return contains(d.info().platform, platform) || lower(d.platform_suffix()) == lower(platform);
+  });
+}
+
+std::vector<Device> by_name(const std::vector<Device>& all, std::string_view wanted) {
+  auto exact = matching(all, [&](const Device& d) { return lower(d.info().name) == lower(wanted); });
+  if (!exact.empty()) return exact;
+  auto partial = matching(all, [&](const Device& d) { return contains(d.info().name, wanted); });
+  if (!partial.empty()) return partial;
+  return matching(all, [&](const Device& d) {
+    return contains(d.info().platform, wanted) || lower(d.platform_suffix()) == lower(wanted);
+  });
+}
+
+}  // namespace
+
+Device choose_device(std::string_view wanted) {
+  const std::vector<Device> all = devices();
+  if (all.empty())
+    throw NoDeviceError(
+        "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd "
+        "for NVIDIA) "
+        "and see that clinfo lists it");
+  std::string origin = "--device";
+  std::string asked(wanted);
+  if (asked.empty()) {
+    if (const char* variable = std::getenv("PELAGE_DEVICE"); variable != nullptr) asked = variable;
+    origin = "PELAGE_DEVICE";
+  }
+  if (asked.empty()) {
+    if (auto gpus = matching(all, [](const Device& d) { return d.info().gpu; }); !gpus.empty())
+      return gpus.front();
+    if (auto cpus = matching(all, [](const Device& d) { return d.info().cpu; }); !cpus.empty())
+      return cpus.front();
+    return all.front();
+  }
+  auto by_index = by_platform(all, asked);
+  const std::vector<Device> found = by_index ? *std::move(by_index) : by_name(all, asked);
+  if (found.size() == 1) return found.front();
+  if (found.empty())
+    throw InputError(fmt::format("{} {}: no such device; there are: {}", origin, asked, candidates(all)));
+  throw InputError(fmt::format("{} {}: names several devices, write PLATFORM:INDEX: {}", origin, asked,
+                               candidates(found)));
+}
+
+}  // namespace pelage::cl

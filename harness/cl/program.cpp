@@ -1,0 +1,146 @@
+#include "harness/cl/program.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "harness/error.hpp"
+
+namespace pelage::cl {
+namespace {
+
+std::string read_source(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file))
+    throw InputError(
+        fmt::format("{}: cannot be read: no such kernel file in the kernel folder", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string build_log(cl_program program, cl_device_id device) {
+  std::size_t size = 0;
+  if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &size) != CL_SUCCESS ||
+      size == 0)
+    return {};
+  std::string log(size, '\0');
+  if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, size, log.data(), nullptr) != CL_SUCCESS)
+    return {};
+  while (!log.empty() && (log.back() == '\0' || log.back() == '\n')) log.pop_back();
+  return log;
+}
+
+}  // namespace
+
+Program::Program(const Device& device, const std::filesystem::path& file, const std::string& options) {
+  const std::filesystem::path folder = kernel_folder();
+  const std::string source = read_source(folder / file);
+  const char* text = source.data();
+  const std::size_t length = source.size();
+  const std::string all =
+      fmt::format("-cl-std=CL1.2 -I {}{}{}", folder.string(), options.empty() ? "" : " ", options);
+
+  const auto start = std::chrono::steady_clock::now();
+  cl_int code = CL_SUCCESS;
+  program_ = clCreateProgramWithSource(device.context(), 1, &text, &length, &code);
+  check(code, "clCreateProgramWithSource");
+  const cl_device_id id = device.id();
+  code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
+  build_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  log_ = build_log(program_, id);
+  if (code != CL_SUCCESS) {
+    clReleaseProgram(std::exchange(program_, nullptr));
+    throw DeviceError(fmt::format(
+        "clBuildProgram: {}: {} does not build on {} with options '{}'; the log:\n{}", error_name(code),
+        (folder / file).string(), device.info().name, all, log_.empty() ? "(empty)" : log_));
+  }
+}
+
+Program::~Program() {
+  if (program_ != nullptr) clReleaseProgram(program_);
+}
+
+Program::Program(Program&& other) noexcept
+    : program_(std::exchange(other.program_, nullptr)),
+      log_(std::move(other.log_)),
+      build_ms_(other.build_ms_) {}
+
+Program& Program::operator=(Program&& other) noexcept {
+  std::swap(program_, other.program_);
+  std::swap(log_, other.log_);
+  std::swap(build_ms_, other.build_ms_);
+  return *this;
+}
+
+Event::~Event() {
+  if (event_ != nullptr) clReleaseEvent(event_);
+}
+
+Event::Event(Event&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+
+Event& Event::operator=(Event&& other) noexcept {
+  std::swap(event_, other.event_);
+  return *this;
+}
+
+std::optional<double> Event::milliseconds(const Device& device) const {
+  if (event_ == nullptr || device.info().timer_resolution_ns == 0) return {};
+  check(clWaitForEvents(1, &event_), "clWaitForEvents");
+  cl_ulong start = 0, end = 0;
+  if (clGetEventProfilingInfo(event_, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr) !=
+          CL_SUCCESS ||
+      clGetEventProfilingInfo(event_, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) != CL_SUCCESS ||
+      end <= start)
+    return {};
+  return static_cast<double>(end - start) * 1e-6;
+}
+
+Kernel::Kernel(const Program& program, const std::string& name) : name_(name) {
+  cl_int code = CL_SUCCESS;
+  kernel_ = clCreateKernel(program.get(), name.c_str(), &code);
+  check(code, fmt::format("clCreateKernel of {}", name));
+}
+
+Kernel::~Kernel() {
+  if (kernel_ != nullptr) clReleaseKernel(kernel_);
+}
+
+Kernel::Kernel(Kernel&& other) noexcept
+    : kernel_(std::exchange(other.kernel_, nullptr)), name_(std::move(other.name_)) {}
+
+Kernel& Kernel::operator=(Kernel&& other) noexcept {
+  std::swap(kernel_, other.kernel_);
+  std::swap(name_, other.name_);
+  return *this;
+}
+
+void Kernel::set_memory(cl_uint index, cl_mem memory) {
+  check(clSetKernelArg(kernel_, index, sizeof memory, static_cast<const void*>(&memory)),
+        fmt::format("clSetKernelArg {} of {}", index, name_));
+}
+
+void Kernel::set_bytes(cl_uint index, std::size_t bytes, const void* value) {
+  check(clSetKernelArg(kernel_, index, bytes, value), fmt::format("clSetKernelArg {} of {}", index, name_));
+}
+
+Event Kernel::enqueue(const Queue& queue, std::array<std::size_t, 2> global,
+                      std::array<std::size_t, 2> local) const {
+  cl_event event = nullptr;
+  check(clEnqueueNDRangeKernel(queue.get(), kernel_, 2, nullptr, global.data(),
+                               local[0] > 0 ? local.data() : nullptr, 0, nullptr, &event),
+        fmt::format("clEnqueueNDRangeKernel of {} over {} x {}", name_, global[0], global[1]));
+  return Event(event);
+}
+
+Event Kernel::enqueue(const Queue& queue, std::size_t global, std::size_t local) const {
+  cl_event event = nullptr;
+  check(clEnqueueNDRangeKernel(queue.get(), kernel_, 1, nullptr, &global, local > 0 ? &local : nullptr, 0,
+                               nullptr, &event),
+        fmt::format("clEnqueueNDRangeKernel of {} over {}", name_, global));
+  return Event(event);
+}
+
+}  // namespace pelage::cl
