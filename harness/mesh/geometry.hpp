@@ -1,0 +1,16 @@
+// Small geometric facts about points.
+#pragma once
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace pelage {
+
+struct Sphere {
+  glm::dvec3 centre{0};
+  double radius = 0;
+};
+
+/// The smallest sphere that holds all points (CGAL's Min_sphere_of_spheres_d).
+Sphere bounding_sphere(const std::vector<glm::dvec3>& points);
+
+}  // namespace pelage

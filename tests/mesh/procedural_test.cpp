@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/mesh/mesh.hpp"
+
+namespace pelage {
+namespace {
+
+double uv_area(const Mesh& mesh) {
+  double area = 0;
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec2 a(mesh.uv[t.x]), b(mesh.uv[t.y]), c(mesh.uv[t.z]);
+    const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    EXPECT_GT(twice, 0);
+    area += 0.5 * twice;
+  }
+  return area;
+}
+
+TEST(Torus, is_72_by_65_quads_with_a_map_that_wraps) {
+  const auto mesh = load_model("torus");
+  EXPECT_EQ(mesh->triangle.size(), 9360u);
+  EXPECT_EQ(mesh->welded, 72u * 65u);
+  EXPECT_EQ(mesh->position.size(), 73u * 66u);
+  EXPECT_TRUE(mesh->periodic_uv);
+  EXPECT_NEAR(uv_area(*mesh), 1.0, 1e-5);
+  // Major radius 1 and minor radius 0.4, in units of the bounding sphere's 1.4; a ring is a polygon of 72
+  // or 65.
+  EXPECT_NEAR(mesh->length_per_uv.x, 2 * M_PI / 1.4, 0.01);
+  EXPECT_NEAR(mesh->length_per_uv.y, 2 * M_PI * 0.4 / 1.4, 0.01);
+  for (const glm::uvec3& t : mesh->triangle) {
+    const glm::vec3 a = mesh->position[t.x], b = mesh->position[t.y], c = mesh->position[t.z];
+    EXPECT_LE(glm::length(a), 1.0001f);
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    EXPECT_GT(glm::length(normal), 0.0f);
+  }
+}
+
+TEST(Square, of_the_grass_has_13_vertices_and_16_faces) {
+  const auto mesh = load_model("banisch-grass");
+  EXPECT_EQ(mesh->triangle.size(), 16u);
+  EXPECT_EQ(mesh->position.size(), 13u);
+  EXPECT_EQ(mesh->welded, 13u);
+  EXPECT_FALSE(mesh->periodic_uv);
+  for (const glm::uvec3& t : mesh->triangle) {
+    const glm::vec3 a = mesh->position[t.x], b = mesh->position[t.y], c = mesh->position[t.z];
+    EXPECT_GT(glm::cross(b - a, c - a).y, 0.0f);
+  }
+  const double margin = 2.0 / 256;
+  EXPECT_NEAR(uv_area(*mesh), (1 - 2 * margin) * (1 - 2 * margin), 1e-6);
+}
+
+}  // namespace
+}  // namespace pelage
