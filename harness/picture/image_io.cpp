@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -25,11 +26,10 @@ std::string extension(const fs::path& path) {
   return name;
 }
 
-/// OpenImageIO's own words, on one line.
-std::string one_line(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text.empty() ? "no reason given" : text;
+/// The first line of OpenImageIO's own words; it repeats itself for every scanline.
+std::string one_line(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.empty() ? "no reason given" : line;
 }
 
 std::uint8_t to_byte(float value) {
@@ -65,6 +65,24 @@ std::unique_ptr<OIIO::ImageInput> reader_for(const fs::path& path) {
   }
   throw InputError(
       fmt::format("{}: not a picture that pelage reads; PNG, JPEG, TIFF and EXR are", path.string()));
+}
+
+/// PNG and JPEG end with a marker. OpenImageIO returns a truncated JPEG as a picture with grey in it.
+void require_end(const fs::path& path) {
+  using namespace std::string_literals;
+  const std::string kind = extension(path);
+  const std::string marker = kind == ".png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
+  if (kind != ".png" && kind != ".jpg" && kind != ".jpeg") return;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  // Some writers pad behind the marker.
+  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
+  file.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
+  file.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (!file || tail.find(marker) == std::string::npos) {
+    throw InputError(
+        fmt::format("{}: damaged picture: the file ends before the picture does", path.string()));
+  }
 }
 
 }  // namespace
@@ -111,11 +129,15 @@ Picture read_picture(const fs::path& path) {
         fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
                     path.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
+  require_end(path);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
   const int channels = std::min(spec.nchannels, 4);
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
-    throw InputError(fmt::format("{}: damaged picture: {}", path.string(), one_line(input->geterror())));
+  const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
+  // A truncated TIFF reads "well" and leaves only a message.
+  const std::string complaint = input->geterror();
+  if (!read || !complaint.empty()) {
+    throw InputError(fmt::format("{}: damaged picture: {}", path.string(), one_line(complaint)));
   }
 
   Picture picture{spec.width, spec.height, std::vector<glm::vec4>(pixels)};
