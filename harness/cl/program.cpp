@@ -11,11 +11,12 @@
 #include "harness/error.hpp"
 
 namespace pelage::cl {
+namespace fs = std::filesystem;
 namespace {
 
-std::string read_source(const std::filesystem::path& file) {
+std::string read_source(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
+  if (!stream || fs::is_directory(file))
     throw InputError(
         fmt::format("{}: cannot be read: no such kernel file in the kernel folder", file.string()));
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -33,15 +34,40 @@ std::string build_log(cl_program program, cl_device_id device) {
   return log;
 }
 
+// Build options are split at spaces and PoCL knows no quotes: a folder with a space in its name is reached
+// through a link, which lives as long as the build.
+class IncludePath {
+ public:
+  explicit IncludePath(const fs::path& folder) : path_(folder) {
+    if (folder.string().find(' ') == std::string::npos) return;
+    std::string name = (fs::temp_directory_path() / "pelage-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw DeviceError(fmt::format("{}: cannot be created", name));
+    parent_ = name;
+    path_ = parent_ / "kernels";
+    fs::create_directory_symlink(folder, path_);
+  }
+  ~IncludePath() {
+    std::error_code ignored;
+    if (!parent_.empty()) fs::remove_all(parent_, ignored);
+  }
+  IncludePath(const IncludePath&) = delete;
+  IncludePath& operator=(const IncludePath&) = delete;
+  std::string text() const { return path_.string(); }
+
+ private:
+  fs::path path_, parent_;
+};
+
 }  // namespace
 
-Program::Program(const Device& device, const std::filesystem::path& file, const std::string& options) {
-  const std::filesystem::path folder = kernel_folder();
+Program::Program(const Device& device, const fs::path& file, const std::string& options) {
+  const fs::path folder = kernel_folder();
+  const IncludePath include(folder);
   const std::string source = read_source(folder / file);
   const char* text = source.data();
   const std::size_t length = source.size();
   const std::string all =
-      fmt::format("-cl-std=CL1.2 -I {}{}{}", folder.string(), options.empty() ? "" : " ", options);
+      fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
 
   const auto start = std::chrono::steady_clock::now();
   cl_int code = CL_SUCCESS;

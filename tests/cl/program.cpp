@@ -1,0 +1,169 @@
+#include "harness/cl/program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <numeric>
+
+#include "harness/error.hpp"
+
+using namespace pelage;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Pair {
+  float scale;
+  int shift;
+};
+
+// Kernels written by the test into a folder of its own; the process's kernel folder is put back afterwards.
+class Programs : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    before_ = cl::kernel_folder();
+    folder_ = fs::temp_directory_path() / fmt::format("pelage-test-kernels-{}", ::getpid());
+    fs::create_directories(folder_);
+    cl::set_kernel_folder(folder_);
+  }
+  void TearDown() override {
+    cl::set_kernel_folder(before_);
+    fs::remove_all(folder_);
+  }
+  void write(const char* name, const std::string& text) const { std::ofstream(folder_ / name) << text; }
+
+  cl::Device device_ = cl::choose_device("");
+  fs::path before_, folder_;
+};
+
+const char* const scaling = R"(
+#include "factor.clh"
+typedef struct { float scale; int shift; } Pair;
+__kernel void scaled(__global const float *in, Pair pair, uint count, __global float *out) {
+  size_t i = get_global_id(0);
+  if (i < count) out[i] = FACTOR * pair.scale * in[i] + pair.shift;
+}
+__kernel void numbered(uint width, __global uint *out) { out[get_global_id(1) * width + get_global_id(0)] = get_global_id(1); }
+)";
+
+}  // namespace
+
+TEST_F(Programs, TakeBuffersAndRecordsInOrder) {
+  write("factor.clh", "#ifndef FACTOR\n#define FACTOR 2\n#endif\n");
+  write("scaling.cl", scaling);
+  const cl::Queue queue(device_);
+  std::vector<float> values(1000);
+  std::iota(values.begin(), values.end(), 0.0f);
+  const cl::Buffer<float> in(queue, values);
+  const cl::Buffer<float> out(device_, values.size());
+  for (const auto& [options, factor] : {std::pair{"", 2.0f}, std::pair{"-D FACTOR=3", 3.0f}}) {
+    const cl::Program program(device_, "scaling.cl", options);
+    EXPECT_GT(program.build_ms(), 0);
+    cl::Kernel kernel(program, "scaled");
+    kernel.with(in, Pair{0.5f, 7}, static_cast<cl_uint>(values.size()), out).enqueue(queue, 1024);
+    const std::vector<float> result = out.read(queue);
+    for (std::size_t i = 0; i < values.size(); ++i) ASSERT_EQ(result[i], factor * 0.5f * values[i] + 7) << i;
+  }
+}
+
+TEST_F(Programs, LaunchTwoDimensions) {
+  write("factor.clh", "");
+  write("scaling.cl", scaling);
+  const cl::Queue queue(device_);
+  const cl::Buffer<std::uint32_t> out(device_, 12);
+  const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
+  cl::Kernel(program, "numbered").with(cl_uint{4}, out).enqueue(queue, {4, 3});
+  EXPECT_EQ(out.read(queue), (std::vector<std::uint32_t>{0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2}));
+}
+
+TEST_F(Programs, SeeAnEditedInclude) {
+  const cl::Queue queue(device_);
+  const cl::Buffer<std::uint32_t> out(device_, 1);
+  write("main.cl", "#include \"value.clh\"\n__kernel void value(__global uint *out) { out[0] = VALUE; }\n");
+  for (const std::uint32_t value : {11u, 12u}) {
+    write("value.clh", fmt::format("#define VALUE {}\n", value));
+    const cl::Program program(device_, "main.cl");
+    cl::Kernel(program, "value").with(out).enqueue(queue, 1);
+    EXPECT_EQ(out.read(queue).front(), value);
+  }
+}
+
+TEST_F(Programs, FromAFolderWithASpace) {
+  const fs::path spaced = folder_ / "two words";
+  fs::create_directories(spaced);
+  cl::set_kernel_folder(spaced);
+  std::ofstream(spaced / "factor.clh") << "#define FACTOR 1\n";
+  std::ofstream(spaced / "scaling.cl") << scaling;
+  EXPECT_NO_THROW(cl::Program(device_, "scaling.cl"));
+}
+
+TEST_F(Programs, ThatDoNotBuildShowLogAndOptions) {
+  write("broken.cl", "__kernel void broken(__global float *out) { out[0] = no_such_name; }\n");
+  try {
+    cl::Program(device_, "broken.cl", "-D SOMETHING=1");
+    FAIL() << "built";
+  } catch (const DeviceError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("CL_BUILD_PROGRAM_FAILURE"), std::string::npos) << text;
+    EXPECT_NE(text.find("no_such_name"), std::string::npos) << text;
+    EXPECT_NE(text.find("-D SOMETHING=1"), std::string::npos) << text;
+    EXPECT_NE(text.find("broken.cl"), std::string::npos) << text;
+  }
+}
+
+TEST_F(Programs, KeepTheLogOfWarnings) {
+  write("warned.cl", "#warning \"look here\"\n__kernel void fine(__global float *out) { out[0] = 1; }\n");
+  EXPECT_NE(cl::Program(device_, "warned.cl").log().find("look here"), std::string::npos);
+}
+
+TEST_F(Programs, ThatAreMissingNameTheFile) {
+  try {
+    cl::Program(device_, "absent.cl");
+    FAIL() << "built";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("absent.cl"), std::string::npos);
+  }
+  EXPECT_THROW(cl::set_kernel_folder(folder_ / "absent"), InputError);
+}
+
+TEST_F(Programs, NameAnUnknownKernelAndAWrongArgument) {
+  write("factor.clh", "");
+  write("scaling.cl", scaling);
+  const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
+  try {
+    cl::Kernel(program, "absent");
+    FAIL() << "found";
+  } catch (const DeviceError& error) {
+    EXPECT_NE(std::string(error.what()).find("CL_INVALID_KERNEL_NAME"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("absent"), std::string::npos) << error.what();
+  }
+  const cl::Buffer<std::uint32_t> out(device_, 1);
+  cl::Kernel kernel(program, "numbered");
+  EXPECT_THROW(kernel.with(std::uint64_t{1}, out), DeviceError);
+}
+
+TEST_F(Programs, TimeTheirEvents) {
+  write("work.cl",
+        "__kernel void work(__global float *out) { float x = get_global_id(0); for (int i = 0; i < 2000; "
+        "++i) x = fma(x, "
+        "0.5f, 1.0f); out[get_global_id(0)] = x; }\n");
+  const cl::Queue queue(device_);
+  const cl::Buffer<float> out(device_, 1 << 16);
+  const cl::Program program(device_, "work.cl");
+  cl::Kernel kernel(program, "work");
+  kernel.with(out);
+  kernel.enqueue(queue, out.size());
+  queue.finish();
+  const cl::Event event = kernel.enqueue(queue, out.size());
+  queue.finish();
+  const auto time = event.milliseconds(device_);
+  if (device_.info().timer_resolution_ns == 0)
+    EXPECT_FALSE(time.has_value());
+  else
+    EXPECT_GT(time.value(), 0.0);
+  EXPECT_FALSE(cl::Event().milliseconds(device_).has_value());
+}
