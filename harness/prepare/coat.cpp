@@ -1,0 +1,99 @@
+#include "harness/prepare/coat.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/error.hpp"
+#include "harness/prepare/noise.hpp"
+#include "harness/prepare/random.hpp"
+#include "harness/prepare/surface_map.hpp"
+
+namespace pelage {
+namespace {
+
+double smoothstep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+/// Distance to the nearest point of a jittered lattice of unit cells.
+double spot_distance(glm::dvec3 p, std::uint32_t seed) {
+  const Random random(seed, 0x5907u);
+  const glm::dvec3 cell = glm::floor(p);
+  double least = 1e30;
+  for (int k = 0; k < 27; ++k) {
+    const glm::dvec3 c = cell + glm::dvec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    auto word = [](double x) { return std::uint64_t(std::int64_t(x)) & 0x1fffffu; };
+    const std::uint64_t id = word(c.x) | word(c.y) << 21 | word(c.z) << 42;
+    const glm::dvec3 jitter(random.uniform(id, 0), random.uniform(id, 1), random.uniform(id, 2));
+    least = std::min(least, glm::distance(p, c + 0.15 + 0.7 * jitter));
+  }
+  return least;
+}
+
+/// How much of the second colour there is at p, p in units of the pattern's size.
+using Pattern = double (*)(glm::dvec3 p, std::uint32_t seed);
+
+double plain(glm::dvec3, std::uint32_t) {
+  return 0;
+}
+
+double patches(glm::dvec3 p, std::uint32_t seed) {
+  return smoothstep(-0.18, 0.22, fractal_noise(p, seed));
+}
+
+double stripes(glm::dvec3 p, std::uint32_t seed) {
+  const double bent = p.x + 0.35 * fractal_noise(1.5 * p, seed) + 0.12 * noise(6.0 * p, seed + 5u);
+  const double wave = std::sin(2.0 * std::numbers::pi * bent);
+  return smoothstep(0.1, 0.45, wave + 0.35 * noise(2.0 * p, seed + 9u));
+}
+
+double spots(glm::dvec3 p, std::uint32_t seed) {
+  const double ragged = spot_distance(p, seed) + 0.08 * noise(5.0 * p, seed + 3u);
+  return 1.0 - smoothstep(0.28, 0.36, ragged);
+}
+
+double grass(glm::dvec3 p, std::uint32_t seed) {
+  return std::clamp(0.5 + 0.9 * fractal_noise(2.0 * p, seed), 0.0, 1.0);
+}
+
+Pattern pattern_of(const std::string& name) {
+  if (name == "plain") return plain;
+  if (name == "patches") return patches;
+  if (name == "stripes") return stripes;
+  if (name == "spots") return spots;
+  if (name == "grass") return grass;
+  throw InputError(fmt::format(
+      "coat.pattern: '{}' is not known; use \"plain\", \"patches\", \"stripes\", \"spots\" or \"grass\"",
+      name));
+}
+
+std::uint8_t byte(double value) {
+  return std::uint8_t(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
+}
+
+CoatTexture painted(const Mesh& mesh, const CoatScene& coat) {
+  const Pattern pattern = pattern_of(coat.pattern);
+  const glm::dvec3 first(coat.colour), second(coat.second);
+  CoatTexture out;
+  out.size = coat.texture;
+  for (const glm::vec3& point : surface_map(mesh, coat.texture)) {
+    const double share = pattern(glm::dvec3(point) / double(coat.scale), coat.seed);
+    const glm::dvec3 colour = first + (second - first) * share;
+    out.texel.push_back({byte(colour.x), byte(colour.y), byte(colour.z), 255});
+  }
+  return out;
+}
+
+}  // namespace
+
+CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat) {
+  return painted(mesh, coat);
+}
+
+}  // namespace pelage

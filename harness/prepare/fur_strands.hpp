@@ -1,0 +1,32 @@
+// Where the strands of the fur texture stand, and what each is like.
+#pragma once
+#include <glm/vec2.hpp>
+#include <vector>
+
+#include "harness/scene/scene.hpp"
+
+namespace pelage {
+
+/// One hair of the repeating square. Lengths in the plane are in sides of the square.
+struct FurStrand {
+  glm::dvec2 root;  ///< in [0,1)^2
+  glm::dvec2 pull;  ///< from the root to where a full lock would bring the tip
+  glm::dvec2 bend;  ///< offset of a blade's tip
+  double length;    ///< fraction of L0
+  double radius;    ///< at the root
+  double shade;     ///< factor on the coat's colour
+};
+
+/// Guard hairs first, then the undercoat. Roots lie on a jittered grid that wraps around.
+std::vector<FurStrand> grow_strands(const FurScene& fur);
+
+/// Centre of a strand's section at height h in [0,1] (fraction of L0), not wrapped.
+glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
+
+/// Its radius at h <= length: full at the root, fur.tip_radius of it at the tip.
+double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
+
+/// `count` points spread evenly over [0,1)^2: rows of nearly equal number, each point jittered in its cell.
+std::vector<glm::dvec2> jittered_points(int count, std::uint32_t seed, std::uint32_t stream);
+
+}  // namespace pelage

@@ -1,0 +1,179 @@
+#include "harness/prepare/fur_texture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/prepare/fur_strands.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr int fine = 4;                  // sub-samples per texel and axis
+constexpr double shade_unit = 127.5;     // byte of a factor 1
+constexpr double reference_layers = 16;  // the layer count at which coverage is stored as it is
+
+/// One slice while it is being drawn; coverage in 0..1.
+struct Slice {
+  int side;
+  std::vector<float> coverage, shade;
+  explicit Slice(int n) : side(n), coverage(std::size_t(n) * std::size_t(n)), shade(coverage.size(), 1.0f) {}
+  std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(side) + std::size_t(x); }
+};
+
+int wrap(int i, int n) {
+  i %= n;
+  return i < 0 ? i + n : i;
+}
+
+/// Counts the sub-samples of each texel inside a disc, row by row, and keeps the greatest coverage.
+class DiscPainter {
+ public:
+  explicit DiscPainter(Slice& slice) : slice_(slice) {}
+
+  void paint(double cx, double cy, double radius, float weight, float shade) {
+    const int x0 = int(std::floor(cx - radius)), x1 = int(std::floor(cx + radius));
+    const int y0 = int(std::floor(cy - radius)), y1 = int(std::floor(cy + radius));
+    const int columns = x1 - x0 + 1;
+    for (int y = y0; y <= y1; ++y) {
+      count_.assign(std::size_t(columns), 0);
+      for (int k = 0; k < fine; ++k) {
+        const double dy = y + (k + 0.5) / fine - cy, square = radius * radius - dy * dy;
+        if (square <= 0) continue;
+        const double half = std::sqrt(square);
+        const int first = int(std::ceil((cx - half - x0) * fine - 0.5));
+        const int last = int(std::floor((cx + half - x0) * fine - 0.5));
+        for (int i = std::max(first, 0); i <= std::min(last, columns * fine - 1); ++i)
+          ++count_[std::size_t(i / fine)];
+      }
+      for (int x = x0; x <= x1; ++x) {
+        const float a = weight * float(count_[std::size_t(x - x0)]) / (fine * fine);
+        const std::size_t i = slice_.at(wrap(x, slice_.side), wrap(y, slice_.side));
+        if (a <= slice_.coverage[i]) continue;
+        slice_.coverage[i] = a;
+        slice_.shade[i] = shade;
+      }
+    }
+  }
+
+ private:
+  Slice& slice_;
+  std::vector<int> count_;
+};
+
+/// A disc thinner than two sub-samples would be hit or missed at random: it is drawn wider and fainter.
+constexpr double thinnest = 0.36;  // texels
+
+Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
+  Slice slice(fur.texture);
+  DiscPainter painter(slice);
+  const double h = (1.0 + n) / fur.layers;
+  for (const FurStrand& s : strands) {
+    // The slice stands for the slab below it; a strand that ends inside the slab fills a part of it.
+    const double share = std::min(1.0, (s.length - h) * fur.layers + 1.0);
+    if (share <= 0) continue;
+    const double height = std::min(h, s.length);
+    const glm::dvec2 centre = strand_centre(s, fur, height) * double(fur.texture);
+    double radius = strand_radius(s, fur, height) * fur.texture, weight = share;
+    if (radius < thinnest) {
+      weight *= radius * radius / (thinnest * thinnest);
+      radius = thinnest;
+    }
+    painter.paint(centre.x, centre.y, radius, float(weight), float(s.shade));
+  }
+  return slice;
+}
+
+/// Texels without fur take the shade of the fur around them; far from any, the mean shade.
+void spread_shade(Slice& slice) {
+  constexpr int rings = 2;
+  std::vector<char> known(slice.coverage.size());
+  double sum = 0, weight = 0;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    known[i] = slice.coverage[i] > 0;
+    sum += double(slice.coverage[i]) * double(slice.shade[i]);
+    weight += double(slice.coverage[i]);
+  }
+  const float mean = weight > 0 ? float(sum / weight) : 1.0f;
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<char> before = known;
+    for (int y = 0; y < slice.side; ++y)
+      for (int x = 0; x < slice.side; ++x) {
+        const std::size_t i = slice.at(x, y);
+        if (before[i]) continue;
+        float total = 0;
+        int count = 0;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            const std::size_t k = slice.at(wrap(x + dx, slice.side), wrap(y + dy, slice.side));
+            if (!before[k]) continue;
+            total += slice.shade[k];
+            ++count;
+          }
+        if (count == 0) continue;
+        slice.shade[i] = total / float(count);
+        known[i] = 1;
+      }
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known[i]) slice.shade[i] = mean;
+}
+
+/// The next mip level: coverage by area, shade by coverage.
+Slice half(const Slice& full) {
+  Slice out(std::max(1, full.side / 2));
+  for (int y = 0; y < out.side; ++y)
+    for (int x = 0; x < out.side; ++x) {
+      float coverage = 0, weighted = 0, plain = 0;
+      for (int k = 0; k < 4; ++k) {
+        const std::size_t i =
+            full.at(std::min(2 * x + k % 2, full.side - 1), std::min(2 * y + k / 2, full.side - 1));
+        coverage += full.coverage[i];
+        weighted += full.coverage[i] * full.shade[i];
+        plain += full.shade[i];
+      }
+      out.coverage[out.at(x, y)] = coverage / 4;
+      out.shade[out.at(x, y)] = coverage > 0 ? weighted / coverage : plain / 4;
+    }
+  return out;
+}
+
+std::uint8_t byte(double value) {
+  return std::uint8_t(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+void store(const Slice& slice, std::vector<std::array<std::uint8_t, 2>>& texels) {
+  for (std::size_t i = 0; i < slice.coverage.size(); ++i)
+    texels.push_back({byte(255.0 * double(slice.coverage[i])), byte(shade_unit * double(slice.shade[i]))});
+}
+
+}  // namespace
+
+FurTexture make_fur_texture(const FurScene& fur) {
+  FurTexture texture;
+  texture.size = fur.texture;
+  texture.layers = fur.layers;
+  int levels = 1;
+  while (fur.texture >> levels > 0) ++levels;
+  texture.level.resize(std::size_t(levels));
+  for (int l = 0; l < levels; ++l) {
+    const auto side = std::size_t(fur.texture >> l);
+    texture.level[std::size_t(l)].reserve(side * side * std::size_t(fur.layers));
+  }
+
+  const auto strands = grow_strands(fur);
+  const double power = reference_layers / fur.layers;
+  for (int n = 0; n < fur.layers; ++n) {
+    Slice slice = cut(strands, fur, n);
+    spread_shade(slice);
+    for (float& a : slice.coverage)
+      if (a > 0 && a < 1) a = float(1.0 - std::pow(1.0 - double(a), power));
+    store(slice, texture.level[0]);
+    for (std::size_t l = 1; l < texture.level.size(); ++l) {
+      slice = half(slice);
+      store(slice, texture.level[l]);
+    }
+  }
+  return texture;
+}
+
+}  // namespace pelage

@@ -1,0 +1,49 @@
+#include "harness/prepare/prepare.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/error.hpp"
+#include "harness/prepare/camera.hpp"
+#include "harness/prepare/coat.hpp"
+#include "harness/prepare/droplets.hpp"
+#include "harness/prepare/fur_texture.hpp"
+#include "harness/prepare/skin.hpp"
+#include "harness/prepare/strands.hpp"
+#include "harness/prepare/surface_map.hpp"
+#include "harness/prepare/tangents.hpp"
+
+namespace pelage {
+namespace {
+
+/// Repeats per unit of u and v; whole numbers where the atlas wraps, so that the fur does too.
+glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
+  const glm::vec2 scale = fur.tile * mesh.length_per_uv;
+  if (!mesh.periodic_uv) return scale;
+  return {std::max(1.0f, std::round(scale.x)), std::max(1.0f, std::round(scale.y))};
+}
+
+}  // namespace
+
+std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
+  if (!mesh || mesh->triangle.empty()) throw InputError("mesh: no triangles; give a mesh with at least one");
+  auto input = std::make_shared<FrameInput>();
+  const Skin skin = weld(*mesh);
+  input->scene = scene;
+  input->strands = make_strands(skin, scene.fur, scene.dynamics.wind);
+  input->tangents = surface_tangents(*mesh, skin);
+  input->curl = curl_frame(*mesh, skin, input->tangents, scene.curl);
+  input->fur = make_fur_texture(scene.fur);
+  input->coat = make_coat(*mesh, scene.coat);
+  input->droplets = make_droplets(*mesh, skin, scene.wetness);
+  input->mask_surface = surface_map(*mesh, scene.wetness.size);
+  input->fur_scale = fur_scale(*mesh, scene.fur);
+
+  auto extent = rest_tips(skin, input->strands);
+  extent.insert(extent.end(), mesh->position.begin(), mesh->position.end());
+  input->camera = make_camera(scene.camera, scene.image, extent, scene.curl.radius);
+  input->mesh = std::move(mesh);
+  return input;
+}
+
+}  // namespace pelage

@@ -1,0 +1,36 @@
+// Random numbers that are the same on every machine: value i of a stream depends on (seed, stream, i) alone.
+#pragma once
+#include <cstdint>
+
+namespace pelage {
+
+/// Counter-based uniform numbers. The mixer is SplitMix64's finalizer (Steele, Lea, Flood 2014).
+class Random {
+ public:
+  constexpr Random(std::uint32_t seed, std::uint32_t stream)
+      : key_(mix((std::uint64_t(seed) << 32 | stream) + golden)) {}
+
+  /// 64 random bits.
+  constexpr std::uint64_t bits(std::uint64_t index, std::uint32_t channel = 0) const {
+    return mix(key_ ^ mix(index * golden + channel));
+  }
+  /// In [0, 1).
+  constexpr double uniform(std::uint64_t index, std::uint32_t channel = 0) const {
+    return double(bits(index, channel) >> 11) * 0x1p-53;
+  }
+  /// In [-1, 1).
+  constexpr double symmetric(std::uint64_t index, std::uint32_t channel = 0) const {
+    return 2.0 * uniform(index, channel) - 1.0;
+  }
+
+ private:
+  static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
+  static constexpr std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t key_;
+};
+
+}  // namespace pelage

@@ -1,0 +1,83 @@
+#include "harness/prepare/strands.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/prepare/noise.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr double noise_size = 0.22;  // R, the size of a ruffled area
+constexpr double least_grip = 0.25;  // below this tangential share the comb fades instead of swirling
+constexpr int comb_iterations = 20;  // of smoothing, about as many edges wide
+
+/// Lean per surface point, tangential: |lean| is the tangent of the angle from the normal.
+std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
+  const glm::dvec3 given(fur.comb_direction);
+  const glm::dvec3 direction = glm::length(given) > 0 ? glm::normalize(given) : glm::dvec3(0);
+  std::vector<glm::dvec3> lean;
+  lean.reserve(skin.position.size());
+  for (std::size_t w = 0; w < skin.position.size(); ++w) {
+    const glm::dvec3 t = tangential(direction, skin.normal[w]);
+    const double grip = glm::length(t);
+    const glm::dvec3 ruffle = noise3(skin.position[w] / noise_size, fur.seed);
+    lean.push_back(double(fur.comb) * t / std::hypot(grip, least_grip) +
+                   double(fur.comb_noise) * 2.0 * tangential(ruffle, skin.normal[w]));
+  }
+  return smooth_tangents(skin, std::move(lean), comb_iterations, false);
+}
+
+}  // namespace
+
+StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind) {
+  const std::size_t faces = skin.triangle.size();
+  const bool combed = fur.comb != 0.0f || fur.comb_noise != 0.0f;
+  const auto lean = combed ? comb_field(skin, fur) : std::vector<glm::dvec3>();
+  const glm::dvec3 blow(wind.direction);
+  const glm::dvec3 along = glm::length(blow) > 0 ? glm::normalize(blow) : glm::dvec3(0);
+
+  StrandSet set;
+  for (std::size_t f = 0; f < faces; ++f) {
+    const glm::uvec3 t = skin.triangle[f];
+    const glm::dvec3 root = (skin.position[t.x] + skin.position[t.y] + skin.position[t.z]) / 3.0;
+    const glm::vec3 normal(skin.face_normal[f]);
+    set.root.push_back(glm::vec3(root));
+    set.normal.push_back(normal);
+    if (combed) {
+      const glm::dvec3 mean = (lean[t.x] + lean[t.y] + lean[t.z]) / 3.0;
+      const glm::dvec3 n = skin.face_normal[f];
+      set.anchor.push_back(glm::vec3(double(fur.length) * glm::normalize(n + tangential(mean, n))));
+    } else {
+      set.anchor.push_back(fur.length * normal);
+    }
+    const double phase = 2.0 * std::numbers::pi * glm::dot(root, along) / double(wind.wavelength);
+    set.phase.push_back({float(std::cos(phase)), float(std::sin(phase))});
+  }
+
+  set.row = skin.row;
+  set.face = skin.face;
+  set.weight.resize(set.face.size());
+  for (std::size_t w = 0; w + 1 < set.row.size(); ++w) {
+    double total = 0;
+    for (std::uint32_t k = set.row[w]; k < set.row[w + 1]; ++k) total += skin.area[set.face[k]];
+    for (std::uint32_t k = set.row[w]; k < set.row[w + 1]; ++k)
+      set.weight[k] = float(total > 0 ? skin.area[set.face[k]] / total : 1.0 / (set.row[w + 1] - set.row[w]));
+  }
+  return set;
+}
+
+std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& set) {
+  std::vector<glm::vec3> tips;
+  tips.reserve(skin.position.size());
+  for (std::size_t w = 0; w < skin.position.size(); ++w) {
+    glm::vec3 lift(0);
+    for (std::uint32_t k = set.row[w]; k < set.row[w + 1]; ++k)
+      lift += set.weight[k] * set.anchor[set.face[k]];
+    tips.push_back(glm::vec3(skin.position[w]) + lift);
+  }
+  return tips;
+}
+
+}  // namespace pelage
