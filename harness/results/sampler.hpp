@@ -1,0 +1,36 @@
+// How one case is timed: warm up, then frames until the median is known well enough.
+#pragma once
+#include <functional>
+#include <map>
+#include <string>
+
+#include "harness/results/row.hpp"
+
+namespace pelage {
+
+struct SamplingLimits {
+  double warm_up_s = 0.5;   ///< frames drawn and thrown away before the first sample, s; at least one frame
+  int least = 10;           ///< samples before the interval is looked at
+  int most = 200;           ///< samples at which sampling stops in any case
+  double precision = 0.01;  ///< stop when the 95% interval of the median is no wider than +- this fraction
+  double limit_s = 20;      ///< wall clock for all samples, s; at least one is taken
+};
+
+/// What one frame cost, ms. Event times are absent where the device's timer is not real.
+struct FrameSample {
+  double wall_ms = 0;
+  std::map<std::string, double> phase_event_ms;
+};
+
+struct Sampling {
+  double first_launch_ms = 0;                   ///< the very first frame: drivers compile and upload in it
+  std::map<std::string, PhaseSamples> samples;  ///< "frame" holds the wall times; each phase its event times
+  bool converged = false;                       ///< the precision was reached
+};
+
+/// Draws frames by `frame` as `limits` say. `seconds` is a monotonic clock, s (tests bring their own).
+Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
+                      const std::function<double()>& seconds);
+Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);
+
+}  // namespace pelage
