@@ -1,0 +1,166 @@
+// Is a value right for its key, and do the values go together?
+#include "harness/scene/scene_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+/// Bounds of float keys are compared as floats: 0.99 stays within "at most 0.99" once it is stored.
+bool outside(const Key& key, double value) {
+  if (std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot)) {
+    return value < key.least || value > key.most;
+  }
+  if (std::abs(value) > std::numeric_limits<float>::max()) return true;
+  return static_cast<float>(value) < static_cast<float>(key.least) ||
+         static_cast<float>(value) > static_cast<float>(key.most);
+}
+
+std::vector<double> numbers(const glm::vec2& v) {
+  return {v.x, v.y};
+}
+std::vector<double> numbers(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+template <class T>
+requires std::is_arithmetic_v<T> std::vector<double> numbers(T value) {
+  return {static_cast<double>(value)};
+}
+
+/// What is wrong with the value that the slot holds now.
+std::string complaint_now(const Key& key) {
+  return std::visit(
+      [&](const auto* value) -> std::string {
+        using T = std::remove_cvref_t<decltype(*value)>;
+        if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::filesystem::path>) {
+          return {};
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          return complaint(key, *value);
+        } else if constexpr (requires { value->has_value(); }) {
+          return *value ? complaint(key, numbers(**value)) : std::string{};
+        } else {
+          return complaint(key, numbers(*value));
+        }
+      },
+      key.slot);
+}
+
+void check_keys(const std::vector<Key>& keys, const std::string& source, const std::string& prefix) {
+  for (const Key& key : keys) {
+    if (const std::string wrong = complaint_now(key); !wrong.empty()) {
+      throw InputError(fmt::format("{}: {}{}: {}", source, prefix, key.name, wrong));
+    }
+  }
+}
+
+void check_droplets(const WetnessScene& wetness, const std::string& source) {
+  if (wetness.droplets.size() > most_droplets) {
+    throw InputError(fmt::format("{}: {}: {} droplets; give at most {}", source, droplet_list,
+                                 wetness.droplets.size(), most_droplets));
+  }
+  for (std::size_t i = 0; i < wetness.droplets.size(); ++i) {
+    DropletScene droplet = wetness.droplets[i];
+    check_keys(droplet_keys(droplet), source, fmt::format("{}[{}].", droplet_list, i + 1));
+    if (droplet.uv.has_value() == droplet.point.has_value()) {
+      throw InputError(fmt::format("{}: {}[{}]: has {} centre; give either uv or point", source, droplet_list,
+                                   i + 1, droplet.uv ? "a second" : "no"));
+    }
+  }
+}
+
+void check_lights(const ShadingScene& shading, const std::string& source) {
+  if (shading.lights.empty() || shading.lights.size() > most_lights) {
+    throw InputError(fmt::format("{}: {}: {} lights; give 1 to {}", source, light_list, shading.lights.size(),
+                                 most_lights));
+  }
+  for (std::size_t i = 0; i < shading.lights.size(); ++i) {
+    LightScene light = shading.lights[i];
+    check_keys(light_keys(light), source, fmt::format("{}[{}].", light_list, i + 1));
+  }
+}
+
+/// Semi-implicit Euler on a damped spring is stable while 2 dt c/m + dt^2 k/m < 4 (Jury's criterion on its 2
+/// x 2 step).
+void check_step(const DynamicsScene& dynamics, const std::string& source) {
+  const double m = dynamics.mass, k = dynamics.stiffness, c = dynamics.drag, dt = dynamics.step;
+  if (2 * dt * c / m + dt * dt * k / m < 4) return;
+  const double longest = (std::sqrt(c * c + 4 * k * m) - c) / k;
+  throw InputError(fmt::format(
+      "{}: dynamics.step: {} s is unstable with this mass, stiffness and drag; give less than {:.3g} s",
+      source, dynamics.step, longest));
+}
+
+void check_camera(const CameraScene& camera, const std::string& source) {
+  const glm::dvec3 view =
+      camera.framed ? glm::dvec3(camera.direction) : glm::dvec3(camera.eye) - glm::dvec3(camera.target);
+  if (!(glm::length(view) > 1e-6)) {
+    throw InputError(
+        fmt::format("{}: camera.eye: is where camera.target is; give two different points", source));
+  }
+  if (!(glm::length(glm::cross(glm::normalize(view), glm::normalize(glm::dvec3(camera.up)))) > 1e-4)) {
+    throw InputError(fmt::format("{}: camera.up: is along the view; give another direction", source));
+  }
+}
+
+void check_sizes(const Scene& scene, const std::string& source) {
+  const double texels = double(scene.fur.layers) * scene.fur.texture * scene.fur.texture;
+  if (texels > double(most_fur_texels)) {
+    throw InputError(
+        fmt::format("{}: fur.layers: {} layers of {} x {} texels are {:.0f}; give at most {} texels in all",
+                    source, scene.fur.layers, scene.fur.texture, scene.fur.texture, texels, most_fur_texels));
+  }
+  const double pixels = double(scene.image.width) * scene.image.height;
+  if (pixels > double(most_pixels)) {
+    throw InputError(fmt::format("{}: image.width: {} x {} are {:.0f} pixels; give at most {}", source,
+                                 scene.image.width, scene.image.height, pixels, most_pixels));
+  }
+  if (scene.fur.strands + scene.fur.undercoat < 1) {
+    throw InputError(
+        fmt::format("{}: fur.strands: there are neither guard hairs nor undercoat; give at least 1", source));
+  }
+}
+
+}  // namespace
+
+std::string complaint(const Key& key, const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) {
+    if (!std::isfinite(value))
+      return fmt::format("{} is not a finite number; give {}", value, describe_range(key));
+    if (outside(key, value)) return fmt::format("{} is out of range; give {}", value, describe_range(key));
+    if (key.power_of_two && !std::has_single_bit(static_cast<unsigned>(value))) {
+      return fmt::format("{} is not a power of two; give {}", value, describe_range(key));
+    }
+    largest = std::max(largest, std::abs(value));
+  }
+  if (key.unit == "direction" && largest < 1e-6)
+    return fmt::format("points nowhere; give {}", describe_range(key));
+  return {};
+}
+
+std::string complaint(const Key& key, const std::string& value) {
+  if (key.choices.empty()) return value.empty() ? fmt::format("is empty; give {}", key.help) : std::string{};
+  if (std::find(key.choices.begin(), key.choices.end(), value) != key.choices.end()) return {};
+  return fmt::format("\"{}\" is not known; give {}", value, describe_range(key));
+}
+
+void check_scene(const Scene& scene, const std::string& source) {
+  Scene copy = scene;
+  check_keys(scene_keys(copy), source, "");
+  check_droplets(scene.wetness, source);
+  check_lights(scene.shading, source);
+  check_sizes(scene, source);
+  check_step(scene.dynamics, source);
+  check_camera(scene.camera, source);
+}
+
+}  // namespace pelage

@@ -1,0 +1,169 @@
+#include "harness/scene/scene_keys.hpp"
+
+#include <fmt/format.h>
+
+namespace pelage {
+namespace {
+
+constexpr double most_seed = 4294967295.0;
+
+}  // namespace
+
+// clang-format off
+std::vector<Key> scene_keys(Scene& s) {
+  FurScene& fur = s.fur;
+  CurlScene& curl = s.curl;
+  WetnessScene& wetness = s.wetness;
+  ClumpScene& clump = s.clump;
+  DynamicsScene& dynamics = s.dynamics;
+  WindScene& wind = s.dynamics.wind;
+  ShadingScene& shading = s.shading;
+  CoatScene& coat = s.coat;
+  CameraScene& camera = s.camera;
+  ImageScene& image = s.image;
+  return {
+      {.name = "model", .slot = &s.model, .unit = "", .help = "a name of experiments/models.toml, or a mesh file"},
+
+      {"fur.length", &fur.length, "R", 0.001, 1, "strand length L0"},
+      {"fur.layers", &fur.layers, "", 2, 512, "N, layers above the base surface"},
+      {.name = "fur.texture", .slot = &fur.texture, .unit = "texels", .least = 16, .most = 1024, .help = "side of a slice of the fur volume", .power_of_two = true},
+      {"fur.tile", &fur.tile, "per R", 0.01, 100, "repeats of the slice"},
+      {"fur.strands", &fur.strands, "", 0, 200000, "guard hairs in one slice"},
+      {"fur.radius", &fur.radius, "texels of a 256-texel slice", 0.1, 32, "radius of a guard hair at the root"},
+      {"fur.undercoat", &fur.undercoat, "", 0, 200000, "undercoat hairs in one slice"},
+      {"fur.undercoat_length", &fur.undercoat_length, "of L0", 0, 1, "greatest length of an undercoat hair"},
+      {"fur.least_length", &fur.least_length, "of L0", 0, 1, "length of the shortest guard hair"},
+      {"fur.taper", &fur.taper, "", 0.01, 16, "taper exponent"},
+      {"fur.tip_radius", &fur.tip_radius, "of the root's", 0, 1, "radius at the tip"},
+      {"fur.locks", &fur.locks, "", 0, 100000, "locks of hair in one slice; 0: none"},
+      {"fur.lock_pull", &fur.lock_pull, "", 0, 1, "how far a tip moves to its lock's centre"},
+      {"fur.lock_power", &fur.lock_power, "", 0.01, 16, "exponent of the height in that pull"},
+      {"fur.bend", &fur.bend, "texels of a 256-texel slice", 0, 256, "exponential bend of a blade at its tip"},
+      {"fur.shade", &fur.shade, "", 0, 1, "variation of shade from strand to strand, +-"},
+      {"fur.comb", &fur.comb, "", 0, 10, "tangential lean of the rest tip; 0: upright, as in the paper"},
+      {"fur.comb_noise", &fur.comb_noise, "", 0, 10, "lean in random, smooth directions, added to comb"},
+      {"fur.comb_direction", &fur.comb_direction, "direction", -1e6, 1e6, "where the comb points, before it is made tangential"},
+      {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "added to the level of detail of the fur lookup"},
+      {"fur.seed", &fur.seed, "", 0, most_seed, "seed of the fur volume"},
+      {.name = "fur.layer_spacing", .slot = &fur.layer_spacing, .unit = "", .help = "rest heights of the layers along the strand", .choices = {"paper", "uniform"}},
+      {.name = "fur.binding", .slot = &fur.binding, .unit = "", .help = "a vertex moves with the mean of its triangles' strands, or each triangle with its own", .choices = {"shared", "separate"}},
+
+      {"curl.radius", &curl.radius, "R", 0, 1, "K_alpha of S Eq. 4, radius of the curl"},
+      {"curl.turns", &curl.turns, "", -64, 64, "turns from root to tip, omega / 2 pi"},
+      {.name = "curl.frame", .slot = &curl.frame, .unit = "", .help = "tangent frame: a smoothed field, or the raw UV gradient", .choices = {"smooth", "uv"}},
+
+      {"wetness.size", &wetness.size, "texels", 8, 4096, "side of the wetness mask"},
+      {"wetness.random", &wetness.random, "", 0, 100000, "most random droplets to place"},
+      {"wetness.seed", &wetness.seed, "", 0, most_seed, "seed of the random droplets"},
+      {"wetness.radius", &wetness.radius, "UV units", 0.0001, 1, "mean radius of random droplets"},
+      {"wetness.radius_spread", &wetness.radius_spread, "of the radius", 0, 0.99, "variation of the radius, +-"},
+      {"wetness.wetness", &wetness.wetness, "", 0, 1, "mean wetness of random droplets"},
+      {"wetness.wetness_spread", &wetness.wetness_spread, "", 0, 1, "variation of the wetness, +-"},
+      {"wetness.spacing", &wetness.spacing, "radii", 0, 100, "least distance of the centres of random droplets"},
+      {"wetness.patch_cover", &wetness.patch_cover, "", 0, 1, "fraction of the surface in which random droplets fall; 1: all"},
+      {"wetness.patch_size", &wetness.patch_size, "R", 0.01, 10, "size of those areas; wetness fades at their borders"},
+      {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "droplets fall only where this picture (in UV) is bright; \"\": anywhere"},
+
+      {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5: 0 straight, 1 logarithmic"},
+      {"clump.gain", &clump.gain, "", 0, 100, "displacement in place of the literal factor r"},
+      {.name = "clump.scale", .slot = &clump.scale, .unit = "", .help = "factor of the displacement: gain, or the literal r_mask", .choices = {"relative", "literal"}},
+      {.name = "clump.cells", .slot = &clump.cells, .unit = "", .help = "a clump also ends where its neighbour begins, or as Algorithm 2 is printed", .choices = {"separate", "literal"}},
+
+      {"dynamics.mass", &dynamics.mass, "kg", 1e-9, 1000, "m, the mass at a strand's tip"},
+      {"dynamics.stiffness", &dynamics.stiffness, "N/m, with 1 R = 1 m", 1e-6, 1e6, "k of the strand's spring"},
+      {"dynamics.drag", &dynamics.drag, "N s/m", 0, 1e6, "c"},
+      {"dynamics.step", &dynamics.step, "s", 1e-6, 1, "dt of a substep"},
+      {"dynamics.substeps", &dynamics.substeps, "", 1, 1000, "substeps per frame"},
+      {"dynamics.time", &dynamics.time, "s", 0, 3600, "simulated before the first picture"},
+      {"dynamics.gravity", &dynamics.gravity, "R/s^2", -1000, 1000, "acceleration of every mass"},
+      {"dynamics.wind.direction", &wind.direction, "direction", -1e6, 1e6, "where the wind blows to"},
+      {"dynamics.wind.strength", &wind.strength, "N", 0, 1000, "force on a strand's mass"},
+      {"dynamics.wind.gust", &wind.gust, "of the strength", 0, 100, "amplitude of the gusts"},
+      {"dynamics.wind.frequency", &wind.frequency, "Hz", 0, 1000, "of the gusts"},
+      {"dynamics.wind.wavelength", &wind.wavelength, "R", 0.001, 1000, "of the gusts, which travel along the wind"},
+
+      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "S Eq. 6, or W Eq. 2-5", .choices = {"curling", "wet"}},
+      {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, self-shadow of the curling model"},
+      {"shading.specular", &shading.specular, "", 0, 100, "K_s, colour of the highlight"},
+      {"shading.exponent", &shading.exponent, "", 0, 10000, "p of the highlight"},
+      {"shading.ambient", &shading.ambient, "", 0, 100, "light from everywhere"},
+      {"shading.wrap", &shading.wrap, "", 0, 1, "weight of (n.l + 0.4)/1.4 on each light; 0: the literal equation"},
+      {"shading.occlusion", &shading.occlusion, "", 0, 1, "sigma_occ of the wet model"},
+      {"shading.darkening", &shading.darkening, "", 0, 1, "sigma_wet of the wet model"},
+      {"shading.wet_specular", &shading.wet_specular, "", 0, 0.99, "sigma_spec of the wet model, below 1"},
+      {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump's lean in W Eq. 4: as printed, or as drawn", .choices = {"paper", "drawn"}},
+
+      {.name = "coat.image", .slot = &coat.image, .unit = "", .help = "colour texture in UV; \"\": procedural"},
+      {.name = "coat.pattern", .slot = &coat.pattern, .unit = "", .help = "of a procedural coat", .choices = {"plain", "patches", "stripes", "spots", "grass"}},
+      {"coat.colour", &coat.colour, "RGB", 0, 1, "main colour"},
+      {"coat.second", &coat.second, "RGB", 0, 1, "colour of the pattern"},
+      {"coat.scale", &coat.scale, "R", 0.001, 100, "size of the pattern"},
+      {"coat.skin", &coat.skin, "RGB", 0, 1, "colour of the base surface, times the coat's"},
+      {"coat.seed", &coat.seed, "", 0, most_seed, "seed of the pattern"},
+      {"coat.texture", &coat.texture, "texels", 1, 4096, "side of a procedural coat"},
+
+      {.name = "camera.framed", .slot = &camera.framed, .unit = "", .help = "true: placed along `direction` so that the model fills 80 to 90% of the picture's height"},
+      {"camera.direction", &camera.direction, "direction", -1e6, 1e6, "from the target to the eye"},
+      {"camera.eye", &camera.eye, "R", -1e6, 1e6, "where the camera stands when not framed"},
+      {"camera.target", &camera.target, "R", -1e6, 1e6, "where it looks when not framed"},
+      {"camera.up", &camera.up, "direction", -1e6, 1e6, "up in the picture"},
+      {"camera.fov", &camera.fov, "degrees", 1, 170, "vertical field of view"},
+      {"camera.near", &camera.near, "R", 0.0001, 10, "near plane"},
+
+      {"image.width", &image.width, "pixels", 1, 16384, "width of the picture"},
+      {"image.height", &image.height, "pixels", 1, 16384, "height of the picture"},
+      {"image.background", &image.background, "RGB", 0, 1, "colour behind the model"},
+  };
+}
+
+std::vector<Key> droplet_keys(DropletScene& droplet) {
+  return {
+      {"uv", &droplet.uv, "UV units", -1e6, 1e6, "centre in the texture; either this or point"},
+      {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point"},
+      {"radius", &droplet.radius, "UV units", 0.0001, 1, "r_drop"},
+      {"wetness", &droplet.wetness, "", 0, 1, "rho_drop"},
+  };
+}
+
+std::vector<Key> light_keys(LightScene& light) {
+  return {
+      {"direction", &light.direction, "direction", -1e6, 1e6, "towards the light"},
+      {"intensity", &light.intensity, "", 0, 1000, "brightness"},
+  };
+}
+// clang-format on
+
+std::string describe_range(const Key& key) {
+  if (!key.choices.empty()) {
+    std::string text;
+    for (std::size_t i = 0; i < key.choices.size(); ++i) {
+      text += fmt::format("{}\"{}\"",
+                          i == 0                       ? ""
+                          : i + 1 < key.choices.size() ? ", "
+                                                       : " or ",
+                          key.choices[i]);
+    }
+    return text;
+  }
+  if (std::holds_alternative<bool*>(key.slot)) return "true or false";
+  if (std::holds_alternative<std::string*>(key.slot)) return "a string";
+  if (std::holds_alternative<std::filesystem::path*>(key.slot)) return "a path";
+  const bool pair = std::holds_alternative<std::optional<glm::vec2>*>(key.slot);
+  const bool triple = std::holds_alternative<glm::vec3*>(key.slot) ||
+                      std::holds_alternative<std::optional<glm::vec3>*>(key.slot);
+  if (key.unit == "direction") return "a direction [x, y, z], not all zero";
+  const bool whole =
+      std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot);
+  std::string text = pair ? "[u, v], each " : triple ? "three numbers, each " : "";
+  if (key.power_of_two) text += "a power of two, ";
+  text += whole ? fmt::format("{:.0f} to {:.0f}", key.least, key.most)
+                : fmt::format("{} to {}", key.least, key.most);
+  if (!key.unit.empty()) text += fmt::format(" {}", key.unit);
+  return text;
+}
+
+bool is_model_file(std::string_view model) {
+  return model.find_first_of("/.") != std::string_view::npos;
+}
+
+}  // namespace pelage

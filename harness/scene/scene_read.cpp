@@ -1,0 +1,290 @@
+#include <fmt/format.h>
+
+#define TOML_EXCEPTIONS 1
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_check.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_bytes = 1 << 20;  // a scene with the most droplets in a list is less
+
+/// Where the text comes from: what an error says, and where relative paths start.
+struct Source {
+  std::string name;
+  fs::path folder;
+  bool lines = true;
+};
+
+[[noreturn]] void refuse(const Source& source, const toml::node* node, std::string_view key,
+                         std::string_view what) {
+  std::string where = source.name;
+  if (source.lines && node && node->source().begin.line > 0)
+    where += fmt::format(":{}", node->source().begin.line);
+  throw InputError(fmt::format("{}: {}: {}", where, key, what));
+}
+
+std::string_view kind(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a truth value";
+    default:
+      return "a date or time";
+  }
+}
+
+/// Edit distance (Levenshtein), for suggestions.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+std::string_view leaf(std::string_view name) {
+  return name.substr(name.rfind('.') + 1);
+}
+
+/// "no such key", with the nearest one that there is.
+std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
+  std::vector<std::string_view> names;
+  for (const Key& key : keys) names.push_back(key.name);
+  if (lists) names.insert(names.end(), {droplet_list, light_list});
+  std::string_view best;
+  std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
+  if (wanted.size() < 100) {
+    for (const std::string_view name : names) {
+      // A key in the wrong table, or in none, is still the same word.
+      const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
+      if (here < least) least = here, best = name;
+    }
+  }
+  if (best.empty()) return "no such key; `pelage scene` prints them all";
+  return fmt::format("no such key; did you mean {}?", best);
+}
+
+double number(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
+  if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+  const bool wants_whole =
+      std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot);
+  const auto* real = node.as_floating_point();
+  if (!real || wants_whole)
+    refuse(source, &node, name, fmt::format("is {}; give {}", kind(node), describe_range(key)));
+  return real->get();
+}
+
+std::vector<double> vector(const Source& source, const toml::node& node, const Key& key,
+                           std::string_view name, std::size_t size) {
+  const auto* array = node.as_array();
+  if (!array) refuse(source, &node, name, fmt::format("is {}; give {}", kind(node), describe_range(key)));
+  if (array->size() != size) {
+    refuse(source, &node, name, fmt::format("has {} entries; give {}", array->size(), describe_range(key)));
+  }
+  std::vector<double> values;
+  for (const toml::node& entry : *array) values.push_back(number(source, entry, key, name));
+  return values;
+}
+
+std::string string(const Source& source, const toml::node& node, const Key& key, std::string_view name) {
+  const auto* text = node.as_string();
+  if (!text) refuse(source, &node, name, fmt::format("is {}; give {}", kind(node), describe_range(key)));
+  return text->get();
+}
+
+/// Absolute, so that the scene means the same wherever it is used next.
+std::string from_folder(const Source& source, const std::string& path) {
+  if (path.empty()) return path;
+  return fs::absolute(source.folder / path).lexically_normal().string();
+}
+
+void assign(const Source& source, const toml::node& node, const Key& key, const std::string& name) {
+  const auto checked = [&](auto value) {
+    if (const std::string wrong = complaint(key, value); !wrong.empty()) refuse(source, &node, name, wrong);
+    return value;
+  };
+  const auto reals = [&](std::size_t size) { return checked(vector(source, node, key, name, size)); };
+  const auto real = [&] { return checked(std::vector<double>{number(source, node, key, name)})[0]; };
+  std::visit(
+      [&](auto* slot) {
+        using T = std::remove_reference_t<decltype(*slot)>;
+        if constexpr (std::is_same_v<T, bool>) {
+          if (!node.is_boolean())
+            refuse(source, &node, name, fmt::format("is {}; give true or false", kind(node)));
+          *slot = node.as_boolean()->get();
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          *slot = checked(string(source, node, key, name));
+          if (key.name == "model" && is_model_file(*slot)) *slot = from_folder(source, *slot);
+        } else if constexpr (std::is_same_v<T, fs::path>) {
+          *slot = from_folder(source, string(source, node, key, name));
+        } else if constexpr (std::is_same_v<T, std::optional<glm::vec2>>) {
+          const auto values = reals(2);
+          *slot = glm::vec2(values[0], values[1]);
+        } else if constexpr (std::is_same_v<T, glm::vec3> || std::is_same_v<T, std::optional<glm::vec3>>) {
+          const auto values = reals(3);
+          *slot = glm::vec3(values[0], values[1], values[2]);
+        } else {
+          *slot = static_cast<T>(real());
+        }
+      },
+      key.slot);
+}
+
+/// A list of tables: [[wetness.droplet]] or [[shading.light]].
+template <class Entry, class Keys>
+std::vector<Entry> read_list(const Source& source, const toml::node& node, std::string_view name,
+                             Keys&& keys_of) {
+  const auto* array = node.as_array();
+  if (!array) refuse(source, &node, name, fmt::format("is {}; give [[{}]] entries", kind(node), name));
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < array->size(); ++i) {
+    const std::string here = fmt::format("{}[{}]", name, i + 1);
+    const toml::node& element = (*array)[i];
+    const auto* table = element.as_table();
+    if (!table)
+      refuse(source, &element, here, fmt::format("is {}; give [[{}]] entries", kind(element), name));
+    Entry& entry = entries.emplace_back();
+    const std::vector<Key> keys = keys_of(entry);
+    for (const auto& [word, value] : *table) {
+      const auto key =
+          std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == word.str(); });
+      const std::string full = fmt::format("{}.{}", here, word.str());
+      if (key == keys.end()) refuse(source, &value, full, unknown(word.str(), keys, false));
+      assign(source, value, *key, full);
+    }
+  }
+  return entries;
+}
+
+/// Reads one key of either kind; false when there is none of that name.
+bool read_key(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::node& node,
+              const std::string& name) {
+  if (name == droplet_list) {
+    scene.wetness.droplets = read_list<DropletScene>(source, node, name, droplet_keys);
+    return true;
+  }
+  if (name == light_list) {
+    scene.shading.lights = read_list<LightScene>(source, node, name, light_keys);
+    return true;
+  }
+  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  if (key == keys.end()) return false;
+  assign(source, node, *key, name);
+  return true;
+}
+
+void read_table(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::table& table,
+                const std::string& prefix) {
+  for (const auto& [word, node] : table) {
+    const std::string name = prefix + std::string(word.str());
+    const bool group =
+        std::any_of(keys.begin(), keys.end(), [&](const Key& k) { return k.name.starts_with(name + "."); });
+    if (group) {
+      if (!node.is_table())
+        refuse(source, &node, name, fmt::format("is {}; give a table of keys", kind(node)));
+      read_table(scene, keys, source, *node.as_table(), name + ".");
+    } else if (!read_key(scene, keys, source, node, name)) {
+      refuse(source, &node, name, unknown(name, keys, true));
+    }
+  }
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder) {
+  Scene scene;
+  try {
+    const toml::table table = toml::parse(text, name);
+    read_table(scene, scene_keys(scene), Source{name, folder}, table, "");
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}:{}: not TOML: {}", name, error.source().begin.line, error.description()));
+  }
+  check_scene(scene, name);
+  return scene;
+}
+
+Scene read_scene(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error))
+    throw InputError(fmt::format("{}: there is no such scene file", path.string()));
+  if (fs::is_directory(path, error))
+    throw InputError(fmt::format("{}: is a folder; give a scene file", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  std::string text(most_bytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad() || !(file.eof() || file.good())) {
+    throw InputError(fmt::format("{}: cannot be read", path.string()));
+  }
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most_bytes) {
+    throw InputError(
+        fmt::format("{}: is larger than a scene file may be, {} bytes", path.string(), most_bytes));
+  }
+  return parse_scene(text, path.string(), path.parent_path());
+}
+
+void apply_set(Scene& scene, std::string_view assignment, const std::string& source_name) {
+  const auto equals = assignment.find('=');
+  const std::string name = trimmed(assignment.substr(0, equals));
+  if (equals == std::string_view::npos || name.empty()) {
+    throw InputError(
+        fmt::format("{} {}: give key=value, for instance fur.length=0.1", source_name, assignment));
+  }
+  const std::string value = trimmed(assignment.substr(equals + 1));
+  const Source source{source_name, ".", false};
+  const std::vector<Key> keys = scene_keys(scene);
+  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  if (key == keys.end() && name != droplet_list && name != light_list) {
+    refuse(source, nullptr, name, unknown(name, keys, true));
+  }
+  const bool words = key != keys.end() && (std::holds_alternative<std::string*>(key->slot) ||
+                                           std::holds_alternative<fs::path*>(key->slot));
+  if (words && (value.empty() || (value[0] != '"' && value[0] != '\''))) {
+    assign(source, toml::value<std::string>(value), *key, name);
+    return;
+  }
+  const std::string wanted = key != keys.end() ? describe_range(*key) : "an array of tables";
+  try {
+    const toml::table table = toml::parse("value = " + value);
+    if (table.size() != 1) throw InputError(fmt::format("{}: {}: give one value", source_name, name));
+    read_key(scene, keys, source, *table.get("value"), name);
+  } catch (const toml::parse_error&) {
+    refuse(source, nullptr, name, fmt::format("'{}' is no TOML value; give {}", value, wanted));
+  }
+}
+
+}  // namespace pelage

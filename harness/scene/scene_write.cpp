@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+/// A TOML basic string.
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      out += c;
+    }
+  }
+  return out + '"';
+}
+
+/// The shortest decimal that reads back to the same float, with a point or exponent so that it stays a TOML
+/// float.
+std::string text(float value) {
+  std::string number = fmt::format("{}", value);
+  if (number.find_first_of(".e") == std::string::npos) number += ".0";
+  return number;
+}
+
+std::string text(const glm::vec2& v) {
+  return fmt::format("[{}, {}]", text(v.x), text(v.y));
+}
+std::string text(const glm::vec3& v) {
+  return fmt::format("[{}, {}, {}]", text(v.x), text(v.y), text(v.z));
+}
+std::string text(int value) {
+  return fmt::format("{}", value);
+}
+std::string text(std::uint32_t value) {
+  return fmt::format("{}", value);
+}
+std::string text(bool value) {
+  return value ? "true" : "false";
+}
+std::string text(const std::string& value) {
+  return quoted(value);
+}
+std::string text(const std::filesystem::path& value) {
+  return quoted(value.string());
+}
+template <class T>
+std::string text(const std::optional<T>& value) {
+  return value ? text(*value) : std::string{};
+}
+
+/// The value as TOML; empty when it is not given (a droplet's uv or point).
+std::string value_of(const Key& key) {
+  return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
+}
+
+std::string line(const Key& key, std::string_view word, const std::string& note) {
+  return fmt::format("{:<34}# {} [{}{}]\n", fmt::format("{} = {}", word, value_of(key)), key.help,
+                     describe_range(key), note);
+}
+
+template <class Entry, class Keys>
+std::string write_list(std::string_view name, std::vector<Entry> entries, Keys&& keys_of) {
+  std::string out;
+  for (Entry& entry : entries) {
+    out += fmt::format("\n[[{}]]\n", name);
+    for (const Key& key : keys_of(entry)) {
+      if (!value_of(key).empty()) out += line(key, key.name, "");
+    }
+  }
+  return out;
+}
+
+/// What a list's entries may hold, where there are none to show it.
+std::string describe_droplets() {
+  DropletScene droplet;
+  std::string out = fmt::format("\n# No [[{}]] here; an entry has\n", droplet_list);
+  for (const Key& key : droplet_keys(droplet)) {
+    const std::string standard = value_of(key);
+    out += fmt::format("#   {:<30}# {} [{}{}]\n", key.name, key.help, describe_range(key),
+                       standard.empty() ? "" : "; default " + standard);
+  }
+  return out;
+}
+
+std::string_view group(std::string_view name) {
+  const auto dot = name.rfind('.');
+  return dot == std::string_view::npos ? std::string_view{} : name.substr(0, dot);
+}
+
+/// FNV-1a, 64 bits: short, and the same on every machine.
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ull;
+  return hash;
+}
+
+/// A path by what the file holds; an absent file by its name.
+std::string content(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (path.empty() || !file) return path.filename().string();
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return fmt::format("{:016x}", fnv1a(bytes));
+}
+
+std::string hashed_value(const Key& key) {
+  if (const auto* path = std::get_if<std::filesystem::path*>(&key.slot)) return content(**path);
+  if (key.name == "model") {
+    const std::string& model = *std::get<std::string*>(key.slot);
+    if (is_model_file(model)) return content(model);
+  }
+  return value_of(key);
+}
+
+}  // namespace
+
+std::string write_scene(const Scene& scene) {
+  Scene values = scene;
+  Scene defaults;
+  const std::vector<Key> keys = scene_keys(values);
+  const std::vector<Key> standards = scene_keys(defaults);
+  std::string out =
+      "# A scene of pelage. Every key is shown: its meaning, then [unit and range; default].\n"
+      "# R is the radius of the model's bounding sphere.\n";
+  std::string_view table;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string_view name = keys[i].name;
+    if (group(name) != table) out += fmt::format("\n[{}]\n", table = group(name));
+    out += line(keys[i], name.substr(table.empty() ? 0 : table.size() + 1),
+                "; default " + value_of(standards[i]));
+    const bool last = i + 1 == keys.size() || group(keys[i + 1].name) != table;
+    if (last && table == group(droplet_list)) {
+      out += scene.wetness.droplets.empty() ? describe_droplets()
+                                            : write_list(droplet_list, scene.wetness.droplets, droplet_keys);
+    }
+    if (last && table == group(light_list)) out += write_list(light_list, scene.shading.lights, light_keys);
+  }
+  return out;
+}
+
+std::string scene_hash(const Scene& scene) {
+  Scene values = scene;
+  std::string all;
+  const auto add = [&](const std::vector<Key>& keys, std::string_view prefix) {
+    for (const Key& key : keys) all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
+  };
+  add(scene_keys(values), "");
+  for (DropletScene& droplet : values.wetness.droplets) add(droplet_keys(droplet), droplet_list);
+  for (LightScene& light : values.shading.lights) add(light_keys(light), light_list);
+  return fmt::format("{:016x}", fnv1a(all));
+}
+
+}  // namespace pelage

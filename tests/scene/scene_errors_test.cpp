@@ -1,0 +1,145 @@
+// What bad scenes get: one line that names the file, the line, the key, and what would be right.
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+struct Bad {
+  const char* text;      ///< a scene file
+  const char* expected;  ///< part of the error
+};
+
+const Bad files[] = {
+    {"fur.lenght = 0.1", "s.toml:1: fur.lenght: no such key; did you mean fur.length?"},
+    {"\n\nlength = 0.1", "s.toml:3: length: no such key; did you mean fur.length?"},
+    {"[furr]\nlength = 0.1", "s.toml:1: furr"},
+    {"zzzzzzzzzzzz = 1", "no such key; `pelage scene` prints them all"},
+    {"[fur]\nlayers = 1", "s.toml:2: fur.layers: 1 is out of range; give 2 to 512"},
+    {"fur.layers = 0", "fur.layers: 0 is out of range"},
+    {"fur.layers = -16", "fur.layers: -16 is out of range"},
+    {"fur.layers = 16.0", "fur.layers: is a number; give 2 to 512"},
+    {"fur.layers = 99999999999", "fur.layers: 99999999999 is out of range"},
+    {"fur.layers = \"16\"", "fur.layers: is a string; give 2 to 512"},
+    {"fur.layers = true", "fur.layers: is a truth value; give 2 to 512"},
+    {"fur.layers = [16]", "fur.layers: is an array; give 2 to 512"},
+    {"fur.layers = 2026-01-01", "fur.layers: is a date or time; give 2 to 512"},
+    {"fur.layers = {n = 16}", "fur.layers: is a table; give 2 to 512"},
+    {"fur.length = nan", "fur.length: nan is not a finite number; give 0.001 to 1 R"},
+    {"fur.length = inf", "fur.length: inf is not a finite number"},
+    {"fur.length = -inf", "fur.length: -inf is not a finite number"},
+    {"fur.length = 1e300", "fur.length: 1e+300 is out of range"},
+    {"fur.length = 0", "fur.length: 0 is out of range"},
+    {"fur.texture = 100", "fur.texture: 100 is not a power of two"},
+    {"fur.texture = 1024\nfur.layers = 512", "fur.layers: 512 layers of 1024 x 1024 texels"},
+    {"fur.strands = 0\nfur.undercoat = 0", "neither guard hairs nor undercoat"},
+    {"fur.seed = -1", "fur.seed: -1 is out of range; give 0 to 4294967295"},
+    {"fur.binding = \"both\"", "fur.binding: \"both\" is not known; give \"shared\" or \"separate\""},
+    {"coat.pattern = 'dots'", "give \"plain\", \"patches\", \"stripes\", \"spots\" or \"grass\""},
+    {"fur.comb_direction = [0, 0, 0]", "fur.comb_direction: points nowhere; give a direction"},
+    {"fur.comb_direction = [1, 2]", "fur.comb_direction: has 2 entries; give a direction [x, y, z]"},
+    {"coat.colour = 'red'", "coat.colour: is a string; give three numbers, each 0 to 1 RGB"},
+    {"coat.colour = [1, 'red', 0]", "coat.colour: is a string"},
+    {"coat.colour = [1, 0.5, 1.5]", "coat.colour: 1.5 is out of range"},
+    {"coat.image = 3", "coat.image: is a whole number; give a path"},
+    {"model = 3", "model: is a whole number; give a string"},
+    {"model = ''", "model: is empty"},
+    {"fur = 3", "fur: is a whole number; give a table of keys"},
+    {"dynamics.wind = 3", "dynamics.wind: is a whole number; give a table of keys"},
+    {"camera.framed = 1", "camera.framed: is a whole number; give true or false"},
+    {"camera.framed = false\ncamera.eye = [0, 0, 0]", "camera.eye: is where camera.target is"},
+    {"camera.up = [1.3, 1.15, 2.35]", "camera.up: is along the view"},
+    {"dynamics.step = 0", "dynamics.step: 0 is out of range"},
+    {"dynamics.step = 0.5", "dynamics.step: 0.5 s is unstable"},
+    {"image.width = 16385", "image.width: 16385 is out of range"},
+    {"image = {width = 16384, height = 16384}", "268435456 pixels; give at most"},
+    {"wetness.droplet = 3", "wetness.droplet: is a whole number; give [[wetness.droplet]] entries"},
+    {"wetness.droplet = [3]", "wetness.droplet[1]: is a whole number"},
+    {"[[wetness.droplet]]\nradius = 0.1", "wetness.droplet[1]: has no centre; give either uv or point"},
+    {"[[wetness.droplet]]\nuv = [0, 0]\npoint = [0, 0, 1]", "wetness.droplet[1]: has a second centre"},
+    {"[[wetness.droplet]]\nuv = [0, 0]\n[[wetness.droplet]]\nuv = [0, 0]\nradius = 0",
+     "s.toml:5: wetness.droplet[2].radius: 0 is out"},
+    {"[[wetness.droplet]]\nuv = [0, 0]\nwettness = 1",
+     "wetness.droplet[1].wettness: no such key; did you mean wetness?"},
+    {"[[shading.light]]\nintensity = nan", "shading.light[1].intensity: nan is not a finite number"},
+    {"[[shading.light]]\n[[shading.light]]\n[[shading.light]]", "shading.light: 3 lights; give 1 to 2"},
+    {"shading.light = []", "shading.light: 0 lights; give 1 to 2"},
+    {"shading.wet_specular = 1", "shading.wet_specular: 1 is out of range"},
+    {"fur.length = ", "s.toml:1: not TOML"},
+    {"fur.length = 0.1\nfur.length = 0.2", "s.toml:2: not TOML"},
+    {"[fur\nlength = 1", "s.toml:1: not TOML"},
+    {"model = \"\xff\xfe\"", "s.toml:1: not TOML"},
+};
+
+TEST(SceneErrors, EveryBadFileGetsOneLineThatSaysWhatIsRight) {
+  for (const Bad& bad : files) {
+    try {
+      parse_scene(bad.text, "s.toml");
+      ADD_FAILURE() << "accepted: " << bad.text;
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(bad.expected), std::string::npos) << bad.text << "\n-> " << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+      EXPECT_EQ(text.rfind("s.toml", 0), 0u) << text;
+    }
+  }
+}
+
+const Bad overrides[] = {
+    {"fur.length", "give key=value"},
+    {"=3", "give key=value"},
+    {"", "give key=value"},
+    {"fur.lenght=3", "--set: fur.lenght: no such key; did you mean fur.length?"},
+    {"fur=3", "--set: fur: no such key"},
+    {"fur.length=abc", "'abc' is no TOML value; give 0.001 to 1 R"},
+    {"fur.length=", "'' is no TOML value"},
+    {"fur.length=nan", "nan is not a finite number"},
+    {"fur.length=7", "7 is out of range"},
+    {"fur.length=0.1\nfur.layers=2", "give one value"},
+    {"fur.binding=none", "\"none\" is not known"},
+    {"shading.model=\"dry", "no TOML value"},
+    {"shading.light=3", "give [[shading.light]] entries"},
+    {"shading.light=[{direction=[0,0,0]}]", "points nowhere"},
+};
+
+TEST(SceneErrors, EveryBadOverrideIsRefused) {
+  for (const Bad& bad : overrides) {
+    Scene scene;
+    try {
+      apply_set(scene, bad.text);
+      ADD_FAILURE() << "accepted: " << bad.text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(bad.expected), std::string::npos)
+          << bad.text << "\n-> " << error.what();
+    }
+  }
+}
+
+TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
+  EXPECT_THROW(parse_scene(std::string(100000, '['), "deep"), InputError);
+  EXPECT_THROW(parse_scene("a" + std::string(100000, 'b') + " = 1", "long"), InputError);
+  std::string dotted = "a";
+  for (int i = 0; i < 20000; ++i) dotted += ".a";
+  EXPECT_THROW(parse_scene(dotted + " = 1", "dotted"), InputError);
+  EXPECT_THROW(parse_scene(std::string("model = 'a'\0", 12), "nul"), InputError);
+  EXPECT_THROW(read_scene("/nonexistent/scene.toml"), InputError);
+  EXPECT_THROW(read_scene("/dev/zero"), InputError);
+  EXPECT_THROW(read_scene("/"), InputError);
+}
+
+TEST(SceneErrors, ASceneMadeInCodeIsCheckedToo) {
+  Scene scene;
+  scene.fur.layers = 1;
+  EXPECT_THROW(check_scene(scene), InputError);
+  scene = {};
+  scene.shading.lights[1].direction = glm::vec3(0);
+  EXPECT_THROW(check_scene(scene), InputError);
+  scene = {};
+  scene.coat.pattern = "none";
+  EXPECT_THROW(check_scene(scene), InputError);
+}
+
+}  // namespace
+}  // namespace pelage

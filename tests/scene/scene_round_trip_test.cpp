@@ -1,0 +1,229 @@
+// Every key survives being written and read, at its default, at both ends of its range and in between.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Equal bit by bit, key by key; the name of the first key that differs.
+std::string difference(Scene a, Scene b) {
+  const auto left = scene_keys(a), right = scene_keys(b);
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    const bool same = std::visit(
+        [&](auto* value) { return *value == *std::get<decltype(value)>(right[i].slot); }, left[i].slot);
+    if (!same) return std::string(left[i].name);
+  }
+  if (a.wetness.droplets.size() != b.wetness.droplets.size()) return std::string(droplet_list);
+  for (std::size_t i = 0; i < a.wetness.droplets.size(); ++i) {
+    const DropletScene &x = a.wetness.droplets[i], &y = b.wetness.droplets[i];
+    if (x.uv != y.uv || x.point != y.point || x.radius != y.radius || x.wetness != y.wetness)
+      return "a droplet";
+  }
+  if (a.shading.lights.size() != b.shading.lights.size()) return std::string(light_list);
+  for (std::size_t i = 0; i < a.shading.lights.size(); ++i) {
+    const LightScene &x = a.shading.lights[i], &y = b.shading.lights[i];
+    if (x.direction != y.direction || x.intensity != y.intensity) return "a light";
+  }
+  return {};
+}
+
+/// Puts one of several values that are right for the key into its slot.
+void vary(const Key& key, std::mt19937& random) {
+  const auto between = [&] {
+    const double end = std::uniform_int_distribution(0, 9)(random);
+    if (end == 0) return key.least;
+    if (end == 1) return key.most;
+    const double t = std::uniform_real_distribution(0.0, 1.0)(random);
+    // Cubed, so that small values with long decimals come up too.
+    return key.least + t * t * t * (key.most - key.least);
+  };
+  std::visit(
+      [&](auto* slot) {
+        using T = std::remove_reference_t<decltype(*slot)>;
+        if constexpr (std::is_same_v<T, bool>) {
+          *slot = random() % 2 == 0;
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          if (key.choices.empty()) {
+            *slot = "torus";
+          } else {
+            *slot = key.choices[random() % key.choices.size()];
+          }
+        } else if constexpr (std::is_same_v<T, fs::path>) {
+          if (random() % 2 == 0) *slot = "/a \"quoted\" \\ path\twith\x01 odd characters.png";
+        } else if constexpr (std::is_same_v<T, glm::vec3>) {
+          *slot = glm::vec3(between(), between(), between());
+        } else if constexpr (std::is_same_v<T, float>) {
+          *slot = static_cast<float>(between());
+        } else if constexpr (std::is_integral_v<T>) {
+          *slot = static_cast<T>(between());
+          if (key.power_of_two) *slot = T(16) << (random() % 7);
+        }
+      },
+      key.slot);
+}
+
+TEST(SceneRoundTrip, TheEmptyFileIsTheDefaultScene) {
+  EXPECT_EQ(difference(parse_scene("", "empty"), Scene{}), "");
+  EXPECT_NO_THROW(check_scene(Scene{}));
+}
+
+TEST(SceneRoundTrip, EveryKeyAloneSurvives) {
+  std::mt19937 random(1);
+  Scene shape;
+  const std::size_t count = scene_keys(shape).size();
+  ASSERT_GT(count, 70u);
+  for (std::size_t i = 0; i < count; ++i) {
+    int changed = 0;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      Scene scene;
+      const Key key = scene_keys(scene)[i];
+      vary(key, random);
+      changed += difference(scene, Scene{}).empty() ? 0 : 1;
+      try {
+        check_scene(scene);
+      } catch (const InputError&) {
+        continue;  // this value does not go with the other defaults
+      }
+      EXPECT_EQ(difference(parse_scene(write_scene(scene), "written"), scene), "") << write_scene(scene);
+    }
+    EXPECT_GT(changed, 0) << scene_keys(shape)[i].name << " never changed: the test shows nothing";
+  }
+}
+
+TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
+  std::mt19937 random(2);
+  int read = 0;
+  for (int attempt = 0; attempt < 300; ++attempt) {
+    Scene scene;
+    for (const Key& key : scene_keys(scene)) {
+      if (random() % 3 == 0) vary(key, random);
+    }
+    scene.shading.lights.resize(1 + random() % 2);
+    scene.wetness.droplets.resize(random() % 4);
+    for (std::size_t i = 0; i < scene.wetness.droplets.size(); ++i) {
+      const float t = static_cast<float>(random()) / 4294967296.0f;
+      if (i % 2 == 0) scene.wetness.droplets[i].uv = glm::vec2(t, 1 - t);
+      if (i % 2 == 1) scene.wetness.droplets[i].point = glm::vec3(t, -t, 1.5f * t);
+      scene.wetness.droplets[i].wetness = t;
+    }
+    try {
+      check_scene(scene);
+    } catch (const InputError&) {
+      continue;
+    }
+    ++read;
+    const Scene again = parse_scene(write_scene(scene), "written");
+    ASSERT_EQ(difference(again, scene), "") << write_scene(scene);
+    ASSERT_EQ(write_scene(again), write_scene(scene));
+  }
+  EXPECT_GT(read, 30);
+}
+
+TEST(SceneRoundTrip, SetEqualsTheFile) {
+  Scene set;
+  apply_set(set, "fur.length=0.11");
+  apply_set(set, " shading.model = wet ");
+  apply_set(set, "model=torus");
+  apply_set(set, "camera.direction=[1, 2, 3]");
+  apply_set(set, "camera.framed=false");
+  apply_set(set, "dynamics.wind.strength=2");
+  apply_set(set, "wetness.droplet=[{uv = [0.5, 0.25], radius = 0.1}]");
+  apply_set(set, "shading.light=[{direction = [0, 1, 0], intensity = 1}]");
+  const Scene file = parse_scene(R"(
+model = "torus"
+fur.length = 0.11
+shading.model = "wet"
+[camera]
+direction = [1, 2.0, 3]
+framed = false
+[dynamics.wind]
+strength = 2
+[[wetness.droplet]]
+uv = [0.5, 0.25]
+radius = 0.1
+[[shading.light]]
+direction = [0, 1, 0]
+intensity = 1
+)",
+                                 "file");
+  EXPECT_EQ(difference(set, file), "");
+  EXPECT_EQ(file.wetness.droplets.at(0).wetness, DropletScene{}.wetness);
+}
+
+TEST(SceneRoundTrip, PathsAreRelativeToTheFile) {
+  const fs::path folder = fs::temp_directory_path() / "pelage-scene-paths";
+  fs::create_directories(folder);
+  std::ofstream(folder / "s.toml") << "model = 'meshes/a.obj'\ncoat.image = '../coat.png'\n";
+  const Scene scene = read_scene(folder / "s.toml");
+  EXPECT_EQ(scene.model, (folder / "meshes/a.obj").string());
+  EXPECT_EQ(scene.coat.image, folder.parent_path() / "coat.png");
+  EXPECT_EQ(scene.wetness.image, fs::path());
+  fs::remove_all(folder);
+}
+
+TEST(SceneRoundTrip, TheHashFollowsTheValuesAndNotTheFolder) {
+  const Scene plain;
+  EXPECT_EQ(scene_hash(plain).size(), 16u);
+  EXPECT_EQ(scene_hash(plain), scene_hash(parse_scene("fur.length = 0.09", "x")));
+  std::mt19937 random(3);
+  Scene shape;
+  for (std::size_t i = 0; i < scene_keys(shape).size(); ++i) {
+    Scene scene;
+    for (int attempt = 0; attempt < 100 && difference(scene, plain).empty(); ++attempt) {
+      vary(scene_keys(scene)[i], random);
+    }
+    EXPECT_NE(scene_hash(scene), scene_hash(plain)) << scene_keys(scene)[i].name;
+  }
+
+  const fs::path a = fs::temp_directory_path() / "pelage-hash-a",
+                 b = fs::temp_directory_path() / "pelage-hash-b";
+  for (const fs::path& folder : {a, b}) {
+    fs::create_directories(folder);
+    std::ofstream(folder / "coat.png") << "the same bytes";
+  }
+  Scene here, there;
+  here.coat.image = a / "coat.png";
+  there.coat.image = b / "coat.png";
+  EXPECT_EQ(scene_hash(here), scene_hash(there));
+  std::ofstream(b / "coat.png") << "other bytes";
+  EXPECT_NE(scene_hash(here), scene_hash(there));
+  fs::remove_all(a);
+  fs::remove_all(b);
+}
+
+TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
+  Scene scene;
+  const std::string text = write_scene(scene);
+  for (const Key& key : scene_keys(scene)) {
+    EXPECT_FALSE(key.help.empty()) << key.name;
+    EXPECT_NE(text.find(describe_range(key)), std::string::npos) << key.name;
+  }
+  for (const char* word : {"default", "uv", "point", "r_drop", "[[shading.light]]"}) {
+    EXPECT_NE(text.find(word), std::string::npos) << word;
+  }
+}
+
+TEST(SceneRoundTrip, EveryExampleReads) {
+  int count = 0;
+  for (const char* folder : {"examples"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(PELAGE_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".toml") continue;
+      ++count;
+      EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
+    }
+  }
+  if (count == 0) GTEST_SKIP() << "no examples yet";
+}
+
+}  // namespace
+}  // namespace pelage
