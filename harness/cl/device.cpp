@@ -107,7 +107,7 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
   return info;
 }
 
-std::vector<cl_platform_id> platforms() {
+std::vector<cl_platform_id> platform_ids() {
   cl_uint count = 0;
   // -1001 (no platform found) is the loader's way of saying zero.
   const cl_int code = clGetPlatformIDs(0, nullptr, &count);
@@ -156,10 +156,18 @@ std::string Device::platform_suffix() const {
   return state_->platform_suffix;
 }
 
+std::vector<PlatformInfo> platforms() {
+  std::vector<PlatformInfo> found;
+  for (cl_platform_id id : platform_ids())
+    found.push_back({platform_text(id, CL_PLATFORM_NAME), platform_text(id, CL_PLATFORM_VERSION),
+                     static_cast<int>(found.size()), static_cast<int>(device_ids(id).size())});
+  return found;
+}
+
 std::vector<Device> devices() {
   std::vector<Device> found;
   int platform_index = 0;
-  for (cl_platform_id platform : platforms()) {
+  for (cl_platform_id platform : platform_ids()) {
     int device_index = 0;
     for (cl_device_id id : device_ids(platform)) {
       auto state = std::make_shared<Device::State>();

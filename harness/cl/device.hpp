@@ -38,6 +38,15 @@ class Device {
   friend std::vector<Device> devices();
 };
 
+struct PlatformInfo {
+  std::string name, version;
+  int index = 0;    ///< as in DeviceInfo::platform_index
+  int devices = 0;  ///< 0 for Mesa's Clover, and for rusticl where RUSTICL_ENABLE names no driver
+};
+
+/// Every platform that the loader knows, in its order; none when it finds no driver.
+std::vector<PlatformInfo> platforms();
+
 /// Every device of every platform, platforms in the loader's order. A platform without devices is passed
 /// over.
 std::vector<Device> devices();

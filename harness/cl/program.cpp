@@ -66,8 +66,11 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   const std::string source = read_source(folder / file);
   const char* text = source.data();
   const std::size_t length = source.size();
-  const std::string all =
+  std::string all =
       fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
+  // NVIDIA's cache of binaries does not look into included files: their hash tells it that they changed.
+  if (device.info().platform.find("NVIDIA") != std::string::npos)
+    all += " -D PELAGE_KERNELS=0x" + kernel_hash();
 
   const auto start = std::chrono::steady_clock::now();
   cl_int code = CL_SUCCESS;

@@ -14,6 +14,9 @@ namespace pelage::cl {
 std::filesystem::path kernel_folder();
 void set_kernel_folder(std::filesystem::path folder);
 
+/// 16 hex digits (FNV-1a) over the names and contents of every file of the kernel folder.
+std::string kernel_hash();
+
 class Program {
  public:
   /// Builds kernels/<file> with -I kernels and `options`; DeviceError carries the build log and the options.

@@ -1,0 +1,129 @@
+// pelage devices: what is there, and with --measure what it can do.
+#include "harness/commands/devices.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "harness/cl/device.hpp"
+#include "harness/cl/measure.hpp"
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+struct DevicesOptions {
+  bool measure = false, json = false;
+};
+
+double gib(std::uint64_t bytes) {
+  return static_cast<double>(bytes) / (1 << 30);
+}
+
+nlohmann::ordered_json to_json(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
+  const cl::DeviceInfo& info = device.info();
+  nlohmann::ordered_json json{{"device", device.spec()},
+                              {"name", info.name},
+                              {"vendor", info.vendor},
+                              {"platform", info.platform},
+                              {"platform_version", info.platform_version},
+                              {"version", info.version},
+                              {"c_version", info.c_version},
+                              {"driver", info.driver},
+                              {"gpu", info.gpu},
+                              {"cpu", info.cpu},
+                              {"compute_units", info.compute_units},
+                              {"global_memory_bytes", info.global_memory},
+                              {"local_memory_bytes", info.local_memory},
+                              {"max_allocation_bytes", info.max_allocation},
+                              {"max_work_group", info.max_work_group},
+                              {"timer_resolution_ns", info.timer_resolution_ns},
+                              {"fp64", info.fp64},
+                              {"lanes", info.lanes}};
+  if (speed)
+    json["measured"] = {
+        {"timer_real", speed->timer.real},         {"timer_reason", speed->timer.reason},
+        {"timer_event_ms", speed->timer.event_ms}, {"timer_wall_ms", speed->timer.wall_ms},
+        {"triad_gb_s", speed->triad_gb_s},         {"fma_gflop_s", speed->fma_gflop_s},
+        {"launch_us", speed->launch_us},           {"queued_launch_us", speed->queued_launch_us}};
+  return json;
+}
+
+void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed) {
+  const cl::DeviceInfo& info = device.info();
+  const char* kind = info.gpu && info.cpu ? "CPU and GPU"
+                     : info.gpu           ? "GPU"
+                     : info.cpu           ? "CPU"
+                                          : "accelerator";
+  fmt::print("{}  {}\n", device.spec(), info.name);
+  fmt::print("     platform  {}, {}\n", info.platform, info.platform_version);
+  fmt::print("     driver    {}, {}\n", info.driver, info.c_version);
+  fmt::print("     device    {}, {} compute units, work-groups up to {}, {} per work-item{}\n", kind,
+             info.compute_units, info.max_work_group,
+             info.lanes == 1 ? "1 lane" : fmt::format("{} lanes", info.lanes), info.fp64 ? ", fp64" : "");
+  fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB a buffer, {} KiB local\n",
+             gib(info.global_memory), gib(info.max_allocation), info.local_memory >> 10);
+  if (!speed) {
+    fmt::print("     timer     {}\n", info.timer_resolution_ns > 0
+                                          ? fmt::format("{} ns", info.timer_resolution_ns)
+                                          : "none: the driver reports a resolution of 0; wall times only");
+    return;
+  }
+  fmt::print("     timer     {}\n",
+             speed->timer.real
+                 ? fmt::format("{} ns, agrees with the wall clock ({:.1f} ms of events in {:.1f})",
+                               info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
+                 : fmt::format("not to be trusted, wall times only: {}", speed->timer.reason));
+  fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
+  fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);
+  fmt::print("     launch    {:.1f} us alone, {:.1f} us queued\n", speed->launch_us, speed->queued_launch_us);
+}
+
+int list_devices(const DevicesOptions& options) {
+  const std::vector<cl::Device> all = cl::devices();
+  auto list = nlohmann::ordered_json::array();
+  bool failed = false;
+  for (const cl::Device& device : all) {
+    std::optional<cl::DeviceSpeed> speed;
+    // One device that fails must not hide the others.
+    std::string failure;
+    if (options.measure) try {
+        speed = cl::measure_device(device);
+      } catch (const DeviceError& error) {
+        failure = error.what();
+        failed = true;
+      }
+    if (options.json) {
+      list.push_back(to_json(device, speed));
+      if (!failure.empty()) list.back()["error"] = failure;
+    } else {
+      print(device, speed);
+      if (!failure.empty()) fmt::print("     failed    {}\n", failure);
+    }
+  }
+  auto idle = nlohmann::ordered_json::array();
+  for (const cl::PlatformInfo& platform : cl::platforms()) {
+    if (platform.devices > 0) continue;
+    idle.push_back({{"platform", platform.name}, {"version", platform.version}});
+    if (!options.json) fmt::print("{}    {}: a platform without devices\n", platform.index, platform.name);
+  }
+  if (options.json)
+    fmt::print("{}\n",
+               nlohmann::ordered_json{{"devices", list}, {"platforms_without_devices", idle}}.dump(2));
+  if (all.empty()) cl::choose_device("");  // throws, and says what to install
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+
+void add_devices(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<DevicesOptions>();
+  CLI::App* command = app.add_subcommand("devices", "List every OpenCL platform and device");
+  command->add_flag("--measure", options->measure,
+                    "Measure timer, bandwidth, arithmetic peak and launch cost (seconds per device)");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &chosen] { chosen = [options] { return list_devices(*options); }; });
+}
+
+}  // namespace pelage

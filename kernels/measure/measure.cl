@@ -1,0 +1,32 @@
+// What a device can do at best: the yardsticks of `pelage devices --measure`, and a load to hold its timer against.
+#include "opencl.clh"
+
+// McCalpin's STREAM triad: 12 bytes moved and 2 operations per float.
+__kernel void triad(__global float *a, __global const float *b, __global const float *c, float s) {
+  int block = (int)get_global_id(0);
+  store_real(fma(REAL(s), load_real(c, block), load_real(b, block)), a, block);
+}
+
+// Eight independent chains hide the latency of fma on every device seen: 16 LANES rounds operations per work-item.
+// x -> x / 2 + 1 stays near 2, so that no operand is denormal, infinite or constant-folded.
+__kernel void chains(int rounds, float half_, __global float *out) {
+  int item = (int)get_global_id(0);
+  real h = REAL(half_), one = REAL(1.0f);
+  real x0 = REAL((float)item), x1 = x0 + one, x2 = x1 + one, x3 = x2 + one;
+  real x4 = x3 + one, x5 = x4 + one, x6 = x5 + one, x7 = x6 + one;
+  for (int i = 0; i < rounds; ++i) {
+    x0 = fma(x0, h, one);
+    x1 = fma(x1, h, one);
+    x2 = fma(x2, h, one);
+    x3 = fma(x3, h, one);
+    x4 = fma(x4, h, one);
+    x5 = fma(x5, h, one);
+    x6 = fma(x6, h, one);
+    x7 = fma(x7, h, one);
+  }
+  store_real(((x0 + x1) + (x2 + x3)) + ((x4 + x5) + (x6 + x7)), out, item);
+}
+
+__kernel void nothing(__global float *out) {
+  if (get_global_id(0) == 0) out[0] = 1.0f;
+}
