@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
 
 #include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/surface_map.hpp"
@@ -36,7 +36,7 @@ double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   return least;
 }
 
-/// How much of the second colour there is at p, p in units of the pattern's size.
+/// How much of the second colour there is at p, in 0..1; p in units of the pattern's size.
 using Pattern = double (*)(glm::dvec3 p, std::uint32_t seed);
 
 double plain(glm::dvec3, std::uint32_t) {
@@ -90,10 +90,34 @@ CoatTexture painted(const Mesh& mesh, const CoatScene& coat) {
   return out;
 }
 
+glm::vec4 bilinear(const Picture& picture, double x, double y) {
+  const double px = std::clamp(x * picture.width - 0.5, 0.0, picture.width - 1.0);
+  const double py = std::clamp(y * picture.height - 0.5, 0.0, picture.height - 1.0);
+  const int x0 = int(px), y0 = int(py);
+  const int x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
+  const float u = float(px - x0), v = float(py - y0);
+  return (1 - v) * ((1 - u) * picture.at(x0, y0) + u * picture.at(x1, y0)) +
+         v * ((1 - u) * picture.at(x0, y1) + u * picture.at(x1, y1));
+}
+
+/// The picture's own resolution when it is square, else stretched to its longer side. Its top row lies at v
+/// = 1.
+CoatTexture from_picture(const std::filesystem::path& path) {
+  const Picture picture = read_picture(path);
+  CoatTexture out;
+  out.size = std::min(std::max(picture.width, picture.height), 4096);
+  for (int j = 0; j < out.size; ++j)
+    for (int i = 0; i < out.size; ++i) {
+      const glm::vec4 c = bilinear(picture, (i + 0.5) / out.size, 1.0 - (j + 0.5) / out.size);
+      out.texel.push_back({byte(double(c.x)), byte(double(c.y)), byte(double(c.z)), 255});
+    }
+  return out;
+}
+
 }  // namespace
 
 CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat) {
-  return painted(mesh, coat);
+  return coat.image.empty() ? painted(mesh, coat) : from_picture(coat.image);
 }
 
 }  // namespace pelage

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <unordered_map>
 
+#include "harness/picture/image_io.hpp"
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 
@@ -147,6 +148,26 @@ class Patches {
   double threshold_ = 0;
 };
 
+/// Where a picture lets droplets fall; without one, everywhere.
+class Rain {
+ public:
+  explicit Rain(const std::filesystem::path& path) {
+    if (!path.empty()) picture_ = read_picture(path);
+  }
+  /// Bright: at least half of white (Rec. 601 luma) in the texel under uv; the picture's top row lies at v
+  /// = 1.
+  bool falls(glm::dvec2 uv) const {
+    if (picture_.pixel.empty()) return true;
+    const int x = std::clamp(int(uv.x * picture_.width), 0, picture_.width - 1);
+    const int y = std::clamp(int((1.0 - uv.y) * picture_.height), 0, picture_.height - 1);
+    const glm::vec4& c = picture_.at(x, y);
+    return 0.299f * c.x + 0.587f * c.y + 0.114f * c.z >= 0.5f;
+  }
+
+ private:
+  Picture picture_;
+};
+
 constexpr int tries_per_droplet = 30;  // dart throwing gives up after so many misses per droplet asked for
 
 void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, std::vector<Droplet>& out) {
@@ -156,6 +177,7 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
 
   const Random random(wetness.seed, 0xd20bu);
   const Patches patches(skin, wetness);
+  const Rain rain(wetness.image);
   const double largest = double(wetness.radius) * (1.0 + double(wetness.radius_spread));
   const double scale = double(std::min(mesh.length_per_uv.x, mesh.length_per_uv.y));
   const double widest = std::max(1e-6, double(wetness.spacing) * largest);
