@@ -1,0 +1,148 @@
+#!/usr/bin/env bash
+# From a bare Debian 12 to a built, tested, measured pelage. Twice in a row is as good as once.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$root/build/release
+binary=$build/pelage
+
+usage() {
+  cat <<'TEXT'
+Usage: ./bootstrap.sh table1 [options of pelage run]   set up, build, time Table 1, print it beside the paper's
+       ./bootstrap.sh test [options of ctest]          set up, build, run the whole test suite
+       ./bootstrap.sh build                            set up and build build/release/pelage
+       ./bootstrap.sh setup [FILE...]                  install what packages.txt (and each FILE) lists, no more
+  --no-install before the command: never touch the system, list what is missing instead.
+  PELAGE_JOBS=N: compile N files at once (default: by cores and memory).
+TEXT
+}
+
+say() { printf '[%2d:%02d] %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*" >&2; }
+fail() { say "$@"; exit 1; }
+
+listed() { sed 's/#.*//' "$@" | awk 'NF { print $1 }'; }
+
+missing() {
+  local package
+  for package in $(listed "$@"); do
+    [[ $(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+  done
+}
+
+# apt as root, with nothing to answer; another apt at work is waited for.
+as_root() { if ((EUID == 0)); then "$@"; else sudo "$@"; fi; }
+run_apt() {
+  as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 "$@" >>"$log" 2>&1 ||
+    { tail -n 20 "$log" >&2; fail "apt-get $1 failed; all it said is in $log"; }
+}
+
+set_up() {
+  local install=$1; shift
+  if ! command -v dpkg-query >/dev/null; then
+    [[ $install == no ]] && return  # CMake will say what it does not find
+    fail "this is not Debian: install what packages.txt lists in your own way, then ./bootstrap.sh --no-install ..."
+  fi
+  local wanted
+  mapfile -t wanted < <(missing "$root/packages.txt" "$@")
+  if ((${#wanted[@]} == 0)); then
+    say "every package is installed"
+  elif [[ $install == no ]]; then
+    say "missing: ${wanted[*]}"
+    fail "install them: apt-get install --no-install-recommends ${wanted[*]}"
+  else
+    ((EUID == 0)) || command -v sudo >/dev/null ||
+      fail "not root, and no sudo; have root run: apt-get install --no-install-recommends ${wanted[*]}"
+    mkdir -p "$root/build"
+    log=$root/build/install.log
+    : >"$log"
+    say "installing ${#wanted[@]} packages and what they need (minutes; log: build/install.log):"
+    say "  ${wanted[*]}"
+    run_apt update
+    run_apt install --no-install-recommends "${wanted[@]}"
+    say "installed"
+  fi
+  # Slim container images drop /usr/share/doc, where Debian ships CGAL's meshes.
+  if [[ $install == yes && ! -e /usr/share/doc/libcgal-dev/data.tar.gz ]]; then
+    mkdir -p "$root/build"
+    log=$root/build/install.log
+    say "fetching CGAL's meshes again: this system leaves out /usr/share/doc"
+    run_apt install --reinstall -o DPkg::Options::=--path-include='/usr/share/doc/libcgal-dev/*' libcgal-demo
+  fi
+}
+
+# One compiler per core, as far as each has 2 GB: CGAL's headers need them.
+compilers() {
+  local memory=$(($(awk '/^MemAvailable/ { print $2 }' /proc/meminfo) / 1024)) limit
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
+  [[ $limit == max ]] || ((limit / 1048576 > memory)) || memory=$((limit / 1048576))
+  local by_memory=$((memory / 2000)) cores
+  cores=$(nproc)
+  local n=$((by_memory < cores ? by_memory : cores))
+  echo $((n < 1 ? 1 : n))
+}
+
+build() {
+  # A build folder that was moved or copied names files of its old place.
+  if [[ -e $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+    say "build/release belongs to another checkout: building anew"
+    rm -rf "$build"
+  fi
+  [[ -e $build/build.ninja ]] || { say "configuring"; (cd "$root" && cmake --preset release >&2); }
+  local n=${PELAGE_JOBS:-$(compilers)}
+  say "building $* with $n at once"
+  cmake --build "$build" --parallel "$n" --target "$@" >&2
+  say "built: $binary"
+}
+
+table1() {
+  local folder='' preset=(--preset quick) argument previous='' report=yes host
+  host=-$(uname -n)
+  for argument in "$@"; do
+    case $argument in
+      --preset | --preset=*) preset=() ;;
+      --anonymous) host= ;;
+      --dry-run | -h | --help) report=no ;;
+      -o=* | --output=* | --resume=*) folder=${argument#*=} ;;
+    esac
+    case $previous in -o | --output | --resume) folder=$argument ;; esac
+    previous=$argument
+  done
+  local output=()
+  if [[ -z $folder ]]; then
+    folder=pelage-results/$(date -u +%Y%m%dT%H%M%SZ)$host
+    output=(-o "$folder")
+  fi
+  if [[ $report == no ]]; then
+    "$binary" run silva2010-table1 "${preset[@]}" "$@"
+    return
+  fi
+  say "timing Table 1 into $folder"
+  local status=0
+  "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
+  # 1: some case failed its check or its device; the report says which. Anything else leaves nothing to report.
+  if ((status == 130 || status == 143)); then
+    say "interrupted; to go on: ./bootstrap.sh table1 --resume $folder"
+  fi
+  ((status <= 1)) || exit "$status"
+  "$binary" report "$folder" -o "$folder/report"
+  say "report: $folder/report/index.html"
+  return "$status"
+}
+
+install=yes
+while [[ ${1:-} == --no-install ]]; do install=no; shift; done
+command=${1:-help}
+[[ $# -eq 0 ]] || shift
+case $command in
+  setup) set_up "$install" "$@" ;;
+  build) set_up "$install"; build pelage ;;
+  table1) set_up "$install"; build pelage; table1 "$@" ;;
+  test)
+    set_up "$install"
+    build all
+    say "testing"
+    ctest --test-dir "$build" --output-on-failure --parallel 2 "$@"
+    say "tested"
+    ;;
+  help | -h | --help) usage ;;
+  *) usage >&2; exit 2 ;;
+esac
