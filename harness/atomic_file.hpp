@@ -23,8 +23,12 @@ void write_atomically(const std::filesystem::path& path, Write&& write) {
     throw InputError(path.string() + ": cannot be written, there is no folder '" + folder.string() + "'");
   }
   if (fs::is_directory(path, error)) throw InputError(path.string() + ": cannot be written, it is a folder");
-  const fs::path temporary =
-      folder / ("." + path.stem().string() + "." + std::to_string(getpid()) + path.extension().string());
+  std::string name = ".";
+  name += path.stem().string();
+  name += '.';
+  name += std::to_string(getpid());
+  name += path.extension().string();
+  const fs::path temporary = folder / name;
   try {
     std::forward<Write>(write)(temporary);
     fs::rename(temporary, path);

@@ -1,0 +1,23 @@
+#include "harness/commands/scene.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/commands/scene_options.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+
+void add_scene(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<SceneOptions>();
+  CLI::App* command = app.add_subcommand(
+      "scene", "Print a resolved scene: every key with its meaning, unit, range and default");
+  add_scene_options(*command, *options, false);
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      fmt::print("{}", write_scene(resolve_scene(*options)));
+      return 0;
+    };
+  });
+}
+
+}  // namespace pelage

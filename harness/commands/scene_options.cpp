@@ -1,0 +1,60 @@
+#include "harness/commands/scene_options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+/// "800x600" as overrides of the scene, which know the range.
+void set_size(Scene& scene, const std::string& size) {
+  const auto cross = size.find('x');
+  const std::string width = size.substr(0, cross);
+  const std::string height = cross == std::string::npos ? "" : size.substr(cross + 1);
+  const auto digits = [](const std::string& text) {
+    return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (!digits(width) || !digits(height)) {
+    throw InputError(fmt::format("--size {}: give width x height in pixels, for instance 800x600", size));
+  }
+  // Through int: TOML refuses leading zeros.
+  apply_set(scene, fmt::format("image.width={}", std::stoi(width)), "--size");
+  apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
+  command.add_option("scene", options.file, "Scene file; without one, the default scene")
+      ->type_name("SCENE.toml");
+  command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  if (!draws) return;
+  command.add_option("--model", options.model, "A name of experiments/models.toml, or a mesh file")
+      ->type_name("MODEL");
+  command.add_option("--size", options.size, "Size of the picture in pixels")->type_name("WxH");
+}
+
+Scene resolve_scene(const SceneOptions& options) {
+  Scene scene;
+  if (!options.file.empty()) scene = read_scene(options.file);
+  if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
+  for (const std::string& assignment : options.set) apply_set(scene, assignment);
+  if (!options.size.empty()) set_size(scene, options.size);
+  check_scene(scene, options.file.empty() ? "scene" : options.file);
+  return scene;
+}
+
+std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene) {
+  MeshOptions options;
+  options.progress = [](const std::string& what) { fmt::print(stderr, "{}\n", what); };
+  return load_model(scene.model, options);
+}
+
+}  // namespace pelage

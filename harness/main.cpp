@@ -1,0 +1,85 @@
+// pelage: the command line. Every failure becomes one line on stderr and an exit code:
+// 0 done, 1 a check failed, 2 bad usage or input, 3 no usable device, 5 regression, 130/143 interrupted.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "harness/cl/program.hpp"
+#include "harness/commands/command.hpp"
+#include "harness/commands/devices.hpp"
+#include "harness/commands/scene.hpp"
+#include "harness/error.hpp"
+#include "harness/version/version.hpp"
+
+namespace {
+
+using namespace pelage;
+
+std::string version() {
+  const BuildInfo& build = build_info();
+  return fmt::format(
+      "pelage {} ({}{}, {})\n"
+      "GPL-3.0-or-later\n"
+      "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for "
+      "real-time "
+      "layered fur, version {}, revision {}\";\nCITATION.cff has the same for reference managers. Cite the "
+      "papers "
+      "whose systems you timed as well: the report's references.bib lists them.",
+      build.version, build.revision, build.dirty ? ", modified" : "", build.compiler, build.version,
+      build.revision.substr(0, 12));
+}
+
+int failed(const std::string& what, int code) {
+  std::string line = what;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  fmt::print(stderr, "pelage: {}\n", line);
+  return code;
+}
+
+int run(const Chosen& command) {
+  const int code = command();
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) return failed("standard output cannot be written", 2);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("An OpenCL research benchmark harness for real-time layered fur", "pelage");
+  app.set_version_flag("--version", version, "Print the version and how to cite it");
+  std::string kernels;
+  app.add_option("--kernels", kernels, "Folder of OpenCL kernels to use instead of pelage's own")
+      ->type_name("DIR");
+  app.fallthrough();
+  Chosen chosen;
+  add_devices(app, chosen);
+  add_scene(app, chosen);
+  app.require_subcommand(0, 1);
+
+  try {
+    app.parse(argc, argv);
+    if (!kernels.empty()) cl::set_kernel_folder(kernels);
+    if (!chosen) throw InputError("give a command; `pelage --help` lists them");
+    return run(chosen);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return failed(fmt::format("{}; `pelage --help` and `pelage COMMAND --help` show the usage", error.what()),
+                  2);
+  } catch (const InputError& error) {
+    return failed(error.what(), 2);
+  } catch (const NoDeviceError& error) {
+    return failed(error.what(), 3);
+  } catch (const DeviceError& error) {
+    // Not on one line: it may carry a kernel's build log.
+    fmt::print(stderr, "pelage: {}\n", error.what());
+    return 1;
+  } catch (const std::bad_alloc&) {
+    return failed("out of memory", 1);
+  } catch (const std::exception& error) {
+    return failed(error.what(), 1);
+  }
+}
