@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <iterator>
 #include <mutex>
-#include <optional>
 
 #include "harness/cl/buffer.hpp"
+#include "harness/cl/choose.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::cl {
@@ -62,17 +63,6 @@ T device_value(cl_device_id device, cl_device_info key) {
   return value;
 }
 
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return result;
-}
-
-bool contains(std::string_view text, std::string_view part) {
-  return lower(text).find(lower(part)) != std::string::npos;
-}
-
 // Sixteen lanes to a work-item pay on CPU devices of PoCL, which is the only compiler seen to take them well.
 int lanes_of(const DeviceInfo& info) {
   if (const char* forced = std::getenv("PELAGE_LANES"); forced != nullptr && *forced != '\0') {
@@ -87,6 +77,7 @@ int lanes_of(const DeviceInfo& info) {
 DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
   DeviceInfo info;
   info.platform = platform_text(platform, CL_PLATFORM_NAME);
+  info.platform_suffix = platform_text(platform, 0x0920);  // CL_PLATFORM_ICD_SUFFIX_KHR
   info.platform_version = platform_text(platform, CL_PLATFORM_VERSION);
   info.name = device_text(device, CL_DEVICE_NAME);
   info.vendor = device_text(device, CL_DEVICE_VENDOR);
@@ -148,12 +139,12 @@ cl_context Device::context() const {
   return state_->context;
 }
 
-std::string Device::spec() const {
-  return fmt::format("{}:{}", info().platform_index, info().device_index);
+std::string DeviceInfo::spec() const {
+  return fmt::format("{}:{}", platform_index, device_index);
 }
 
-std::string Device::platform_suffix() const {
-  return state_->platform_suffix;
+std::string Device::spec() const {
+  return info().spec();
 }
 
 std::vector<PlatformInfo> platforms() {
@@ -175,7 +166,6 @@ std::vector<Device> devices() {
       state->info = describe(platform, id);
       state->info.platform_index = platform_index;
       state->info.device_index = device_index++;
-      state->platform_suffix = platform_text(platform, 0x0920);  // CL_PLATFORM_ICD_SUFFIX_KHR
       found.push_back(Device(std::move(state)));
     }
     ++platform_index;
@@ -183,79 +173,13 @@ std::vector<Device> devices() {
   return found;
 }
 
-namespace {
-
-std::string candidates(const std::vector<Device>& list) {
-  std::string text;
-  for (const Device& device : list)
-    text += fmt::format("{}{} {} ({})", text.empty() ? "" : "; ", device.spec(), device.info().name,
-                        device.info().platform);
-  return text;
-}
-
-std::vector<Device> matching(const std::vector<Device>& all, const auto& wanted) {
-  std::vector<Device> found;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(found), wanted);
-  return found;
-}
-
-bool all_digits(std::string_view text) {
-  return !text.empty() && text.size() <= 4 && text.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-// "PLATFORM:INDEX", where PLATFORM is an index, part of the platform's name, or the loader's short name for
-// it.
-std::optional<std::vector<Device>> by_platform(const std::vector<Device>& all, std::string_view wanted) {
-  const auto colon = wanted.rfind(':');
-  if (colon == std::string_view::npos || colon == 0 || !all_digits(wanted.substr(colon + 1))) return {};
-  const std::string_view platform = wanted.substr(0, colon);
-  const int index = std::stoi(std::string(wanted.substr(colon + 1)));
-  return matching(all, [&](const Device& d) {
-    if (d.info().device_index != index) return false;
-    if (all_digits(platform)) return d.info().platform_index == std::stoi(std::string(platform));
-    return contains(d.info().platform, platform) || lower(d.platform_suffix()) == lower(platform);
-  });
-}
-
-std::vector<Device> by_name(const std::vector<Device>& all, std::string_view wanted) {
-  auto exact = matching(all, [&](const Device& d) { return lower(d.info().name) == lower(wanted); });
-  if (!exact.empty()) return exact;
-  auto partial = matching(all, [&](const Device& d) { return contains(d.info().name, wanted); });
-  if (!partial.empty()) return partial;
-  return matching(all, [&](const Device& d) {
-    return contains(d.info().platform, wanted) || lower(d.platform_suffix()) == lower(wanted);
-  });
-}
-
-}  // namespace
-
 Device choose_device(std::string_view wanted) {
   const std::vector<Device> all = devices();
-  if (all.empty())
-    throw NoDeviceError(
-        "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd "
-        "for NVIDIA) "
-        "and see that clinfo lists it");
-  std::string origin = "--device";
-  std::string asked(wanted);
-  if (asked.empty()) {
-    if (const char* variable = std::getenv("PELAGE_DEVICE"); variable != nullptr) asked = variable;
-    origin = "PELAGE_DEVICE";
-  }
-  if (asked.empty()) {
-    if (auto gpus = matching(all, [](const Device& d) { return d.info().gpu; }); !gpus.empty())
-      return gpus.front();
-    if (auto cpus = matching(all, [](const Device& d) { return d.info().cpu; }); !cpus.empty())
-      return cpus.front();
-    return all.front();
-  }
-  auto by_index = by_platform(all, asked);
-  const std::vector<Device> found = by_index ? *std::move(by_index) : by_name(all, asked);
-  if (found.size() == 1) return found.front();
-  if (found.empty())
-    throw InputError(fmt::format("{} {}: no such device; there are: {}", origin, asked, candidates(all)));
-  throw InputError(fmt::format("{} {}: names several devices, write PLATFORM:INDEX: {}", origin, asked,
-                               candidates(found)));
+  std::vector<DeviceInfo> infos;
+  std::transform(all.begin(), all.end(), std::back_inserter(infos), [](const Device& d) { return d.info(); });
+  const char* variable = std::getenv("PELAGE_DEVICE");
+  if (wanted.empty() && variable != nullptr) return all[choose(infos, variable, "PELAGE_DEVICE")];
+  return all[choose(infos, wanted, "--device")];
 }
 
 }  // namespace pelage::cl

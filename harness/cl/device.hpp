@@ -11,6 +11,7 @@
 namespace pelage::cl {
 
 struct DeviceInfo {
+  std::string platform_suffix;  ///< the loader's short name of the platform: "POCL", "NV"; may be empty
   std::string platform, platform_version, name, vendor, version, c_version, driver;
   int platform_index = 0, device_index = 0;  ///< device_index counts within the platform
   bool gpu = false, cpu = false;
@@ -20,6 +21,8 @@ struct DeviceInfo {
   std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
   bool fp64 = false;
   int lanes = 1;  ///< 16 where float16 work-items pay (CPU devices of PoCL), else 1
+
+  std::string spec() const;  ///< "0:0", platform and device index, as --device takes it
 };
 
 /// A device with a context of its own. Copies share both.
@@ -28,8 +31,7 @@ class Device {
   const DeviceInfo& info() const;
   cl_device_id id() const;
   cl_context context() const;
-  std::string spec() const;             ///< "PLATFORM:INDEX", as --device takes it
-  std::string platform_suffix() const;  ///< the loader's short name: "POCL", "NV"; may be empty
+  std::string spec() const;  ///< "PLATFORM:INDEX", as --device takes it
 
  private:
   struct State;

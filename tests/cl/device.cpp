@@ -1,8 +1,11 @@
 #include "harness/cl/device.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "harness/cl/buffer.hpp"
@@ -32,4 +35,51 @@ TEST(Devices, CopiesShareOneContext) {
   const cl::Device copy = device;
   EXPECT_EQ(device.context(), copy.context());
   EXPECT_NE(device.context(), cl::choose_device("").context());
+}
+
+TEST(Devices, OneIsFoundByItsOwnSpecAndName) {
+  for (const cl::Device& device : cl::devices()) {
+    EXPECT_EQ(cl::choose_device(device.spec()).id(), device.id());
+    EXPECT_EQ(cl::choose_device(device.info().name).info().name, device.info().name);
+  }
+}
+
+namespace {
+
+// ocl-icd looks for drivers once in a process, so the body runs in a process of its own that sees an empty
+// folder.
+class WithoutDrivers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    std::string name = (std::filesystem::temp_directory_path() / "pelage-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    ::setenv("OCL_ICD_VENDORS", folder_.c_str(), 1);
+  }
+  void TearDown() override {
+    ::unsetenv("OCL_ICD_VENDORS");
+    std::filesystem::remove_all(folder_);
+  }
+  std::filesystem::path folder_;
+};
+
+[[noreturn]] void choose_and_exit(const char* wanted) {
+  if (!cl::devices().empty() || !cl::platforms().empty()) std::exit(1);
+  try {
+    cl::choose_device(wanted);
+  } catch (const NoDeviceError& error) {
+    std::fputs(error.what(), stderr);
+    std::exit(3);
+  }
+  std::exit(0);
+}
+
+}  // namespace
+
+using WithoutDriversDeathTest = WithoutDrivers;
+
+TEST_F(WithoutDriversDeathTest, NoDeviceSaysWhatToInstall) {
+  EXPECT_EXIT(choose_and_exit(""), ::testing::ExitedWithCode(3), "pocl-opencl-icd");
+  EXPECT_EXIT(choose_and_exit("nvidia"), ::testing::ExitedWithCode(3), "no OpenCL device");
 }

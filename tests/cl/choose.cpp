@@ -1,0 +1,85 @@
+#include "harness/cl/choose.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+
+using namespace pelage;
+
+namespace {
+
+cl::DeviceInfo device(int platform_index, int device_index, const char* platform, const char* suffix,
+                      const char* name, bool gpu) {
+  cl::DeviceInfo info;
+  info.platform_index = platform_index;
+  info.device_index = device_index;
+  info.platform = platform;
+  info.platform_suffix = suffix;
+  info.name = name;
+  info.gpu = gpu;
+  info.cpu = !gpu;
+  return info;
+}
+
+// A workstation: PoCL, an idle platform (so that indices skip one), two equal GPUs, and Mesa's rusticl.
+const std::vector<cl::DeviceInfo> workstation{
+    device(0, 0, "Portable Computing Language", "POCL", "pthread-AMD EPYC 9454", false),
+    device(2, 0, "NVIDIA CUDA", "NV", "NVIDIA H100 80GB HBM3", true),
+    device(2, 1, "NVIDIA CUDA", "NV", "NVIDIA H100 80GB HBM3", true),
+    device(3, 0, "rusticl", "MESA", "llvmpipe (LLVM 15.0.6, 256 bits)", false)};
+
+std::string refusal(std::string_view wanted) {
+  try {
+    const std::size_t found = cl::choose(workstation, wanted, "--device");
+    return "found " + std::to_string(found);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+TEST(Choose, NamesOfEveryForm) {
+  const std::pair<const char*, std::size_t> cases[] = {{"0:0", 0},
+                                                       {"2:1", 2},
+                                                       {"nvidia:1", 2},
+                                                       {"NV:0", 1},
+                                                       {"Portable Computing Language:0", 0},
+                                                       {"pocl", 0},
+                                                       {"epyc", 0},
+                                                       {"rusticl", 3},
+                                                       {"llvmpipe", 3},
+                                                       {"mesa:0", 3},
+                                                       {"PTHREAD-amd", 0},
+                                                       {"MESA", 3},
+                                                       {"portable", 0},
+                                                       {"(LLVM 15.0.6,", 3}};
+  for (const auto& [wanted, position] : cases)
+    EXPECT_EQ(cl::choose(workstation, wanted, "--device"), position) << wanted;
+}
+
+TEST(Choose, NothingNamedIsTheFirstGpuElseACpu) {
+  EXPECT_EQ(cl::choose(workstation, "", "--device"), 1u);
+  EXPECT_EQ(cl::choose({workstation[3], workstation[0]}, "", "--device"), 0u);
+}
+
+TEST(Choose, AnAmbiguousNameListsItsCandidates) {
+  const std::string text = refusal("h100");
+  EXPECT_NE(text.find("2:0 NVIDIA H100"), std::string::npos) << text;
+  EXPECT_NE(text.find("2:1 NVIDIA H100"), std::string::npos) << text;
+  EXPECT_EQ(text.find("pthread"), std::string::npos) << text;
+  EXPECT_NE(refusal("NVIDIA H100 80GB HBM3").find("several"), std::string::npos) << "two devices of one name";
+}
+
+TEST(Choose, AnUnknownNameListsEveryDevice) {
+  for (const char* wanted :
+       {"radeon", "1:0", "0:7", "nvidia:2", "0:99999", ":0", "0:", ":", "0:-1", "0:0:0"}) {
+    const std::string text = refusal(wanted);
+    EXPECT_EQ(text.find("--device " + std::string(wanted) + ": no such device"), 0u) << text;
+    EXPECT_NE(text.find("0:0 pthread"), std::string::npos) << text;
+  }
+}
+
+TEST(Choose, AmongNoneIsItsOwnError) {
+  EXPECT_THROW(cl::choose({}, "0:0", "--device"), NoDeviceError);
+}
