@@ -11,11 +11,8 @@
 
 namespace pelage {
 
-/// Calls write(temporary path), then renames that file to `path`. The temporary lies in the same folder and
-/// keeps the extension, for libraries that choose a format by it. When `write` throws, nothing is left and
-/// `path` is as it was. Throws InputError when the folder does not exist or `path` is a folder.
-template <class Write>
-void write_atomically(const std::filesystem::path& path, Write&& write) {
+/// Throws InputError when no file can be at `path`: its folder does not exist, or it is a folder itself.
+inline void require_place(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
@@ -23,12 +20,22 @@ void write_atomically(const std::filesystem::path& path, Write&& write) {
     throw InputError(path.string() + ": cannot be written, there is no folder '" + folder.string() + "'");
   }
   if (fs::is_directory(path, error)) throw InputError(path.string() + ": cannot be written, it is a folder");
+}
+
+/// Calls write(temporary path), then renames that file to `path`. The temporary lies in the same folder and
+/// keeps the extension, for libraries that choose a format by it. When `write` throws, nothing is left and
+/// `path` is as it was. Throws InputError when the folder does not exist or `path` is a folder.
+template <class Write>
+void write_atomically(const std::filesystem::path& path, Write&& write) {
+  namespace fs = std::filesystem;
+  require_place(path);
   std::string name = ".";
   name += path.stem().string();
   name += '.';
   name += std::to_string(getpid());
   name += path.extension().string();
-  const fs::path temporary = folder / name;
+  const fs::path temporary = path.parent_path() / name;
+  std::error_code error;
   try {
     std::forward<Write>(write)(temporary);
     fs::rename(temporary, path);

@@ -87,12 +87,16 @@ void require_end(const fs::path& path) {
 
 }  // namespace
 
-void write_picture(const fs::path& path, const Picture& picture) {
+void check_picture_path(const fs::path& path) {
   const std::string kind = extension(path);
-  const bool png = kind == ".png";
-  if (!png && kind != ".exr" && kind != ".tif" && kind != ".tiff") {
+  if (kind != ".png" && kind != ".exr" && kind != ".tif" && kind != ".tiff") {
     throw InputError(fmt::format("{}: a picture is written as .png, .exr or .tif", path.string()));
   }
+  require_place(path);
+}
+
+void write_picture(const fs::path& path, const Picture& picture) {
+  check_picture_path(path);
   if (picture.width < 1 || picture.height < 1 || picture.width > most_pixels_per_side ||
       picture.height > most_pixels_per_side ||
       picture.pixel.size() !=
@@ -101,7 +105,7 @@ void write_picture(const fs::path& path, const Picture& picture) {
                                  path.string(), picture.width, picture.height, most_pixels_per_side));
   }
   write_atomically(path, [&](const fs::path& temporary) {
-    if (png) {
+    if (extension(path) == ".png") {
       OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
       spec.attribute("oiio:ColorSpace", "sRGB");
       write_file(temporary, path, spec, rgb_bytes(picture).data());

@@ -14,6 +14,10 @@ inline constexpr int most_pixels_per_side = 16384;
 /// InputError for another extension, an empty picture, or a place that cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
+/// Throws InputError when write_picture could not write there, by extension or by folder: before the work,
+/// not after.
+void check_picture_path(const std::filesystem::path& path);
+
 /// Reads a PNG, JPEG, TIFF or EXR file, integers scaled to [0, 1], without any colour conversion. Grey
 /// becomes RGB; a missing alpha is 1. Throws InputError when the file is missing, of another kind, malformed,
 /// truncated, or larger than most_pixels_per_side on a side.

@@ -94,6 +94,11 @@ struct DynamicsScene {
   WindScene wind;
 };
 
+/// Frames of strand motion that `time` stands for: they pass before the first picture's own frame.
+inline int frames_before(const DynamicsScene& dynamics) {
+  return static_cast<int>(dynamics.time / (dynamics.step * static_cast<float>(dynamics.substeps)) + 0.5f);
+}
+
 struct LightScene {
   glm::vec3 direction{0.25f, 1.0f, -0.4f};  ///< towards the light
   float intensity = 1.5f;

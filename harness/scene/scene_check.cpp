@@ -99,6 +99,13 @@ void check_step(const DynamicsScene& dynamics, const std::string& source) {
       source, dynamics.step, longest));
 }
 
+void check_time(const DynamicsScene& dynamics, const std::string& source) {
+  const double frames = double(dynamics.time) / (double(dynamics.step) * dynamics.substeps);
+  if (frames <= double(most_frames)) return;
+  throw InputError(fmt::format("{}: dynamics.time: {} s are {:.0f} frames; give at most {} frames", source,
+                               dynamics.time, frames, most_frames));
+}
+
 void check_camera(const CameraScene& camera, const std::string& source) {
   const glm::dvec3 view =
       camera.framed ? glm::dvec3(camera.direction) : glm::dvec3(camera.eye) - glm::dvec3(camera.target);
@@ -160,6 +167,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_lights(scene.shading, source);
   check_sizes(scene, source);
   check_step(scene.dynamics, source);
+  check_time(scene.dynamics, source);
   check_camera(scene.camera, source);
 }
 

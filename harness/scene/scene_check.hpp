@@ -14,5 +14,6 @@ std::string complaint(const Key& key, const std::string& value);
 
 inline constexpr long most_fur_texels = 1L << 28;  ///< layers x texture^2: half a gigabyte
 inline constexpr long most_pixels = 1L << 26;      ///< width x height: a gigabyte of floats
+inline constexpr long most_frames = 1000000;       ///< simulated before the first picture
 
 }  // namespace pelage

@@ -1,0 +1,87 @@
+#include "harness/commands/render.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "harness/commands/frame_dump.hpp"
+#include "harness/commands/scene_options.hpp"
+#include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/shells/shells.hpp"
+
+namespace pelage {
+namespace {
+
+struct RenderOptions {
+  SceneOptions scene;
+  std::string output, dump, device;
+  std::string pipeline = "shells", mapping = "tile";
+  int bits = 32;
+};
+
+FrameOutput shells_output(const RenderOptions& options, const cl::Device& device,
+                          std::shared_ptr<const FrameInput> input) {
+  ShellOptions shell_options;
+  shell_options.mapping = options.mapping;
+  Shells shells(device, input, shell_options);
+  shells.advance(frames_before(input->scene.dynamics));
+  const FrameTiming timing = shells.frame();
+  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold; time with `pelage run`\n",
+             device.info().name, timing.wall_ms);
+  return {fmt::format("shells on {}", device.info().name), shells.frames_simulated(), shells.tips(),
+          shells.mask(), shells.read()};
+}
+
+int render(const RenderOptions& options) {
+  if (options.bits == 8 && options.pipeline != "reference") {
+    throw InputError("--reference-bits 8: only the reference rounds; add --pipeline reference");
+  }
+  check_picture_path(options.output);
+  if (!options.dump.empty()) check_dump_path(options.dump);
+  const Scene scene = resolve_scene(options.scene);
+  const bool shells = options.pipeline == "shells";
+  // Before the mesh, which may take minutes.
+  std::optional<cl::Device> device;
+  if (shells) device = cl::choose_device(options.device);
+  const auto input = prepare(scene, load_scene_mesh(scene));
+  const FrameOutput output =
+      shells ? shells_output(options, *device, input)
+             : reference_output(*input, frames_before(scene.dynamics) + 1, options.bits == 8);
+  write_picture(options.output, output.image);
+  if (!options.dump.empty()) dump_frame(options.dump, *input, output);
+  return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Draw one picture of a scene");
+  add_scene_options(*command, options->scene, true);
+  command->add_option("-o,--output", options->output, "Picture to write: .png (8-bit), .exr or .tif (float)")
+      ->required()
+      ->type_name("IMAGE");
+  command
+      ->add_option("--pipeline", options->pipeline,
+                   "shells: tiles on an OpenCL device; reference: naive double precision on the host")
+      ->check(CLI::IsMember({"shells", "reference"}))
+      ->capture_default_str();
+  command->add_option("--mapping", options->mapping, "A work-item of the shells draws a tile, or a pixel")
+      ->check(CLI::IsMember({"tile", "pixel"}))
+      ->capture_default_str();
+  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+      ->type_name("DEVICE");
+  command->add_option("--dump", options->dump, "Write every intermediate of the frame as HDF5")
+      ->type_name("FRAME.h5");
+  command
+      ->add_option("--reference-bits", options->bits,
+                   "8: the reference rounds its picture to 8 bits after every layer, as a GPU of 2010 did")
+      ->check(CLI::IsMember({8, 32}))
+      ->capture_default_str();
+  command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
+}
+
+}  // namespace pelage

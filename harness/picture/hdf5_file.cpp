@@ -1,0 +1,131 @@
+#include "harness/picture/hdf5_file.hpp"
+
+#include <fmt/format.h>
+#include <hdf5.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+static_assert(sizeof(hid_t) == sizeof(std::int64_t));
+
+constexpr hsize_t chunk_values = 1 << 18;  // a megabyte of floats
+constexpr unsigned deflate_level = 1;
+
+/// An HDF5 handle that closes itself.
+class Handle {
+ public:
+  Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
+    if (id < 0) throw InputError(what + ": HDF5 refuses to write it");
+  }
+  ~Handle() { close_(id_); }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_;
+  herr_t (*close_)(hid_t);
+};
+
+void write_text(hid_t object, const std::string& name, const std::string& text) {
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, name);
+  // HDF5 has no strings of length 0.
+  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                         name);
+  const std::string padded = text.empty() ? std::string(1, '\0') : text;
+  if (H5Awrite(attribute, type, padded.data()) < 0) throw InputError(name + ": HDF5 refuses to write it");
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::filesystem::path& path) : name_(path.string()) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our errors are exceptions, not its stack on stderr
+  file_ = H5Fcreate(name_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  if (file_ < 0) throw InputError(name_ + ": cannot be written");
+}
+
+Hdf5File::~Hdf5File() {
+  if (file_ >= 0) H5Fclose(file_);
+}
+
+Hdf5File::Hdf5File(Hdf5File&& other) noexcept
+    : file_(std::exchange(other.file_, -1)), name_(std::move(other.name_)) {}
+
+Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
+  std::swap(file_, other.file_);
+  std::swap(name_, other.name_);
+  return *this;
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
+                     std::span<const float> values, const std::string& units,
+                     const std::string& description) {
+  write_raw(name, shape, H5T_NATIVE_FLOAT, values.data(), values.size(), units, description);
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
+                     std::span<const std::uint32_t> values, const std::string& units,
+                     const std::string& description) {
+  write_raw(name, shape, H5T_NATIVE_UINT32, values.data(), values.size(), units, description);
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<std::size_t>& shape,
+                     std::span<const std::uint8_t> values, const std::string& units,
+                     const std::string& description) {
+  write_raw(name, shape, H5T_NATIVE_UINT8, values.data(), values.size(), units, description);
+}
+
+void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>& shape, std::int64_t type,
+                         const void* values, std::size_t count, const std::string& units,
+                         const std::string& description) {
+  const std::string what = fmt::format("{}: dataset {}", name_, name);
+  if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count) {
+    throw InputError(fmt::format("{}: its shape does not hold {} values", what, count));
+  }
+  std::vector<hsize_t> size(shape.begin(), shape.end());
+  const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, what);
+  const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, what);
+  H5Pset_create_intermediate_group(links, 1);
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
+  if (count > 0) {
+    std::vector<hsize_t> chunk = size;
+    // Whole trailing dimensions, as many as fit.
+    hsize_t held = std::accumulate(chunk.begin(), chunk.end(), hsize_t{1}, std::multiplies<>());
+    for (hsize_t& side : chunk) {
+      const hsize_t rest = held / side;
+      side = std::clamp<hsize_t>(chunk_values / rest, 1, side);
+      held = rest;
+    }
+    H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data());
+    H5Pset_deflate(creation, deflate_level);
+  }
+  const Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, links, creation, H5P_DEFAULT), H5Dclose,
+                       what);
+  if (count > 0 && H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+    throw InputError(fmt::format("{}: cannot be written; is the disk full?", what));
+  }
+  write_text(dataset, "units", units);
+  write_text(dataset, "description", description);
+}
+
+void Hdf5File::note(const std::string& name, const std::string& text) {
+  write_text(file_, name, text);
+}
+
+void Hdf5File::close() {
+  if (file_ >= 0 && H5Fclose(std::exchange(file_, -1)) < 0) {
+    throw InputError(fmt::format("{}: cannot be written; is the disk full?", name_));
+  }
+}
+
+}  // namespace pelage
