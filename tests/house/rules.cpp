@@ -1,0 +1,153 @@
+#include "tests/house/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <regex>
+#include <sstream>
+
+namespace pelage::house {
+namespace {
+
+bool starts_with(const std::string& text, const std::string& prefix) {
+  return text.rfind(prefix, 0) == 0;
+}
+
+bool ends_with(const std::string& text, const std::string& suffix) {
+  return text.size() >= suffix.size() &&
+         text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
+}
+
+// The folder below `parent`: "harness/cl/device.hpp" under "harness" is "cl"; "harness/error.hpp" is "".
+std::string room_of(const std::string& path, const std::string& parent) {
+  if (!starts_with(path, parent + "/")) return {};
+  const std::string rest = path.substr(parent.size() + 1);
+  const auto slash = rest.find('/');
+  return slash == std::string::npos ? std::string{} : rest.substr(0, slash);
+}
+
+struct Line {
+  int number;
+  std::string text;
+};
+
+std::vector<Line> lines_of(const std::string& text) {
+  std::vector<Line> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    lines.push_back({static_cast<int>(lines.size()) + 1, line});
+  return lines;
+}
+
+// Why `path` must not include `what`; empty when it may.
+std::string kernel_fault(const std::string& path, const std::string& what) {
+  const std::string room = room_of(path, "kernels");
+  const bool common = room_of("kernels/" + what, "kernels") == "common" && ends_with(what, ".clh");
+  if (path == "kernels/opencl.clh") return "the dialect stands alone";
+  if (ends_with(path, "params.h")) return "a record shared with the host includes nothing";
+  if (what == "opencl.clh" || common) return {};
+  if (room == "common") return "common/ uses opencl.clh and common/ only";
+  if (what == room + "/params.h") return {};
+  if (ends_with(path, "/equations.clh"))
+    return "equations use opencl.clh, their room's params.h and common/*.clh only";
+  if (starts_with(what, room + "/") && ends_with(what, ".clh")) return {};
+  return "a kernel uses its own room, opencl.clh and common/ only";
+}
+
+std::string harness_fault(const std::string& path, const std::string& what, const Links& links) {
+  const std::string room = room_of(path, "harness");
+  const bool everything = room == "commands" || path == "harness/main.cpp";
+  if (starts_with(what, "CL/") && room != "cl") return "only harness/cl includes OpenCL";
+  if ((starts_with(what, "CGAL/") || starts_with(what, "assimp/")) && room != "mesh")
+    return "only harness/mesh includes CGAL and Assimp";
+  if (starts_with(what, "OpenImageIO/") && room != "picture")
+    return "only harness/picture includes OpenImageIO";
+  if (starts_with(what, "tests/")) return "the harness does not include tests";
+  if (starts_with(what, "kernels/"))
+    return ends_with(what, "/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";
+  const std::string other = room_of(what, "harness");
+  if (other.empty() || other == room || everything) return {};
+  if (other == "commands") return "commands are included by main.cpp only";
+  const auto allowed = links.find(room);
+  if (allowed != links.end() && allowed->second.count(other) > 0) return {};
+  return fmt::format("CMakeLists.txt does not link {} to {}", room.empty() ? "the harness's root" : room,
+                     other);
+}
+
+}  // namespace
+
+Links room_links(const std::string& cmake_lists) {
+  static const std::regex room_line(R"(pelage_room\(\s*(\w+)([^)]*)\))");
+  static const std::regex word(R"(\S+)");
+  Links direct, exported;
+  const std::string text = std::regex_replace(cmake_lists, std::regex("#[^\n]*"), "");
+  for (std::sregex_iterator match(text.begin(), text.end(), room_line), end; match != end; ++match) {
+    const std::string room = (*match)[1], rest = (*match)[2];
+    direct[room];
+    bool is_public = true;
+    for (std::sregex_iterator item(rest.begin(), rest.end(), word); item != end; ++item) {
+      const std::string name = item->str();
+      if (name == "PUBLIC" || name == "PRIVATE") is_public = name == "PUBLIC";
+      if (!starts_with(name, "pelage_")) continue;
+      direct[room].insert(name.substr(7));
+      if (is_public) exported[room].insert(name.substr(7));
+    }
+  }
+  Links reached;
+  for (const auto& [room, links] : direct) {
+    const std::function<void(const std::string&)> add = [&, to = &reached[room]](const std::string& other) {
+      if (!to->insert(other).second) return;
+      for (const std::string& next : exported[other]) add(next);
+    };
+    for (const std::string& other : links) add(other);
+  }
+  return reached;
+}
+
+Faults include_faults(const std::string& path, const std::string& text, const Links& links) {
+  static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+  Faults faults;
+  for (const Line& line : lines_of(text)) {
+    std::smatch match;
+    if (!std::regex_search(line.text, match, include)) continue;
+    const std::string what = match[1];
+    std::string fault;
+    if (what.find("..") != std::string::npos)
+      fault = "includes are written from the repository's root";
+    else if (starts_with(path, "kernels/"))
+      fault = kernel_fault(path, what);
+    else if (starts_with(path, "harness/"))
+      fault = harness_fault(path, what, links);
+    if (!fault.empty()) faults.push_back(fmt::format("{}:{}: {}: {}", path, line.number, what, fault));
+  }
+  return faults;
+}
+
+Faults text_faults(const std::string& path, const std::string& text) {
+  // Put together here, so that this file does not hold them.
+  static const std::regex later(
+      "\\b(TO"
+      "DO|FIX"
+      "ME|XX"
+      "X|HA"
+      "CK)\\b");
+  static const std::regex machine("(^|[^\\w.~$}/-])/(home|root|work|tmp|Users|mnt)/[\\w.]");
+  Faults faults;
+  const auto report = [&](int line, const std::string& what) {
+    faults.push_back(fmt::format("{}:{}: {}", path, line, what));
+  };
+  const auto lines = lines_of(text);
+  if (lines.size() > 400) report(401, fmt::format("{} lines, 400 are enough", lines.size()));
+  if (!text.empty() && text.back() != '\n') report(static_cast<int>(lines.size()), "no newline at the end");
+  for (const Line& line : lines) {
+    if (std::regex_search(line.text, later))
+      report(line.number, "a note for later: do it now or open an issue");
+    if (std::regex_search(line.text, machine)) report(line.number, "a path of somebody's own machine");
+    if (!line.text.empty() &&
+        (line.text.back() == ' ' || line.text.back() == '\r' || line.text.back() == '\t'))
+      report(line.number, "a blank or carriage return at the end of the line");
+  }
+  return faults;
+}
+
+}  // namespace pelage::house
