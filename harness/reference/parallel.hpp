@@ -1,0 +1,31 @@
+// Independent work on at most two threads: the reference shares the machine with what it checks.
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+namespace pelage::reference {
+
+/// Calls work(i) once for every i below `count`, in no particular order; work must not throw.
+template <class Work>
+void for_each_index(std::size_t count, const Work& work) {
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  if (count < 2 || std::thread::hardware_concurrency() < 2) return run();
+  std::thread second(run);
+  run();
+  second.join();
+}
+
+/// The same in runs of `grain` consecutive indices, for work too small to be handed out one by one.
+template <class Work>
+void for_each_index(std::size_t count, std::size_t grain, const Work& work) {
+  for_each_index((count + grain - 1) / grain, [&](std::size_t run) {
+    for (std::size_t i = run * grain; i < std::min(count, (run + 1) * grain); ++i) work(i);
+  });
+}
+
+}  // namespace pelage::reference
