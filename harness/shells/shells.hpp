@@ -12,19 +12,20 @@
 namespace pelage {
 
 struct ShellOptions {
-  std::string mapping = "tile";               ///< "tile": a work-item per tile, 16 lanes | "pixel": a work-item per pixel
-  std::map<std::string, int> tuning;          ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
+  std::string mapping = "tile";  ///< "tile": a work-item per tile, 16 lanes | "pixel": a work-item per pixel
+  std::map<std::string, int> tuning;  ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
 };
 
-/// What one frame cost. Milliseconds; event times are absent (empty) where the device's timer cannot be trusted.
+/// What one frame cost. Milliseconds; event times are absent (empty) where the device's timer cannot be
+/// trusted.
 struct FrameTiming {
-  double wall_ms = 0;                              ///< first enqueue to finish
-  std::map<std::string, double> phase_event_ms;    ///< simulate, transform, bin, raster
-  std::uint64_t covered_fragments = 0;             ///< of all layers; counted only on request (count())
+  double wall_ms = 0;                            ///< first enqueue to finish
+  std::map<std::string, double> phase_event_ms;  ///< simulate, transform, bin, raster
+  std::uint64_t covered_fragments = 0;           ///< of all layers; counted only on request (count())
 };
 
-/// A scene on a device. Construction uploads, builds the kernels and makes the wetness mask; frame() advances the
-/// strands by scene.dynamics.substeps and draws one picture that stays on the device until read().
+/// A scene on a device. Construction uploads, builds the kernels and makes the wetness mask; frame() advances
+/// the strands by scene.dynamics.substeps and draws one picture that stays on the device until read().
 class Shells {
  public:
   Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options = {});
@@ -32,15 +33,15 @@ class Shells {
   Shells(Shells&&) noexcept;
   Shells& operator=(Shells&&) noexcept;
 
-  FrameTiming frame();                     ///< one timed frame
-  void advance(int frames);                ///< strands only
-  Picture read() const;                    ///< the last frame's own buffer
-  int frames_simulated() const;            ///< frames since rest, the last one included
-  std::vector<glm::vec4> mask() const;     ///< wetness.size^2: c_u, c_v, r, rho
-  std::vector<glm::vec3> tips() const;     ///< F, p minus root
-  std::uint64_t count();                   ///< covered fragments of the last frame, all layers (an extra, untimed pass)
-  double build_ms() const;                 ///< kernel builds
-  double wet_ms() const;                   ///< Algorithm 1
+  FrameTiming frame();                  ///< one timed frame
+  void advance(int frames);             ///< strands only
+  Picture read() const;                 ///< the last frame's own buffer
+  int frames_simulated() const;         ///< frames since rest, the last one included
+  std::vector<glm::vec4> mask() const;  ///< wetness.size^2: c_u, c_v, r, rho
+  std::vector<glm::vec3> tips() const;  ///< F, p minus root
+  std::uint64_t count();    ///< covered fragments of the last frame, all layers (an extra, untimed pass)
+  double build_ms() const;  ///< kernel builds
+  double wet_ms() const;    ///< Algorithm 1
 
  private:
   struct State;

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <numeric>
+
+#include "harness/shells/stages.hpp"
+
+namespace pelage::shells {
+namespace {
+
+int tuned(const ShellOptions& options, const std::string& name, int otherwise) {
+  const auto found = options.tuning.find(name);
+  return found == options.tuning.end() ? otherwise : found->second;
+}
+
+// Layers that share a bin list: long lists cost set-ups, many lists cost binning.
+int default_group(int layers) {
+  return std::max(2, (layers + 7) / 8);
+}
+
+// coverage and shade of (x, y) and (x, y + 1) in one word.
+std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
+  std::vector<std::int32_t> words;
+  for (std::size_t l = 0; l < fur.level.size(); ++l) {
+    const auto side = std::size_t(fur.size >> l);
+    for (std::size_t n = 0; n < std::size_t(fur.layers); ++n)
+      for (std::size_t y = 0; y < side; ++y)
+        for (std::size_t x = 0; x < side; ++x) {
+          const auto& here = fur.level[l][(n * side + y) * side + x];
+          const auto& next = fur.level[l][(n * side + (y + 1) % side) * side + x];
+          words.push_back(static_cast<std::int32_t>(std::uint32_t(here[0]) | std::uint32_t(here[1]) << 8 |
+                                                    std::uint32_t(next[0]) << 16 |
+                                                    std::uint32_t(next[1]) << 24));
+        }
+  }
+  return words;
+}
+
+std::vector<std::int32_t> packed_coat(const CoatTexture& coat) {
+  std::vector<std::int32_t> words;
+  for (const auto& t : coat.texel)
+    words.push_back(static_cast<std::int32_t>(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 |
+                                              std::uint32_t(t[2]) << 16));
+  return words;
+}
+
+template <class T>
+cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
+  return cl::Buffer<T>(queue, std::span<const T>(values));
+}
+
+constexpr std::int32_t triangles_per_chunk = 1024;
+
+RasterParams tiled(RasterParams p, const ShellOptions& options, const cl::Device& device) {
+  p.group = std::clamp(tuned(options, "GROUP", default_group(p.layers)), 1, p.layers);
+  p.groups = 1 + (p.layers + p.group - 1) / p.group;
+  const int tile_w = tuned(options, "TILE_W", 16), tile_h = tuned(options, "TILE_H", 32);
+  p.tiles_x = (p.width + tile_w - 1) / tile_w;
+  p.tiles_y = (p.height + tile_h - 1) / tile_h;
+  const int wanted = int(4 * device.info().compute_units);
+  p.chunks = std::clamp((p.triangles + triangles_per_chunk - 1) / triangles_per_chunk, 1, wanted);
+  p.chunk = ((p.triangles + p.chunks - 1) / p.chunks + 15) / 16 * 16;
+  return p;
+}
+
+}  // namespace
+
+RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& g,
+                         const WetStage& wet, const ShellOptions& options, int lanes)
+    : params_(tiled(raster_params(input, g), options, queue.device())),
+      per_pixel_(options.mapping == "pixel"),
+      lanes_(lanes),
+      options_(build_options(queue.device(), lanes, options.tuning)),
+      transform_(queue.device(), "rasterize/transform.cl", options_),
+      bin_(queue.device(), "rasterize/bin.cl", options_),
+      raster_(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",
+              build_options(queue.device(), per_pixel_ ? 1 : lanes, options.tuning)),
+      tips_(transform_, "vertex_tips"),
+      layers_(transform_, "layer_vertices"),
+      records_(transform_, "vertex_records"),
+      count_(bin_, "bin_count"),
+      sum_(bin_, "bin_sum"),
+      start_(bin_, "bin_start"),
+      fill_(bin_, "bin_fill"),
+      table_(upload(queue, layer_table(input.scene))),
+      vertex_(upload(queue, g.vertex)),
+      uv_(upload(queue, g.uv)),
+      tangent_(upload(queue, g.tangent)),
+      weight_(upload(queue, g.weight)),
+      corner_(upload(queue, g.corner)),
+      slice_(upload(queue, g.slice)),
+      strand_(upload(queue, g.strand)),
+      fur_(upload(queue, packed_fur(input.fur))),
+      coat_(upload(queue, packed_coat(input.coat))),
+      mask_(&wet.mask()) {
+  const cl::Device& device = queue.device();
+  const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(params_.layers + 1);
+  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
+  const std::size_t lists = tiles * std::size_t(params_.groups);
+  const std::size_t pixels = std::size_t(params_.width) * std::size_t(params_.height);
+  dry_ = cl::Buffer<float>(device, vertices);
+  tip_ = cl::Buffer<float>(device, 3 * vertices);
+  record_ = cl::Buffer<float>(device, RECORD * vertices);
+  screen_x_ = cl::Buffer<std::int32_t>(device, screens);
+  screen_y_ = cl::Buffer<std::int32_t>(device, screens);
+  screen_iw_ = cl::Buffer<float>(device, screens);
+  box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups));
+  chunk_count_ = cl::Buffer<std::int32_t>(device, lists * std::size_t(params_.chunks));
+  length_ = cl::Buffer<std::int32_t>(device, lists);
+  list_start_ = cl::Buffer<std::int32_t>(device, lists + 1);
+  list_ = cl::Buffer<std::int32_t>(device, 1);
+  image_ = cl::Buffer<glm::vec4>(device, pixels);
+  covered_ = cl::Buffer<std::uint32_t>(device, per_pixel_ ? pixels : tiles);
+
+  const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
+  cl::Kernel dryness(transform_, "vertex_dryness");
+  dryness.with(params_, mask_uv, *mask_, dry_);
+  const cl::Event event = dryness.enqueue(queue, vertices / std::size_t(lanes_));
+  queue.finish();
+}
+
+double RasterStage::build_ms() const {
+  return transform_.build_ms() + bin_.build_ms() + raster_.build_ms();
+}
+
+void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
+  const auto keep = [&](cl::Event event) {
+    if (events) events->emplace_back("bin", std::move(event));
+  };
+  const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), std::size_t(params_.groups)};
+  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
+  count_.with(params_, corner_, box_, chunk_count_);
+  keep(count_.enqueue(queue, chunks));
+  sum_.with(params_, chunk_count_, length_);
+  keep(sum_.enqueue(queue, {tiles, std::size_t(params_.groups)}));
+  start_.with(params_, length_, list_start_);
+  keep(start_.enqueue(queue, 1));
+  // The lists are as long as they need to be: no triangle is ever dropped.
+  std::array<std::int32_t, 1> total{};
+  list_start_.read(queue, total, length_.size());
+  if (std::size_t(total[0]) > list_.size())
+    list_ = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
+  fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
+  keep(fill_.enqueue(queue, chunks));
+}
+
+cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
+  cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
+  kernel.with(params_, table_, corner_, screen_x_, screen_y_, screen_iw_, vertex_, tip_, dry_, list_start_,
+              list_, record_, tangent_, fur_, coat_, *mask_, image_, covered_);
+  if (per_pixel_) return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
+  return kernel.enqueue(queue, std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y), 1);
+}
+
+void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
+                        PhaseEvents* events) {
+  const auto keep = [&](const char* phase, cl::Event event) {
+    if (events) events->emplace_back(phase, std::move(event));
+  };
+  const std::size_t blocks = std::size_t(params_.vertices / lanes_);
+  tips_.with(params_, slice_, strand_, weight_, strand_state, std::int32_t(strand_stride), tip_);
+  keep("transform", tips_.enqueue(queue, blocks));
+  layers_.with(params_, vertex_, tip_, dry_, table_, screen_x_, screen_y_, screen_iw_, box_);
+  keep("transform", layers_.enqueue(queue, blocks));
+  records_.with(params_, vertex_, tip_, uv_, record_);
+  keep("transform", records_.enqueue(queue, std::size_t(params_.vertices)));
+  bin(queue, events);
+  keep("raster", raster(queue, raster_));
+}
+
+std::uint64_t RasterStage::count(const cl::Queue& queue) {
+  const cl::Program counting(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",
+                             options_ + " -D COUNT_FRAGMENTS");
+  const cl::Event event = raster(queue, counting);
+  queue.finish();
+  const std::vector<std::uint32_t> parts = covered_.read(queue);
+  return std::accumulate(parts.begin(), parts.end(), std::uint64_t(0));
+}
+
+Picture RasterStage::read(const cl::Queue& queue) const {
+  return Picture{params_.width, params_.height, image_.read(queue)};
+}
+
+}  // namespace pelage::shells

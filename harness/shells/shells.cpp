@@ -1,0 +1,97 @@
+#include "harness/shells/shells.hpp"
+
+#include <chrono>
+#include <optional>
+
+#include "harness/shells/stages.hpp"
+
+namespace pelage {
+
+struct Shells::State {
+  cl::Queue queue;
+  std::shared_ptr<const FrameInput> input;
+  int lanes;
+  shells::Geometry geometry;
+  shells::SimulateStage simulate;
+  shells::WetStage wet;
+  shells::RasterStage raster;
+  int frames = 0;
+
+  State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
+      : queue(device),
+        input(std::move(from)),
+        lanes(options.mapping == "pixel" ? 1 : device.info().lanes),
+        geometry(shells::lay_out(*input, lanes)),
+        simulate(queue, *input, geometry, lanes),
+        wet(queue, *input),
+        raster(queue, *input, geometry, wet, options, lanes) {}
+};
+
+Shells::Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options)
+    : state_(std::make_unique<State>(device, std::move(input), options)) {}
+Shells::~Shells() = default;
+Shells::Shells(Shells&&) noexcept = default;
+Shells& Shells::operator=(Shells&&) noexcept = default;
+
+FrameTiming Shells::frame() {
+  State& s = *state_;
+  shells::PhaseEvents events;
+  const auto begin = std::chrono::steady_clock::now();
+  s.simulate.frame(s.queue, s.frames, &events);
+  s.raster.frame(s.queue, s.simulate.state(), s.simulate.stride(), &events);
+  s.queue.finish();
+  FrameTiming timing;
+  timing.wall_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  ++s.frames;
+  for (const auto& [phase, event] : events) {
+    const std::optional<double> ms = event.milliseconds(s.queue.device());
+    if (!ms) {
+      timing.phase_event_ms.clear();
+      break;
+    }
+    timing.phase_event_ms[phase] += *ms;
+  }
+  return timing;
+}
+
+void Shells::advance(int frames) {
+  State& s = *state_;
+  for (int i = 0; i < frames; ++i) s.simulate.frame(s.queue, s.frames++, nullptr);
+  s.queue.finish();
+}
+
+Picture Shells::read() const {
+  return state_->raster.read(state_->queue);
+}
+int Shells::frames_simulated() const {
+  return state_->frames;
+}
+std::uint64_t Shells::count() {
+  return state_->raster.count(state_->queue);
+}
+double Shells::wet_ms() const {
+  return state_->wet.mask_ms();
+}
+double Shells::build_ms() const {
+  return state_->simulate.build_ms() + state_->wet.build_ms() + state_->raster.build_ms();
+}
+
+std::vector<glm::vec4> Shells::mask() const {
+  const std::vector<float> values = state_->wet.mask().read(state_->queue);
+  std::vector<glm::vec4> texels(values.size() / 4);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]};
+  return texels;
+}
+
+std::vector<glm::vec3> Shells::tips() const {
+  const std::vector<float> values = state_->simulate.state().read(state_->queue);
+  const auto stride = std::size_t(state_->simulate.stride());
+  std::vector<glm::vec3> tips(state_->input->strands.root.size());
+  for (std::size_t f = 0; f < tips.size(); ++f)
+    tips[f] = {values[TIP_X * stride + f], values[TIP_Y * stride + f], values[TIP_Z * stride + f]};
+  return tips;
+}
+
+}  // namespace pelage

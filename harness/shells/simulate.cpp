@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include "harness/shells/stages.hpp"
+
+namespace pelage::shells {
+
+std::string build_options(const cl::Device&, int lanes, const std::map<std::string, int>& tuning) {
+  std::string options = fmt::format("-D LANES={}", lanes);
+  for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
+  return options;
+}
+
+namespace {
+
+// At rest: tip on the anchor, no speed.
+std::vector<float> rest_state(const Geometry& g) {
+  const auto stride = std::size_t(g.strands);
+  std::vector<float> state(std::size_t(STATE_COLUMNS) * stride, 0.0f);
+  for (std::size_t i = 0; i < 3 * stride; ++i)
+    state[std::size_t(TIP_X) * stride + i] = g.strand_constants[std::size_t(ANCHOR_X) * stride + i];
+  return state;
+}
+
+}  // namespace
+
+SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
+                             int lanes)
+    : program_(queue.device(), "simulate/simulate.cl", build_options(queue.device(), lanes, {})),
+      step_(program_, "strand_frame"),
+      params_(simulate_params(input.scene, geometry)),
+      dynamics_(input.scene.dynamics),
+      lanes_(lanes),
+      gusts_(queue.device(), 2 * std::size_t(input.scene.dynamics.substeps)),
+      constants_(queue, std::span<const float>(geometry.strand_constants)),
+      state_(queue, std::span<const float>(rest_state(geometry))) {}
+
+void SimulateStage::frame(const cl::Queue& queue, int number, PhaseEvents* events) {
+  gusts_.write(queue, gust_table(dynamics_, number));
+  step_.with(params_, gusts_, constants_, state_);
+  cl::Event event = step_.enqueue(queue, std::size_t(params_.stride / lanes_));
+  if (events) events->emplace_back("simulate", std::move(event));
+}
+
+}  // namespace pelage::shells

@@ -1,0 +1,83 @@
+// The stages of a frame on a device, each owning its buffers and kernels: simulate, wet, rasterize.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "harness/cl/program.hpp"
+#include "harness/shells/geometry.hpp"
+#include "harness/shells/params.hpp"
+#include "harness/shells/shells.hpp"
+
+namespace pelage::shells {
+
+/// Events of one frame by phase; read once the queue has finished.
+using PhaseEvents = std::vector<std::pair<std::string, cl::Event>>;
+
+/// "-D NAME=value ..." for a kernel build on `device`.
+std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning);
+
+/// S Eq. 2 and 3 for all strands.
+class SimulateStage {
+ public:
+  SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
+  void frame(const cl::Queue& queue, int number, PhaseEvents* events);
+  const cl::Buffer<float>& state() const { return state_; }  ///< STATE_COLUMNS columns
+  int stride() const { return params_.stride; }
+  double build_ms() const { return program_.build_ms(); }
+
+ private:
+  cl::Program program_;
+  cl::Kernel step_;
+  SimulateParams params_;
+  DynamicsScene dynamics_;
+  int lanes_;
+  cl::Buffer<float> gusts_, constants_, state_;
+};
+
+/// Algorithm 1 over the mask.
+class WetStage {
+ public:
+  WetStage(const cl::Queue& queue, const FrameInput& input);
+  const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
+  double build_ms() const { return program_.build_ms(); }
+  double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm
+
+ private:
+  cl::Program program_;
+  cl::Buffer<float> mask_;
+  double mask_ms_ = 0;
+};
+
+/// Vertices to the screen, triangles to tiles, tiles to pixels.
+class RasterStage {
+ public:
+  RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
+              const ShellOptions& options, int lanes);
+  void frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
+             PhaseEvents* events);
+  std::uint64_t count(const cl::Queue& queue);
+  Picture read(const cl::Queue& queue) const;
+  double build_ms() const;
+
+ private:
+  void bin(const cl::Queue& queue, PhaseEvents* events);
+  cl::Event raster(const cl::Queue& queue, const cl::Program& program);
+
+  RasterParams params_;
+  bool per_pixel_;
+  int lanes_;
+  std::string options_;
+  cl::Program transform_, bin_, raster_;
+  cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
+  cl::Buffer<float> table_, vertex_, uv_, tangent_, weight_, dry_, tip_, record_, screen_iw_;
+  cl::Buffer<std::int32_t> corner_, slice_, strand_, screen_x_, screen_y_, chunk_count_, length_, list_start_,
+      list_;
+  cl::Buffer<std::int16_t> box_;
+  cl::Buffer<std::int32_t> fur_, coat_;
+  const cl::Buffer<float>* mask_;
+  cl::Buffer<glm::vec4> image_;
+  cl::Buffer<std::uint32_t> covered_;
+};
+
+}  // namespace pelage::shells

@@ -1,0 +1,101 @@
+// Which triangles may touch which tile, per group of layers, in the mesh's order and without a bound on their number:
+// count per chunk of triangles, sum, fill. Lists are [list_start[g tiles + tile], list_start[g tiles + tile + 1]).
+#include "rasterize/params.h"
+#include "opencl.clh"
+
+#ifndef TILE_W
+#define TILE_W 16
+#endif
+#ifndef TILE_H
+#define TILE_H 32
+#endif
+
+// Tiles that a block of LANES triangles may touch in group g; right < left when they cover no pixel centre.
+typedef struct { int left[LANES], top[LANES], right[LANES], bottom[LANES]; } Touched;
+
+static inline bool touched(const RasterParams *s, TABLE(int) corners, TABLE(int) box, int g, int block, Touched *out) {
+  whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
+  for (int k = 0; k < 3; ++k) {
+    whole i = load_whole(corners + (size_t)k * s->triangles, block) * 2;
+    TABLE(int) of_group = box + (size_t)g * s->vertices * 2;
+    whole low = gather_whole(of_group, i), high = gather_whole(of_group, i + 1);
+    left = min(left, (low << 16) >> 16);
+    top = min(top, low >> 16);
+    right = max(right, (high << 16) >> 16);
+    bottom = max(bottom, high >> 16);
+  }
+  left = max(left, WHOLE(0));
+  top = max(top, WHOLE(0));
+  right = min(right, WHOLE(s->width - 1));
+  bottom = min(bottom, WHOLE(s->height - 1));
+  truth live = (left <= right) && (top <= bottom);
+  spill_whole(left / TILE_W, out->left);
+  spill_whole(top / TILE_H, out->top);
+  spill_whole(live ? right / TILE_W : WHOLE(-1), out->right);
+  spill_whole(bottom / TILE_H, out->bottom);
+  return some(live);
+}
+
+// corners: the triangles' vertices, three columns of `triangles` (padded by empty ones to a multiple of 16).
+// count: [(g chunks + chunk) tiles + tile].
+__kernel void bin_count(RasterParams s, TABLE(int) corners, TABLE(int) box, __global int *count) {
+  int chunk = (int)get_global_id(0), g = (int)get_global_id(1);
+  if (chunk >= s.chunks || g >= s.groups) return;
+  int tiles = s.tiles_x * s.tiles_y;
+  __global int *mine = count + ((size_t)g * s.chunks + chunk) * tiles;
+  for (int t = 0; t < tiles; ++t) mine[t] = 0;
+  Touched t;
+  for (int first = chunk * s.chunk; first < min((chunk + 1) * s.chunk, s.triangles); first += LANES) {
+    if (!touched(&s, corners, box, g, first / LANES, &t)) continue;
+    for (int k = 0; k < LANES; ++k)
+      if (t.left[k] <= t.right[k])
+        for (int y = t.top[k]; y <= t.bottom[k]; ++y)
+          for (int x = t.left[k]; x <= t.right[k]; ++x) ++mine[y * s.tiles_x + x];
+  }
+}
+
+// Each list's length, and where each chunk's part of it begins.
+__kernel void bin_sum(RasterParams s, __global int *count, __global int *length) {
+  int tile = (int)get_global_id(0), g = (int)get_global_id(1);
+  int tiles = s.tiles_x * s.tiles_y;
+  if (tile >= tiles || g >= s.groups) return;
+  int sum = 0;
+  for (int chunk = 0; chunk < s.chunks; ++chunk) {
+    __global int *c = count + ((size_t)g * s.chunks + chunk) * tiles + tile;
+    int n = *c;
+    *c = sum;
+    sum += n;
+  }
+  length[g * tiles + tile] = sum;
+}
+
+// One work-item: where each list begins; the last entry is the total.
+__kernel void bin_start(RasterParams s, TABLE(int) length, __global int *list_start) {
+  if (get_global_id(0) != 0) return;
+  int lists = s.groups * s.tiles_x * s.tiles_y, sum = 0;
+  for (int i = 0; i < lists; ++i) {
+    list_start[i] = sum;
+    sum += length[i];
+  }
+  list_start[lists] = sum;
+}
+
+__kernel void bin_fill(RasterParams s, TABLE(int) corners, TABLE(int) box, __global int *count, TABLE(int) list_start,
+                       __global int *list) {
+  int chunk = (int)get_global_id(0), g = (int)get_global_id(1);
+  if (chunk >= s.chunks || g >= s.groups) return;
+  int tiles = s.tiles_x * s.tiles_y;
+  __global int *mine = count + ((size_t)g * s.chunks + chunk) * tiles;
+  TABLE(int) start = list_start + g * tiles;
+  Touched t;
+  for (int first = chunk * s.chunk; first < min((chunk + 1) * s.chunk, s.triangles); first += LANES) {
+    if (!touched(&s, corners, box, g, first / LANES, &t)) continue;
+    for (int k = 0; k < LANES; ++k)
+      if (t.left[k] <= t.right[k])
+        for (int y = t.top[k]; y <= t.bottom[k]; ++y)
+          for (int x = t.left[k]; x <= t.right[k]; ++x) {
+            int tile = y * s.tiles_x + x;
+            list[start[tile] + mine[tile]++] = first + k;
+          }
+  }
+}

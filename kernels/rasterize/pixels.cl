@@ -1,0 +1,128 @@
+// The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's lists and shades each fragment
+// as it comes. The same equations on one lane; nothing queued, nothing skipped but what cannot be seen.
+#include "rasterize/fan.clh"
+#include "rasterize/fragment.clh"
+
+#ifndef TILE_W
+#define TILE_W 16
+#endif
+#ifndef TILE_H
+#define TILE_H 32
+#endif
+
+typedef struct { bool covered; float iw, b1, b2; } Hit;
+
+// The centre of the pixel at the origin of the setup's coordinates.
+static Hit hit_at(Setup t) {
+  Hit h;
+  h.covered = t.live && t.edge[0].at >= 0 && t.edge[1].at >= 0 && t.edge[2].at >= 0;
+  float dx = (float)(-t.x), dy = (float)(-t.y);
+  float b1 = fma(t.slope[0].right, dx, t.slope[0].down * dy);
+  float b2 = fma(t.slope[1].right, dx, t.slope[1].down * dy);
+  h.iw = fma(b2, t.iw2 - t.iw, fma(b1, t.iw1 - t.iw, t.iw));
+  float w = 1.0f / h.iw;
+  h.b1 = b1 * t.iw1 * w;
+  h.b2 = b2 * t.iw2 * w;
+  if (t.swapped) {
+    float b = h.b1;
+    h.b1 = h.b2;
+    h.b2 = b;
+  }
+  return h;
+}
+
+// A triangle of layer n at the pixel whose centre is the origin, clipped where it must be.
+static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
+  Triangles b = triangles_at(s, m, n, triangle, origin_x, origin_y);
+  for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];
+  if (!needs_clip(b)) return hit_at(set_up(b.corner[0], b.corner[1], b.corner[2], 1, 1));
+  Cut polygon[POLYGON];
+  int corners = clipped_triangle(s, m, l, vertex[0], vertex[1], vertex[2], polygon);
+  Hit none;
+  none.covered = false;
+  for (int i = 1; i + 1 < corners; ++i) {
+    Hit h = hit_at(set_up(cut_on_screen(polygon[0], origin_x, origin_y), cut_on_screen(polygon[i], origin_x, origin_y),
+                          cut_on_screen(polygon[i + 1], origin_x, origin_y), 1, 1));
+    if (!h.covered) continue;
+    float b0 = 1.0f - h.b1 - h.b2, b1 = h.b1, b2 = h.b2;
+    h.b1 = b0 * polygon[0].b1 + b1 * polygon[i].b1 + b2 * polygon[i + 1].b1;
+    h.b2 = b0 * polygon[0].b2 + b1 * polygon[i].b2 + b2 * polygon[i + 1].b2;
+    return h;
+  }
+  return none;
+}
+
+static Surface surface_at(const RasterParams *s, TABLE(float) records, TABLE(float) tangents, Hit h, const int *vertex,
+                          float x, float y) {
+  float8 r0 = vload8(vertex[0], records), r1 = vload8(vertex[1], records), r2 = vload8(vertex[2], records);
+  float8 r = fma((float8)(h.b2), r2 - r0, fma((float8)(h.b1), r1 - r0, r0));
+  Surface p;
+  p.uv = vec2(r.s0, r.s1);
+  p.a = vec3(r.s2, r.s3, r.s4);
+  p.b = vec3(r.s5, r.s6, r.s7);
+  p.along_u = p.a;
+  p.along_v = p.a;
+  if (s->wet_model) {
+    float8 t0 = vload8(vertex[0], tangents), t1 = vload8(vertex[1], tangents), t2 = vload8(vertex[2], tangents);
+    float8 t = fma((float8)(h.b2), t2 - t0, fma((float8)(h.b1), t1 - t0, t0));
+    p.along_u = vec3(t.s0, t.s1, t.s2);
+    p.along_v = vec3(t.s3, t.s4, t.s5);
+  }
+  p.w = 1.0f / h.iw;
+  p.x = x;
+  p.y = y;
+  return p;
+}
+
+__kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(int) screen_x, TABLE(int) screen_y,
+                           TABLE(float) screen_iw, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
+                           TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+  int i = (int)get_global_id(0), j = (int)get_global_id(1);
+  if (i >= s.width || j >= s.height) return;
+  Geometry m = {corners, screen_x, screen_y, screen_iw, vertex, tip, dry, table};
+  Textures textures = {fur, coat, mask};
+  int tiles = s.tiles_x * s.tiles_y, tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
+  int origin_x = SUBPIXEL * i + 128 - 128 * s.width, origin_y = SUBPIXEL * j + 128 - 128 * s.height;
+  float x = (float)i + (0.5f - 0.5f * (float)s.width), y = (float)j + (0.5f - 0.5f * (float)s.height);
+
+  Layer base = layer_at(&s, table, -1);
+  Hit nearest;
+  nearest.covered = false;
+  nearest.iw = 0.0f;
+  int vertices[3], nearest_vertices[3];
+  for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
+    Hit h = triangle_hit(&s, m, base, -1, list[k], origin_x, origin_y, vertices);
+    if (!h.covered || h.iw <= nearest.iw) continue;
+    nearest = h;
+    for (int c = 0; c < 3; ++c) nearest_vertices[c] = vertices[c];
+  }
+
+  float4 front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
+  uint fragments = 0;
+  for (int n = s.layers - 1; n >= 0; --n) {
+    Layer l = layer_at(&s, table, n);
+    int g = 1 + n / s.group;
+    for (int k = list_start[g * tiles + tile + 1] - 1; k >= list_start[g * tiles + tile]; --k) {
+      Hit h = triangle_hit(&s, m, l, n, list[k], origin_x, origin_y, vertices);
+      if (!h.covered) continue;
+      ++fragments;
+      if (h.iw < nearest.iw || front.w <= OPAQUE) continue;
+      Surface p = surface_at(&s, records, tangents, h, vertices, x, y);
+      Fur f = fur_fragment(&s, textures, l, n, p);
+      if (f.coverage <= 0.0f) continue;
+      real3 c = fur_colour(&s, textures, l, p, f);
+      float weight = front.w * f.coverage;
+      front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
+    }
+  }
+  float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
+  if (nearest.covered) {
+    real3 c = skin_colour(&s, textures, base, surface_at(&s, records, tangents, nearest, nearest_vertices, x, y));
+    behind = (float4)(c.x, c.y, c.z, 1.0f);
+  }
+  size_t at = (size_t)j * s.width + i;
+  image[at] = (float4)(front.x + front.w * behind.x, front.y + front.w * behind.y, front.z + front.w * behind.z,
+                       1.0f - front.w * (1.0f - behind.w));
+  covered[at] = fragments;
+}

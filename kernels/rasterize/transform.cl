@@ -1,0 +1,95 @@
+// Vertex work of a frame: the strands' tips to the vertices, every layer's vertices to the screen, the boxes of each
+// group of layers for the binning. One work-item per LANES vertices.
+#include "rasterize/transform.clh"
+
+// 1 - rho at each vertex, once per mask. mask_uv: u, then v, in columns.
+__kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
+  store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) + 3), dry, block);
+}
+
+// B = sum weight q over the vertex's strands. Rows are padded per block of LANES: entry e of lane i of a block stands
+// at (slice[block] + e) LANES + i, weight 0 beyond a row's end. tips: columns q_x, q_y, q_z of `strand_stride`.
+__kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
+                          int strand_stride, __global float *tip) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  real3 b = vec3(REAL(0.0f), REAL(0.0f), REAL(0.0f));
+  for (int e = slice[block]; e < slice[block + 1]; ++e) {
+    whole f = load_whole(strand, e);
+    real w = load_real(weight, e);
+    b = along3(b, w, vec3(gather(tips, f), gather(tips + strand_stride, f), gather(tips + 2 * (size_t)strand_stride, f)));
+  }
+  store_real(b.x, tip, block);
+  store_real(b.y, tip + s.vertices, block);
+  store_real(b.z, tip + 2 * (size_t)s.vertices, block);
+}
+
+static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, int block) {
+  Corner c;
+  c.position = column3(vertex, VERTEX_X, s->vertices, block);
+  c.a = column3(vertex, ROOT_X, s->vertices, block);
+  c.b = column3(tip, 0, s->vertices, block);
+  c.u = column3(vertex, CURL_UX, s->vertices, block);
+  c.v = column3(vertex, CURL_VX, s->vertices, block);
+  c.dry = load_real(dry, block);
+  return c;
+}
+
+// Every layer's vertices, base first: screen x, y (1/256 pixel from the image centre) and 1/w at [(n + 1) vertices + i],
+// and for each group of layers the box of pixels whose centres they bound, at [(group vertices + i) 4]: left, top, right,
+// bottom from the image's corner. A vertex that needs clipping has 1/w = 0 and a box without limits.
+__kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
+                             __global int *screen_x, __global int *screen_y, __global float *screen_iw, __global short *box) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  Corner c = corner(&s, vertex, tip, dry, block);
+  whole centre_x = WHOLE(128 * s.width - 128), centre_y = WHOLE(128 * s.height - 128);
+  for (int g = 0; g < s.groups; ++g) {
+    int first = g == 0 ? -1 : (g - 1) * s.group;
+    int last = g == 0 ? 0 : min(first + s.group, s.layers);
+    whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
+    for (int n = first; n < last; ++n) {
+      Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
+      size_t layer = (size_t)(n + 1) * s.vertices;
+      store_whole(v.x, screen_x + layer, block);
+      store_whole(v.y, screen_y + layer, block);
+      store_real(v.iw, screen_iw + layer, block);
+      truth clipped = v.iw == REAL(0.0f);
+      whole x = v.x + centre_x, y = v.y + centre_y;
+      left = clipped ? WHOLE(-32768) : min(left, (x + WHOLE(SUBPIXEL - 1)) >> 8);
+      top = clipped ? WHOLE(-32768) : min(top, (y + WHOLE(SUBPIXEL - 1)) >> 8);
+      right = clipped ? WHOLE(32767) : max(right, x >> 8);
+      bottom = clipped ? WHOLE(32767) : max(bottom, y >> 8);
+    }
+    __global short *out = box + ((size_t)g * s.vertices + (size_t)block * LANES) * 4;
+#if LANES == 16
+    short16 l = convert_short16(left), t = convert_short16(top), r = convert_short16(right), b = convert_short16(bottom);
+    vstore16((short16)(l.s0, t.s0, r.s0, b.s0, l.s1, t.s1, r.s1, b.s1, l.s2, t.s2, r.s2, b.s2, l.s3, t.s3, r.s3, b.s3), 0, out);
+    vstore16((short16)(l.s4, t.s4, r.s4, b.s4, l.s5, t.s5, r.s5, b.s5, l.s6, t.s6, r.s6, b.s6, l.s7, t.s7, r.s7, b.s7), 1, out);
+    vstore16((short16)(l.s8, t.s8, r.s8, b.s8, l.s9, t.s9, r.s9, b.s9, l.sa, t.sa, r.sa, b.sa, l.sb, t.sb, r.sb, b.sb), 2, out);
+    vstore16((short16)(l.sc, t.sc, r.sc, b.sc, l.sd, t.sd, r.sd, b.sd, l.se, t.se, r.se, b.se, l.sf, t.sf, r.sf, b.sf), 3, out);
+#else
+    out[0] = (short)left;
+    out[1] = (short)top;
+    out[2] = (short)right;
+    out[3] = (short)bottom;
+#endif
+  }
+}
+
+// One attribute record per vertex for the fragments: u, v, A, B.
+__kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
+  int i = (int)get_global_id(0);
+  if (i >= s.vertices) return;
+  size_t v = (size_t)s.vertices;
+  __global float *out = record + (size_t)i * RECORD;
+  out[0] = uv[2 * i];
+  out[1] = uv[2 * i + 1];
+  for (int k = 0; k < 3; ++k) {
+    out[2 + k] = vertex[(ROOT_X + k) * v + i];
+    out[5 + k] = tip[k * v + i];
+  }
+}

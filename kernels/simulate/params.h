@@ -1,0 +1,22 @@
+// What the host tells the strand simulation; read by OpenCL C and by C++. Four-byte members only.
+#ifndef PELAGE_SIMULATE_PARAMS_H
+#define PELAGE_SIMULATE_PARAMS_H
+
+typedef struct {
+  float length;                        // L0, R
+  float stiffness;                     // k, N/m
+  float drag;                          // c, N s/m
+  float inverse_mass;                  // 1/m, 1/kg
+  float step;                          // dt, s
+  float weight_x, weight_y, weight_z;  // m g, N
+  float wind_x, wind_y, wind_z;        // direction times strength, N
+  float gust;                          // fraction of the wind
+  int stride;                          // strands in a column of the arrays: F rounded up to a multiple of 16
+  int substeps;
+} SimulateParams;
+
+// Columns of the constant array: normal, anchor, gust phase; and of the state: q = p - root, v.
+enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
+enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };
+
+#endif

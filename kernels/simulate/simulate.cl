@@ -1,0 +1,32 @@
+// Strand motion: one work-item advances LANES strands through all substeps of a frame.
+#include "simulate/equations.clh"
+
+static inline real3 load_column3(TABLE(float) table, int first, int stride, int block) {
+  return vec3(load_real(table + (size_t)first * stride, block), load_real(table + (size_t)(first + 1) * stride, block),
+              load_real(table + (size_t)(first + 2) * stride, block));
+}
+
+static inline void store_column3(real3 v, __global float *table, int first, int stride, int block) {
+  store_real(v.x, table + (size_t)first * stride, block);
+  store_real(v.y, table + (size_t)(first + 1) * stride, block);
+  store_real(v.z, table + (size_t)(first + 2) * stride, block);
+}
+
+// gusts: (sin, cos) of 2 pi f t at the start of each substep.
+__kernel void strand_frame(SimulateParams s, TABLE(float) gusts, TABLE(float) strands, __global float *state) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.stride) return;
+  real3 normal = load_column3(strands, NORMAL_X, s.stride, block);
+  real3 anchor = load_column3(strands, ANCHOR_X, s.stride, block);
+  real phase_cos = load_real(strands + (size_t)PHASE_COS * s.stride, block);
+  real phase_sin = load_real(strands + (size_t)PHASE_SIN * s.stride, block);
+  Strand a;
+  a.tip = load_column3(state, TIP_X, s.stride, block);
+  a.speed = load_column3(state, SPEED_X, s.stride, block);
+  for (int i = 0; i < s.substeps; ++i) {
+    real3 f = forces(s, a, anchor, phase_cos, phase_sin, gusts[2 * i], gusts[2 * i + 1]);
+    a = constrained(s, accelerated(s, a, f), normal);
+  }
+  store_column3(a.tip, state, TIP_X, s.stride, block);
+  store_column3(a.speed, state, SPEED_X, s.stride, block);
+}

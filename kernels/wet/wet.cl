@@ -1,0 +1,34 @@
+// Algorithm 1 over the mask: one work-item per texel runs through the droplets of its bucket, in their order.
+#include "wet/equations.clh"
+
+// bucket_row: buckets + 1 offsets into bucket_drop. surface: xyz of the surface point under each texel, R.
+__kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket_row, TABLE(int) bucket_drop,
+                           TABLE(float) surface, __global float *mask) {
+  int x = (int)get_global_id(0), y = (int)get_global_id(1);
+  if (x >= s.size || y >= s.size) return;
+  int texel = y * s.size + x;
+  float u = ((float)x + 0.5f) / (float)s.size, v = ((float)y + 0.5f) / (float)s.size;
+  int buckets = (s.size + s.bucket - 1) / s.bucket;
+  int bucket = (y / s.bucket) * buckets + x / s.bucket;
+  Clump m;
+  m.centre = vec2(0.0f, 0.0f);
+  m.radius = 0.0f;
+  m.wetness = 0.0f;
+  for (int k = bucket_row[bucket]; k < bucket_row[bucket + 1]; ++k) {
+    TABLE(float) d = droplets + DROP_COLUMNS * bucket_drop[k];
+    float du = u - d[DROP_U], dv = v - d[DROP_V];
+    float dx = surface[3 * texel] - d[DROP_X], dy = surface[3 * texel + 1] - d[DROP_Y], dz = surface[3 * texel + 2] - d[DROP_Z];
+    bool covered = sqrt(fma(dv, dv, du * du)) <= d[DROP_RADIUS] &&
+                   sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
+    if (!covered) continue;
+    Clump drop;
+    drop.centre = vec2(d[DROP_U], d[DROP_V]);
+    drop.radius = d[DROP_RADIUS];
+    drop.wetness = d[DROP_WETNESS];
+    m = blend_droplet(m, drop);
+  }
+  mask[4 * texel] = m.centre.x;
+  mask[4 * texel + 1] = m.centre.y;
+  mask[4 * texel + 2] = m.radius;
+  mask[4 * texel + 3] = m.wetness;
+}
