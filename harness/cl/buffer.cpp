@@ -18,7 +18,8 @@ Queue::~Queue() {
   if (queue_ != nullptr) clReleaseCommandQueue(queue_);
 }
 
-Queue::Queue(Queue&& other) noexcept : device_(other.device_), queue_(std::exchange(other.queue_, nullptr)) {}
+Queue::Queue(Queue&& other) noexcept
+    : device_(std::move(other.device_)), queue_(std::exchange(other.queue_, nullptr)) {}
 
 Queue& Queue::operator=(Queue&& other) noexcept {
   std::swap(device_, other.device_);

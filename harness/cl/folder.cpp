@@ -22,7 +22,7 @@ fs::path& chosen() {
 
 }  // namespace
 
-void set_kernel_folder(fs::path folder) {
+void set_kernel_folder(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
     throw InputError(fmt::format("--kernels {}: no such folder", folder.string()));

@@ -147,7 +147,7 @@ Kernel& Kernel::operator=(Kernel&& other) noexcept {
 }
 
 void Kernel::set_memory(cl_uint index, cl_mem memory) {
-  check(clSetKernelArg(kernel_, index, sizeof memory, static_cast<const void*>(&memory)),
+  check(clSetKernelArg(kernel_, index, sizeof(cl_mem), static_cast<const void*>(&memory)),
         fmt::format("clSetKernelArg {} of {}", index, name_));
 }
 

@@ -12,7 +12,7 @@ namespace pelage::cl {
 /// The folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else beside the
 /// binary's source tree, else the installed share folder. Throws InputError when none exists.
 std::filesystem::path kernel_folder();
-void set_kernel_folder(std::filesystem::path folder);
+void set_kernel_folder(const std::filesystem::path& folder);
 
 /// 16 hex digits (FNV-1a) over the names and contents of every file of the kernel folder.
 std::string kernel_hash();
