@@ -11,7 +11,6 @@ namespace pelage {
 namespace {
 
 constexpr double fill_height = 0.85, fill_width = 0.94;
-constexpr int framing_steps = 40;
 
 struct Axes {
   glm::dvec3 right, down, forward;
@@ -27,49 +26,45 @@ Axes axes(glm::dvec3 forward, glm::dvec3 up) {
   return {right, glm::cross(forward, right), forward};
 }
 
-struct Box {
-  double x0 = 1e30, x1 = -1e30, y0 = 1e30, y1 = -1e30;
-  bool behind = false;
+/// An eye's coordinate across the view axis and along it.
+struct Stand {
+  double across, along;
 };
 
-Box screen_box(const Axes& a, glm::dvec3 eye, double focal, double near, std::span<const glm::vec3> points,
-               double margin) {
-  Box box;
-  for (const glm::vec3& p : points) {
-    const glm::dvec3 q = glm::dvec3(p) - eye;
-    const double w = glm::dot(a.forward, q);
-    if (w <= near) {
-      box.behind = true;
-      return box;
-    }
-    const double x = focal * glm::dot(a.right, q) / w, y = focal * glm::dot(a.down, q) / w;
-    const double m = focal * margin / w;
-    box.x0 = std::min(box.x0, x - m);
-    box.x1 = std::max(box.x1, x + m);
-    box.y0 = std::min(box.y0, y - m);
-    box.y1 = std::max(box.y1, y + m);
+/// Where an eye must stand so that rays of slope +-`slope` touch the points from both sides: p - slope q is
+/// greatest at the one touched from above, -p - slope q at the other (p across, q along the view axis).
+Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
+            double margin) {
+  double above = -1e300, below = -1e300;
+  for (const glm::vec3& point : points) {
+    const double p = glm::dot(axis, glm::dvec3(point)), q = slope * glm::dot(forward, glm::dvec3(point));
+    above = std::max(above, p - q + margin);
+    below = std::max(below, margin - p - q);
   }
-  return box;
+  return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// The eye from which `points` fill the picture: shifts sideways to centre them and moves along the view axis
-/// until the tighter of height and width fits.
+/// The same from farther back: the slope at which that place is the one that touches.
+Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
+                 double margin, double along) {
+  double narrow = 0, wide = slope;
+  for (int i = 0; i < 24; ++i) {
+    const double middle = 0.5 * (narrow + wide);
+    (touch(points, axis, forward, middle, margin).along < along ? narrow : wide) = middle;
+  }
+  return {touch(points, axis, forward, wide, margin).across, along};
+}
+
 glm::dvec3 framed_eye(const Axes& a, const ImageScene& image, double focal, double near,
                       std::span<const glm::vec3> points, double margin) {
-  double distance = 4.0;
-  glm::dvec3 target(0);
-  for (int step = 0; step < framing_steps; ++step) {
-    const Box box = screen_box(a, target - distance * a.forward, focal, near, points, margin);
-    if (box.behind) {
-      distance *= 1.5;
-      continue;
-    }
-    target += distance / focal * 0.5 * ((box.x0 + box.x1) * a.right + (box.y0 + box.y1) * a.down);
-    const double fill = std::max((box.y1 - box.y0) / (fill_height * image.height),
-                                 (box.x1 - box.x0) / (fill_width * image.width));
-    distance *= std::clamp(fill, 0.5, 2.0);
-  }
-  return target - distance * a.forward;
+  const double slope_x = 0.5 * fill_width * image.width / focal,
+               slope_y = 0.5 * fill_height * image.height / focal;
+  const Stand x = touch(points, a.right, a.forward, slope_x, margin);
+  const Stand y = touch(points, a.down, a.forward, slope_y, margin);
+  double along = std::min(x.along, y.along);
+  for (const glm::vec3& p : points) along = std::min(along, glm::dot(a.forward, glm::dvec3(p)) - 2.0 * near);
+  return a.right * touch_from(points, a.right, a.forward, slope_x, margin, along).across +
+         a.down * touch_from(points, a.down, a.forward, slope_y, margin, along).across + a.forward * along;
 }
 
 }  // namespace

@@ -191,6 +191,7 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
         std::size_t(std::upper_bound(below.begin() + 1, below.end() - 1, pick) - below.begin() - 1);
     const double s = std::sqrt(random.uniform(i, 1)), t = random.uniform(i, 2);
     const Spot here = spot(mesh, face, {1 - s, s * (1 - t), s * t});
+    if (!rain.falls(here.uv)) continue;
     const double radius =
         double(wetness.radius) * (1.0 + double(wetness.radius_spread) * random.symmetric(i, 3));
     const double depth = patches.depth(here.point);

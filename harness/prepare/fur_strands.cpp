@@ -73,6 +73,7 @@ std::vector<FurStrand> grow_strands(const FurScene& fur) {
       const double least = double(fur.least_length);
       s.length = least + (1.0 - least) * std::pow(random.uniform(i, 0), 0.7);
       if (!guard) s.length *= double(fur.undercoat_length);
+      s.length = std::max(s.length, 1e-4);
       s.radius = double(fur.radius) / 256.0 * (0.75 + 0.5 * random.uniform(i, 1)) *
                  (guard ? 1.0 : undercoat_thinness);
       double tone = random.symmetric(i, 2);

@@ -1,0 +1,117 @@
+#include "harness/prepare/coat.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
+#include "harness/prepare/surface_map.hpp"
+#include "tests/prepare/meshes.hpp"
+
+namespace pelage {
+namespace {
+
+std::size_t texel(int size, glm::vec2 uv) {
+  return std::size_t(int(uv.y * float(size)) * size + int(uv.x * float(size)));
+}
+
+TEST(SurfaceMap, KnowsThePointUnderEachTexel) {
+  using namespace test;
+  const int size = 256;
+  const auto map = surface_map(*two_charts(), size);
+  int inside = 0;
+  for (int j = 0; j < size; ++j)
+    for (int i = 0; i < size; ++i) {
+      const glm::vec2 uv((float(i) + 0.5f) / size, (float(j) + 0.5f) / size);
+      const glm::vec3 p(uv.x / chart_scale - 0.05f / chart_scale - half_side, 0,
+                        half_side - (uv.y - 0.05f) / chart_scale);  // the left chart's inverse
+      if (p.x < -half_side || p.x > 0 || p.z < -half_side || p.z > half_side) continue;
+      EXPECT_LT(glm::distance(map[texel(size, uv)], p), 1e-5f);
+      ++inside;
+    }
+  EXPECT_GT(inside, 7000);
+}
+
+TEST(SurfaceMap, GuttersTakeTheNearestChart) {
+  using namespace test;
+  const auto map = surface_map(*two_charts(), 256);
+  const glm::vec3 left_of_left = map[texel(256, {0.02f, 0.3f})];
+  EXPECT_NEAR(left_of_left.x, -half_side, 0.02f);
+  EXPECT_NEAR(left_of_left.z, half_side - 0.25f / chart_scale, 0.02f);
+  const glm::vec3 above_right = map[texel(256, {0.7f, 0.97f})];
+  EXPECT_NEAR(above_right.x, half_side, 0.02f);
+  EXPECT_NEAR(above_right.z, 0.25f / chart_scale - half_side, 0.02f);
+}
+
+TEST(Coat, HasNoSeams) {
+  using namespace test;
+  const auto mesh = two_charts();
+  for (const char* pattern : {"plain", "patches", "stripes", "spots", "grass"}) {
+    CoatScene coat;
+    coat.pattern = pattern;
+    const CoatTexture t = make_coat(*mesh, coat);
+    ASSERT_EQ(t.texel.size(), std::size_t(t.size) * std::size_t(t.size));
+    int different = 0, along = 0;
+    for (float z = -0.69f; z < 0.69f; z += 0.01f) {  // both sides of the cut x = 0
+      const glm::vec2 left(0.05f + chart_scale * half_side - 0.001f, 0.05f + chart_scale * (half_side - z));
+      const glm::vec2 right(0.45f + chart_scale * (z + half_side), 0.65f + 0.001f);
+      const auto a = t.texel[texel(t.size, left)], b = t.texel[texel(t.size, right)];
+      for (std::size_t c = 0; c < 3; ++c) different = std::max(different, std::abs(int(a[c]) - int(b[c])));
+      const auto next = t.texel[texel(t.size, left + glm::vec2(0, 0.003f))];
+      for (std::size_t c = 0; c < 3; ++c) along = std::max(along, std::abs(int(a[c]) - int(next[c])));
+    }
+    EXPECT_LE(different, along + 8) << pattern;
+  }
+}
+
+TEST(Coat, PatternsUseBothColours) {
+  const auto mesh = test::two_charts();
+  for (const char* pattern : {"patches", "stripes", "spots", "grass"}) {
+    CoatScene coat;
+    coat.pattern = pattern;
+    coat.colour = {1, 0, 0};
+    coat.second = {0, 1, 0};
+    coat.scale = 0.3f;
+    int first = 0, second = 0;
+    const CoatTexture t = make_coat(*mesh, coat);
+    for (const auto& c : t.texel) {
+      first += c[0] > 200;
+      second += c[1] > 200;
+      EXPECT_NEAR(c[0] + c[1], 255, 1);
+    }
+    EXPECT_GT(first, int(t.texel.size()) / 50) << pattern;
+    EXPECT_GT(second, int(t.texel.size()) / 50) << pattern;
+  }
+}
+
+TEST(Coat, RefusesAnUnknownPattern) {
+  CoatScene coat;
+  coat.pattern = "tartan";
+  EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError);
+}
+
+TEST(Coat, TakesAPictureWithItsTopAtVOne) {
+  const auto folder = std::filesystem::temp_directory_path() / ("pelage-coat-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  CoatScene coat;
+  coat.image = folder / "coat.png";
+  Picture picture{4, 4, std::vector<glm::vec4>(16, glm::vec4(0, 0, 1, 1))};
+  picture.at(0, 0) = glm::vec4(1, 0, 0, 1);  // top left
+  write_picture(coat.image, picture);
+  const CoatTexture t = make_coat(*test::two_charts(), coat);
+  ASSERT_EQ(t.size, 4);
+  EXPECT_EQ(t.texel[12][0], 255);  // u = 0, v = 1
+  EXPECT_EQ(t.texel[12][2], 0);
+  EXPECT_EQ(t.texel[0][2], 255);
+  coat.image = folder / "missing.png";
+  EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,155 @@
+#include "harness/prepare/droplets.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
+#include "tests/prepare/meshes.hpp"
+
+namespace pelage {
+namespace {
+
+/// Where two_charts() puts a surface point in the atlas.
+glm::vec2 uv_of(glm::vec3 p) {
+  using namespace test;
+  if (p.x < 0) return {0.05f + chart_scale * (p.x + half_side), 0.05f + chart_scale * (half_side - p.z)};
+  return {0.45f + chart_scale * (p.z + half_side), 0.65f + chart_scale * p.x};
+}
+
+WetnessScene rain() {
+  WetnessScene wetness;
+  wetness.random = 2000;
+  return wetness;
+}
+
+std::vector<Droplet> droplets_of(const WetnessScene& wetness) {
+  const auto mesh = test::two_charts();
+  return make_droplets(*mesh, weld(*mesh), wetness);
+}
+
+TEST(Droplets, NoneByDefault) {
+  EXPECT_TRUE(droplets_of({}).empty());
+}
+
+TEST(Droplets, LieOnTheSurfaceWithinTheirRanges) {
+  const WetnessScene wetness = rain();
+  const auto drops = droplets_of(wetness);
+  EXPECT_GT(drops.size(), 500u);
+  for (const Droplet& d : drops) {
+    EXPECT_LT(glm::distance(d.centre, uv_of(d.point)), 1e-5f);
+    EXPECT_GE(d.radius, wetness.radius * (1 - wetness.radius_spread) * 0.9999f);
+    EXPECT_LE(d.radius, wetness.radius * (1 + wetness.radius_spread) * 1.0001f);
+    EXPECT_GE(d.wetness, wetness.wetness - wetness.wetness_spread - 1e-6f);
+    EXPECT_LE(d.wetness, 1.0f);
+    EXPECT_GE(d.reach, d.radius / test::chart_scale);
+  }
+}
+
+TEST(Droplets, KeepTheirDistanceInTheAtlasAndOnTheSurface) {
+  for (const float spacing : {0.5f, 1.0f, 2.0f}) {
+    WetnessScene wetness = rain();
+    wetness.spacing = spacing;
+    const auto drops = droplets_of(wetness);
+    ASSERT_GT(drops.size(), 100u);
+    for (std::size_t i = 0; i < drops.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {  // the later one kept clear of the earlier one
+        EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * spacing * drops[i].radius);
+        EXPECT_GE(glm::distance(drops[i].point, drops[j].point),
+                  0.999f * spacing * drops[i].radius / test::chart_scale);
+      }
+  }
+}
+
+TEST(Droplets, FollowTheSeed) {
+  WetnessScene wetness = rain();
+  const auto a = droplets_of(wetness), b = droplets_of(wetness);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].centre, b[i].centre);
+  wetness.seed = 2;
+  EXPECT_NE(droplets_of(wetness).front().centre, a.front().centre);
+}
+
+TEST(Droplets, EvenlyOverTheSurface) {
+  const auto drops = droplets_of(rain());
+  const auto left = std::count_if(drops.begin(), drops.end(), [](const Droplet& d) { return d.point.x < 0; });
+  EXPECT_NEAR(double(left) / double(drops.size()), 0.5, 0.05);
+}
+
+TEST(Droplets, ExplicitOnesComeFirstAndLandOnTheSurface) {
+  WetnessScene wetness = rain();
+  DropletScene by_point, by_uv, in_gutter;
+  by_point.point = glm::vec3(-0.3f, 0.4f, 0.2f);
+  by_point.radius = 0.02f;
+  by_uv.uv = uv_of({0.31f, 0, -0.17f});
+  in_gutter.uv = glm::vec2(0.0f, 0.2f);  // left of the left chart
+  wetness.droplets = {by_point, by_uv, in_gutter};
+  const auto drops = droplets_of(wetness);
+  EXPECT_LT(glm::distance(drops[0].point, glm::vec3(-0.3f, 0, 0.2f)), 1e-5f);
+  EXPECT_LT(glm::distance(drops[0].centre, uv_of({-0.3f, 0, 0.2f})), 1e-5f);
+  EXPECT_EQ(drops[0].radius, 0.02f);
+  EXPECT_LT(glm::distance(drops[1].point, glm::vec3(0.31f, 0, -0.17f)), 1e-5f);
+  EXPECT_NEAR(drops[2].point.x, -test::half_side, 1e-5f);
+  EXPECT_NEAR(drops[2].centre.y, 0.2f, 1e-5f);
+}
+
+TEST(Droplets, PatchesCoverTheirShareAndFadeAtTheirBorders) {
+  WetnessScene wetness = rain();
+  wetness.random = 20000;
+  wetness.spacing = 0;
+  wetness.patch_size = 0.3f;
+  wetness.wetness_spread = 0;
+  const auto everywhere = droplets_of(wetness);
+  EXPECT_EQ(everywhere.size(), 20000u);
+  wetness.patch_cover = 0.4f;
+  const auto drops = droplets_of(wetness);
+  // Cells of a 14 x 14 grid on the surface that got a droplet at all.
+  std::vector<char> wet(196, 0);
+  for (const Droplet& d : drops)
+    wet[std::size_t(std::clamp(int((d.point.z + 0.7f) * 10), 0, 13) * 14 +
+                    std::clamp(int((d.point.x + 0.7f) * 10), 0, 13))] = 1;
+  const double share = double(std::count(wet.begin(), wet.end(), 1)) / 196;
+  EXPECT_GT(share, 0.3);
+  EXPECT_LT(share, 0.62);  // cells on a border count whole
+  const auto faint =
+      std::count_if(drops.begin(), drops.end(), [](const Droplet& d) { return d.wetness < 0.45f; });
+  const auto full =
+      std::count_if(drops.begin(), drops.end(), [](const Droplet& d) { return d.wetness > 0.89f; });
+  EXPECT_GT(faint, 200);
+  EXPECT_GT(full, 200);
+}
+
+class Image : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("pelage-droplets-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_;
+};
+
+TEST_F(Image, DropletsFallWhereItIsBright) {
+  Picture mask{8, 8, std::vector<glm::vec4>(64, glm::vec4(0, 0, 0, 1))};
+  for (int y = 0; y < 4; ++y)  // upper half of the picture: v > 0.5
+    for (int x = 0; x < 8; ++x) mask.at(x, y) = glm::vec4(1);
+  WetnessScene wetness = rain();
+  wetness.image = folder_ / "mask.png";
+  write_picture(wetness.image, mask);
+  const auto drops = droplets_of(wetness);
+  ASSERT_GT(drops.size(), 100u);
+  for (const Droplet& d : drops) EXPECT_GE(d.centre.y, 0.5f);
+}
+
+TEST_F(Image, MissingMaskIsRefused) {
+  WetnessScene wetness = rain();
+  wetness.image = folder_ / "nowhere.png";
+  EXPECT_THROW(droplets_of(wetness), InputError);
+}
+
+}  // namespace
+}  // namespace pelage

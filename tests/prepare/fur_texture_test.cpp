@@ -1,0 +1,227 @@
+#include "harness/prepare/fur_texture.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/prepare/fur_strands.hpp"
+#include "harness/prepare/random.hpp"
+
+namespace pelage {
+namespace {
+
+/// FNV-1a.
+std::uint64_t hash(const FurTexture& texture) {
+  std::uint64_t h = 0xcbf29ce484222325u;
+  for (const auto& level : texture.level)
+    for (const auto& texel : level)
+      for (const std::uint8_t byte : texel) h = (h ^ byte) * 0x100000001b3u;
+  return h;
+}
+
+double coverage(const FurTexture& t, int level, int layer, int x, int y) {
+  const auto side = std::size_t(t.size >> level);
+  const std::size_t i = (std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x);
+  return t.level[std::size_t(level)][i][0] / 255.0;
+}
+
+double shade(const FurTexture& t, int layer, int x, int y) {
+  const auto side = std::size_t(t.size);
+  return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][1] / 127.5;
+}
+
+/// What a viewer from above sees: the mean over texels of source-over shade * (0.5 + h/2), and of opacity.
+struct Seen {
+  double light = 0, opacity = 0;
+};
+
+Seen from_above(const FurTexture& t) {
+  Seen mean;
+  for (int y = 0; y < t.size; ++y)
+    for (int x = 0; x < t.size; ++x) {
+      double light = 0, through = 1;
+      for (int n = t.layers - 1; n >= 0; --n) {
+        const double a = coverage(t, 0, n, x, y), h = (1.0 + n) / t.layers;
+        light += through * a * shade(t, n, x, y) * (0.5 + 0.5 * h);
+        through *= 1 - a;
+      }
+      mean.light += light + through * 0.3;  // a dark skin below
+      mean.opacity += 1 - through;
+    }
+  const double texels = double(t.size) * t.size;
+  return {mean.light / texels, mean.opacity / texels};
+}
+
+TEST(Random, IsTheSameEverywhere) {
+  const Random random(1, 2);
+  EXPECT_EQ(random.bits(0), Random(1, 2).bits(0));
+  EXPECT_NE(random.bits(0), random.bits(1));
+  EXPECT_NE(random.bits(0, 0), random.bits(0, 1));
+  EXPECT_NE(random.bits(0), Random(2, 2).bits(0));
+  EXPECT_NE(random.bits(0), Random(1, 3).bits(0));
+  double sum = 0, square = 0;
+  for (std::uint64_t i = 0; i < 100000; ++i) {
+    const double u = random.uniform(i);
+    ASSERT_GE(u, 0.0);
+    ASSERT_LT(u, 1.0);
+    sum += u;
+    square += u * u;
+  }
+  EXPECT_NEAR(sum / 1e5, 0.5, 0.005);
+  EXPECT_NEAR(square / 1e5, 1.0 / 3.0, 0.005);
+}
+
+TEST(FurTexture, SameSceneSameBytes) {
+  FurScene fur;
+  fur.layers = 8;
+  fur.texture = 64;
+  fur.strands = 300;
+  fur.undercoat = 200;
+  fur.locks = 40;
+  const std::uint64_t first = hash(make_fur_texture(fur));
+  EXPECT_EQ(first, hash(make_fur_texture(fur)));
+  fur.seed = 2;
+  EXPECT_NE(first, hash(make_fur_texture(fur)));
+}
+
+TEST(FurTexture, HasEveryLevelOfEveryLayer) {
+  FurScene fur;
+  fur.layers = 3;
+  fur.texture = 32;
+  const FurTexture t = make_fur_texture(fur);
+  ASSERT_EQ(t.level.size(), 6u);
+  for (int l = 0; l < 6; ++l)
+    EXPECT_EQ(t.level[std::size_t(l)].size(), std::size_t(3 * (32 >> l) * (32 >> l)));
+}
+
+TEST(FurTexture, MipLevelsKeepTheCoverage) {
+  FurScene fur;
+  fur.layers = 16;
+  const FurTexture t = make_fur_texture(fur);
+  for (const int n : {0, 7, 12}) {
+    double mean[2] = {0, 0};
+    for (const int level : {0, 3}) {
+      const int side = t.size >> level;
+      for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) mean[level / 3] += coverage(t, level, n, x, y) / side / side;
+    }
+    EXPECT_NEAR(mean[1], mean[0], 0.002) << "layer " << n;
+  }
+}
+
+/// A disc cut by the square's border must come back on the other side: its area does not depend on its place.
+TEST(FurTexture, WrapsAround) {
+  FurScene fur;
+  fur.layers = 16;  // coverage is stored as it is
+  fur.strands = 1;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  fur.radius = 40;
+  fur.least_length = 1;
+  fur.tip_radius = 1;
+  int cut = 0;
+  for (std::uint32_t seed = 0; seed < 24; ++seed) {
+    fur.seed = seed;
+    const FurStrand strand = grow_strands(fur).front();
+    const FurTexture t = make_fur_texture(fur);
+    double area = 0;
+    for (int y = 0; y < t.size; ++y)
+      for (int x = 0; x < t.size; ++x) area += coverage(t, 0, 3, x, y);
+    const double r = strand.radius * t.size;
+    EXPECT_NEAR(area, std::numbers::pi * r * r, 0.01 * area) << "seed " << seed;
+    const auto [x, y] = std::pair(strand.root.x * t.size, strand.root.y * t.size);
+    cut += x < r || y < r || x > t.size - r || y > t.size - r;
+  }
+  EXPECT_GT(cut, 5);  // else nothing was tested
+}
+
+TEST(FurTexture, SixteenAndSixtyFourLayersLookAlikeFromAbove) {
+  for (const int locks : {0, 700}) {
+    FurScene fur;
+    fur.locks = locks;
+    fur.layers = 16;
+    const Seen few = from_above(make_fur_texture(fur));
+    fur.layers = 64;
+    const Seen many = from_above(make_fur_texture(fur));
+    EXPECT_NEAR(few.light / many.light, 1.0, 0.025) << locks << " locks";
+    EXPECT_NEAR(few.opacity / many.opacity, 1.0, 0.05) << locks << " locks";
+    EXPECT_GT(many.opacity, 0.4);   // neither bald
+    EXPECT_LT(many.opacity, 0.95);  // nor felt
+  }
+}
+
+TEST(FurTexture, ThinsOutFromRootToTip) {
+  FurScene fur;
+  const FurTexture t = make_fur_texture(fur);
+  double before = 1;
+  for (int n = 0; n < fur.layers; n += 9) {
+    double mean = 0;
+    for (int y = 0; y < t.size; ++y)
+      for (int x = 0; x < t.size; ++x) mean += coverage(t, 0, n, x, y) / t.size / t.size;
+    EXPECT_LT(mean, before) << "layer " << n;
+    before = mean;
+  }
+}
+
+/// A bilinear lookup at a strand's edge blends its coverage with an empty texel's: the shade must not change.
+TEST(FurTexture, EmptyTexelsBesideAStrandCarryItsShade) {
+  FurScene fur;
+  fur.layers = 16;
+  fur.strands = 40;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  const FurTexture t = make_fur_texture(fur);
+  int tested = 0;
+  for (int y = 1; y + 1 < t.size; ++y)
+    for (int x = 1; x + 1 < t.size; ++x) {
+      if (coverage(t, 0, 0, x, y) > 0) continue;
+      double low = 9, high = -9;
+      for (int k = 0; k < 9; ++k) {
+        const int i = x + k % 3 - 1, j = y + k / 3 - 1;
+        if (coverage(t, 0, 0, i, j) <= 0) continue;
+        low = std::min(low, shade(t, 0, i, j));
+        high = std::max(high, shade(t, 0, i, j));
+      }
+      if (high < low) continue;
+      EXPECT_GE(shade(t, 0, x, y), low - 0.01);
+      EXPECT_LE(shade(t, 0, x, y), high + 0.01);
+      ++tested;
+    }
+  EXPECT_GT(tested, 100);
+}
+
+TEST(FurStrands, LocksPullTogether) {
+  FurScene fur;
+  fur.lock_pull = 1;
+  const auto strands = grow_strands(fur);
+  // With a full pull every tip stands on a lock's centre: 700 places for 9000 strands.
+  std::vector<glm::dvec2> places;
+  for (const FurStrand& s : strands) {
+    const glm::dvec2 tip = glm::fract(strand_centre(s, fur, 1.0));
+    bool known = false;
+    for (const glm::dvec2& p : places) {
+      const glm::dvec2 d = tip - p - glm::round(tip - p);
+      known = known || glm::dot(d, d) < 1e-12;
+    }
+    if (!known) places.push_back(tip);
+  }
+  EXPECT_LE(places.size(), 700u);
+  EXPECT_GT(places.size(), 600u);
+}
+
+TEST(FurStrands, RootsAreEvenlySpread) {
+  const auto points = jittered_points(5000, 7, 1);
+  ASSERT_EQ(points.size(), 5000u);
+  int count[16] = {};
+  for (const glm::dvec2& p : points) {
+    ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
+    ++count[int(p.y * 4) * 4 + int(p.x * 4)];
+  }
+  for (const int c : count) EXPECT_NEAR(c, 5000 / 16, 25);
+}
+
+}  // namespace
+}  // namespace pelage

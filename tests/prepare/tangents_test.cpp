@@ -1,0 +1,107 @@
+#include "harness/prepare/tangents.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/mesh/mesh.hpp"
+#include "tests/prepare/meshes.hpp"
+
+namespace pelage {
+namespace {
+
+double degrees(glm::vec3 a, glm::vec3 b) {
+  return std::acos(std::clamp(double(glm::dot(a, b)), -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+/// The greatest angle between the curl's u at the two ends of an edge.
+double worst_edge(const Skin& skin, const CurlFrame& frame) {
+  double worst = 0;
+  for (const glm::uvec3& t : skin.triangle)
+    for (int c = 0; c < 3; ++c) worst = std::max(worst, degrees(frame.u[t[c]], frame.u[t[(c + 1) % 3]]));
+  return worst;
+}
+
+void expect_orthonormal(const Skin& skin, const CurlFrame& frame) {
+  ASSERT_EQ(frame.u.size(), skin.position.size());
+  for (std::size_t w = 0; w < frame.u.size(); ++w) {
+    EXPECT_NEAR(glm::length(frame.u[w]), 1.0, 1e-5);
+    EXPECT_NEAR(glm::length(frame.v[w]), 1.0, 1e-5);
+    EXPECT_NEAR(glm::dot(frame.u[w], frame.v[w]), 0.0, 1e-5);
+    EXPECT_NEAR(glm::dot(frame.u[w], glm::vec3(skin.normal[w])), 0.0, 1e-5);
+    EXPECT_NEAR(glm::dot(frame.v[w], glm::vec3(skin.normal[w])), 0.0, 1e-5);
+  }
+}
+
+TEST(SurfaceTangents, AreTheAtlasGradient) {
+  const auto mesh = test::two_charts();
+  const SurfaceTangents s = surface_tangents(*mesh, weld(*mesh));
+  for (const glm::uvec3& f : mesh->triangle)
+    for (int c = 0; c < 3; ++c) {
+      const glm::vec2 d = mesh->uv[f[(c + 1) % 3]] - mesh->uv[f[c]];
+      const glm::vec3 step = s.t[f[c]] * d.x + s.b[f[c]] * d.y;
+      EXPECT_LT(glm::distance(step, mesh->position[f[(c + 1) % 3]] - mesh->position[f[c]]), 1e-5f);
+    }
+}
+
+TEST(SurfaceTangents, FollowTheTorus) {
+  const auto mesh = load_model("torus");
+  const SurfaceTangents s = surface_tangents(*mesh, weld(*mesh));
+  double u = 0, v = 0;
+  for (const glm::vec3& t : s.t) u += double(glm::length(t));
+  for (const glm::vec3& b : s.b) v += double(glm::length(b));
+  EXPECT_NEAR(u / double(s.t.size()), mesh->length_per_uv.x, 0.02 * u / double(s.t.size()));
+  EXPECT_NEAR(v / double(s.b.size()), mesh->length_per_uv.y, 0.02 * v / double(s.b.size()));
+}
+
+TEST(SurfaceTangents, SurviveTrianglesWithoutUvArea) {
+  auto mesh = std::make_shared<Mesh>(*test::two_charts());
+  std::fill(mesh->uv.begin(), mesh->uv.end(), glm::vec2(0.5f));
+  const Skin skin = weld(*mesh);
+  const SurfaceTangents s = surface_tangents(*mesh, skin);
+  for (std::size_t i = 0; i < s.t.size(); ++i) EXPECT_TRUE(std::isfinite(glm::length(s.t[i] + s.b[i])));
+  for (const char* kind : {"smooth", "uv"}) {
+    CurlScene curl;
+    curl.frame = kind;
+    expect_orthonormal(skin, curl_frame(*mesh, skin, s, curl));
+  }
+}
+
+TEST(CurlFrame, IsOrthonormalAndSmoothAcrossSeams) {
+  const auto mesh = test::two_charts();
+  const Skin skin = weld(*mesh);
+  const SurfaceTangents s = surface_tangents(*mesh, skin);
+  CurlScene curl;
+  const CurlFrame smooth = curl_frame(*mesh, skin, s, curl);
+  expect_orthonormal(skin, smooth);
+  EXPECT_LT(worst_edge(skin, smooth), 12.0);
+  curl.frame = "uv";
+  const CurlFrame raw = curl_frame(*mesh, skin, s, curl);
+  expect_orthonormal(skin, raw);
+  EXPECT_GT(worst_edge(skin, raw), 80.0);  // the quarter turn between the charts
+}
+
+TEST(CurlFrame, TorusHasNoJump) {
+  const auto mesh = load_model("torus");
+  const Skin skin = weld(*mesh);
+  const CurlFrame frame = curl_frame(*mesh, skin, surface_tangents(*mesh, skin), {});
+  expect_orthonormal(skin, frame);
+  EXPECT_LT(worst_edge(skin, frame), 8.0);  // one of 65 steps around the tube turns by 5.5 degrees
+}
+
+TEST(CurlFrame, SamplesTheMaskAtTheFirstCopy) {
+  const auto mesh = test::two_charts();
+  const Skin skin = weld(*mesh);
+  const CurlFrame frame = curl_frame(*mesh, skin, surface_tangents(*mesh, skin), {});
+  for (std::size_t w = 0; w < frame.mask_uv.size(); ++w) {
+    std::size_t first = 0;
+    while (mesh->weld[first] != w) ++first;
+    EXPECT_EQ(frame.mask_uv[w], mesh->uv[first]);
+  }
+}
+
+}  // namespace
+}  // namespace pelage
