@@ -10,6 +10,7 @@
 #include "harness/cl/program.hpp"
 #include "harness/commands/command.hpp"
 #include "harness/commands/devices.hpp"
+#include "harness/commands/render.hpp"
 #include "harness/commands/scene.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
@@ -57,6 +58,7 @@ int main(int argc, char** argv) {
   Chosen chosen;
   add_devices(app, chosen);
   add_scene(app, chosen);
+  add_render(app, chosen);
   app.require_subcommand(0, 1);
 
   try {

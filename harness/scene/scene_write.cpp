@@ -65,7 +65,7 @@ std::string value_of(const Key& key) {
 }
 
 std::string line(const Key& key, std::string_view word, const std::string& note) {
-  return fmt::format("{:<34}# {} [{}{}]\n", fmt::format("{} = {}", word, value_of(key)), key.help,
+  return fmt::format("{:<35} # {} [{}{}]\n", fmt::format("{} = {}", word, value_of(key)), key.help,
                      describe_range(key), note);
 }
 
