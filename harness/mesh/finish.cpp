@@ -16,14 +16,6 @@
 namespace pelage {
 namespace {
 
-glm::dmat3 turn(glm::dvec3 degrees) {
-  const glm::dvec3 a = glm::radians(degrees), c = glm::cos(a), s = glm::sin(a);
-  const glm::dmat3 x(1, 0, 0, 0, c.x, s.x, 0, -s.x, c.x);
-  const glm::dmat3 y(c.y, 0, -s.y, 0, 1, 0, s.y, 0, c.y);
-  const glm::dmat3 z(c.z, s.z, 0, -s.z, c.z, 0, 0, 0, 1);
-  return z * y * x;
-}
-
 // The bits of a coordinate in [-1,1], 21 of them, with two zeros between neighbours.
 std::uint64_t spread(double coordinate) {
   std::uint64_t bits = std::uint64_t(std::clamp((coordinate * 0.5 + 0.5) * 2097151.0, 0.0, 2097151.0));
@@ -51,18 +43,19 @@ std::vector<std::uint32_t> morton_order(const std::vector<glm::dvec3>& points) {
 
 std::vector<glm::dvec3> normalised(const Surface& surface, glm::dvec3 rotation) {
   const Sphere sphere = bounding_sphere(surface.point);
-  const glm::dmat3 matrix = turn(rotation);
+  const glm::dmat3 matrix = rotation_matrix(rotation);
   std::vector<glm::dvec3> points;
   points.reserve(surface.point.size());
   for (const glm::dvec3& p : surface.point) points.push_back(matrix * ((p - sphere.centre) / sphere.radius));
   return points;
 }
 
-// Maps that do not repeat are moved into the unit square, a margin of two texels of a 256 mask around them.
-void fit_uv(std::vector<Surface::Corners>& uv) {
+// Moves a map into the unit square, with a margin of two texels of a 256 mask around it.
+void fit_uv(std::vector<Surface::Corners>& uv, bool keep) {
   glm::dvec2 low(std::numeric_limits<double>::max()), high(-low);
   for (const auto& corners : uv)
     for (const glm::dvec2& p : corners) low = glm::min(low, p), high = glm::max(high, p);
+  if (keep && low.x >= 0 && low.y >= 0 && high.x <= 1 && high.y <= 1) return;
   constexpr double margin = 2.0 / 256;
   const double scale = (1 - 2 * margin) / std::max(high.x - low.x, high.y - low.y);
   const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (low + high);
@@ -90,6 +83,14 @@ glm::vec2 length_per_uv(const std::vector<glm::dvec3>& point, const Surface& sur
 
 }  // namespace
 
+glm::dmat3 rotation_matrix(glm::dvec3 degrees) {
+  const glm::dvec3 a = glm::radians(degrees), c = glm::cos(a), s = glm::sin(a);
+  const glm::dmat3 x(1, 0, 0, 0, c.x, s.x, 0, -s.x, c.x);
+  const glm::dmat3 y(c.y, 0, -s.y, 0, 1, 0, s.y, 0, c.y);
+  const glm::dmat3 z(c.z, s.z, 0, -s.z, c.z, 0, 0, 0, 1);
+  return z * y * x;
+}
+
 std::string content_hash(const Mesh& mesh) {
   Hash hash;
   hash.values(mesh.position).values(mesh.uv).values(mesh.weld).values(mesh.triangle);
@@ -100,7 +101,7 @@ std::string content_hash(const Mesh& mesh) {
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation) {
   const std::vector<glm::dvec3> point = normalised(surface, rotation);
   std::vector<Surface::Corners> uv = surface.uv;
-  if (!surface.periodic_uv) fit_uv(uv);
+  if (!surface.periodic_uv) fit_uv(uv, surface.keep_uv);
 
   const std::vector<std::uint32_t> point_order = morton_order(point);
   std::vector<std::uint32_t> rank(point.size());

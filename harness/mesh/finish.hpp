@@ -1,9 +1,14 @@
 // The last step: a surface with UV becomes the Mesh that the pipelines read.
 #pragma once
+#include <glm/mat3x3.hpp>
+
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/surface.hpp"
 
 namespace pelage {
+
+/// Turns by `degrees` about x, then y, then z.
+glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 
 /// Turns by `rotation` (degrees about x, then y, then z), normalises positions to the unit sphere and the UV
 /// map into [0,1]^2 (isotropic maps keep their aspect), splits seam points into copies, sorts everything

@@ -14,8 +14,9 @@ struct Surface {
   using Corners = std::array<glm::dvec2, 3>;
   std::vector<glm::dvec3> point;
   std::vector<Triangle> triangle;
-  std::vector<Corners> uv;  ///< per triangle; empty: none yet
-  bool periodic_uv = false;
+  std::vector<Corners> uv;         ///< per triangle; empty: none yet
+  bool periodic_uv = false;        ///< see Mesh::periodic_uv; such a map is left as it is
+  bool keep_uv = false;            ///< a file's own map: left as it is, if it lies within the unit square
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 

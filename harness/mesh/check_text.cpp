@@ -1,0 +1,232 @@
+// Where a mesh file stops being one. CGAL's readers stop silently at the first thing they cannot read, and
+// believe a header's counts: these checks come first, and know the line.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <optional>
+
+#include "harness/error.hpp"
+#include "harness/mesh/soup.hpp"
+
+namespace pelage::detail {
+namespace {
+
+[[noreturn]] void fail(const std::string& name, std::size_t line, const std::string& what) {
+  throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
+}
+
+// The words of one line.
+class Words {
+ public:
+  explicit Words(std::string_view line) : rest_(line) {}
+  std::string_view next() {
+    const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!rest_.empty() && space(rest_.front())) rest_.remove_prefix(1);
+    std::size_t end = 0;
+    while (end < rest_.size() && !space(rest_[end])) ++end;
+    const std::string_view word = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    return word;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+    return true;
+  }
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+template <class T>
+std::optional<T> read(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return {};
+  return value;
+}
+
+std::string shown(std::string_view word) {
+  std::string text;
+  for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text.empty() ? "nothing" : "'" + text + "'";
+}
+
+void need_point(Words& words, const std::string& name, std::size_t line) {
+  for (int i = 0; i < 3; ++i) {
+    const std::string_view word = words.next();
+    const auto number = read<double>(word);
+    if (!number || !std::isfinite(*number) || std::abs(*number) > 1e30)
+      fail(name, line, fmt::format("{} where a vertex needs three finite numbers", shown(word)));
+  }
+}
+
+void no_binary(std::string_view bytes, std::string_view format, const std::string& name) {
+  if (bytes.find('\0') != std::string_view::npos)
+    fail(name, 0, fmt::format("binary data, not {} text", format));
+}
+
+// OBJ: v and f lines are checked and kept, all others dropped.
+std::string check_obj(std::string_view bytes, const std::string& name) {
+  no_binary(bytes, "OBJ", name);
+  std::string kept;
+  std::int64_t vertices = 0, largest = 0;
+  std::size_t largest_line = 0, faces = 0;
+  Lines lines(bytes);
+  for (std::string_view line; lines.next(line);) {
+    Words words(line.substr(0, line.find('#')));
+    const std::string_view element = words.next();
+    if (element == "v") {
+      need_point(words, name, lines.number());
+      ++vertices;
+    } else if (element == "f") {
+      ++faces;
+      int corners = 0;
+      for (std::string_view word; !(word = words.next()).empty(); ++corners) {
+        const auto index = read<std::int64_t>(word.substr(0, word.find('/')));
+        if (!index || *index == 0 || *index < -vertices)
+          fail(name, lines.number(), fmt::format("{} is no vertex; indices count from 1", shown(word)));
+        if (*index > largest) largest = *index, largest_line = lines.number();
+      }
+      if (corners < 3)
+        fail(name, lines.number(), fmt::format("a face of {} corners; it needs three", corners));
+    } else {
+      continue;
+    }
+    kept.append(line.substr(0, line.find('#'))).push_back('\n');
+  }
+  if (largest > vertices)
+    fail(name, largest_line, fmt::format("vertex {} is out of range; there are {}", largest, vertices));
+  if (faces == 0) fail(name, 0, "no faces in it");
+  return kept;
+}
+
+// OFF, line by line; only the plain layout of a vertex or a face a line is followed, others are left to CGAL.
+void check_off(std::string_view bytes, const std::string& name) {
+  no_binary(bytes, "OFF", name);
+  Lines lines(bytes);
+  std::string_view line;
+  const auto next = [&](const std::string& wanted) {
+    while (lines.next(line)) {
+      line = line.substr(0, line.find('#'));
+      if (!Words(line).next().empty()) return;
+    }
+    fail(name, lines.number(), fmt::format("the file ends where {} should come", wanted));
+  };
+  next("OFF");
+  Words head(line);
+  const std::string_view word = head.next();
+  if (!word.ends_with("OFF"))
+    fail(name, lines.number(), fmt::format("{} where OFF should stand", shown(word)));
+  if (word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF")
+    fail(name, lines.number(), fmt::format("{}: only OFF, COFF and NOFF are read", shown(word)));
+  std::string_view count = head.next();
+  if (count == "BINARY") fail(name, lines.number(), "binary OFF is not read; save it as text");
+  if (count.empty()) {
+    next("the counts of vertices and faces");
+    head = Words(line);
+    count = head.next();
+  }
+  const auto vertices = read<std::int64_t>(count), faces = read<std::int64_t>(head.next());
+  // A vertex takes at least six bytes of text, a face eight.
+  const auto size = std::int64_t(bytes.size());
+  if (!vertices || !faces || *vertices < 0 || *faces < 0)
+    fail(name, lines.number(), "no counts of vertices and faces");
+  if (*vertices == 0 || *faces == 0) fail(name, lines.number(), "no faces in it");
+  if (*vertices > size / 5 + 1 || *faces > size / 7 + 1)
+    fail(name, lines.number(),
+         fmt::format("{} vertices and {} faces do not fit into {} bytes", *vertices, *faces, size));
+  for (std::int64_t i = 0; i < *vertices; ++i) {
+    next(fmt::format("vertex {} of {}", i + 1, *vertices));
+    Words words(line);
+    need_point(words, name, lines.number());
+  }
+  for (std::int64_t i = 0; i < *faces; ++i) {
+    next(fmt::format("face {} of {}", i + 1, *faces));
+    Words words(line);
+    const std::string_view first = words.next();
+    const auto corners = read<std::int64_t>(first);
+    if (!corners || *corners < 1)
+      fail(name, lines.number(), fmt::format("{} is no number of corners", shown(first)));
+    for (std::int64_t k = 0; k < *corners; ++k) {
+      const std::string_view corner = words.next();
+      const auto index = read<std::int64_t>(corner);
+      if (!index || *index < 0 || *index >= *vertices)
+        fail(name, lines.number(),
+             fmt::format("{} is no vertex; they count from 0 to {}", shown(corner), *vertices - 1));
+    }
+  }
+}
+
+// PLY: the header's counts must fit the file, an element taking two bytes or more.
+void check_ply(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with("ply")) fail(name, 1, "'ply' should stand here");
+  const std::size_t end = bytes.find("end_header");
+  if (end == std::string_view::npos) fail(name, 0, "the header has no end_header");
+  Lines lines(bytes.substr(0, end));
+  std::int64_t vertices = -1, faces = -1;
+  for (std::string_view line; lines.next(line);) {
+    Words words(line);
+    if (words.next() != "element") continue;
+    const std::string_view what = words.next();
+    const auto count = read<std::int64_t>(words.next());
+    if (!count || *count < 0 || *count > std::int64_t(bytes.size()))
+      fail(name, lines.number(), fmt::format("so many elements do not fit into {} bytes", bytes.size()));
+    if (what == "vertex") vertices = *count;
+    if (what == "face") faces = *count;
+  }
+  if (vertices <= 0 || faces <= 0) fail(name, 0, "no faces in it");
+}
+
+// STL: binary files say how many triangles they hold.
+void check_stl(std::string_view bytes, const std::string& name) {
+  const bool text = bytes.starts_with("solid") && bytes.find("facet") != std::string_view::npos;
+  if (text) {
+    Lines lines(bytes);
+    bool ended = false;
+    for (std::string_view line; lines.next(line);) {
+      Words words(line);
+      const std::string_view element = words.next();
+      if (element == "vertex") need_point(words, name, lines.number());
+      if (element == "endsolid") ended = true;
+    }
+    if (!ended) fail(name, lines.number(), "the file ends before endsolid");
+    return;
+  }
+  if (bytes.size() < 84) fail(name, 0, "neither STL text nor a binary STL's 84 bytes of header");
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  if (count == 0) fail(name, 0, "no faces in it");
+  if (bytes.size() < 84 + 50 * std::uint64_t(count))
+    fail(name, 0,
+         fmt::format("{} triangles need {} bytes, the file has {}", count, 84 + 50 * std::uint64_t(count),
+                     bytes.size()));
+}
+
+}  // namespace
+
+void check_text(std::string& bytes, std::string_view format, const std::string& name) {
+  if (format == "obj") bytes = check_obj(bytes, name);
+  if (format == "off") check_off(bytes, name);
+  if (format == "ply") check_ply(bytes, name);
+  if (format == "stl") check_stl(bytes, name);
+}
+
+}  // namespace pelage::detail

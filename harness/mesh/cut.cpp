@@ -1,0 +1,203 @@
+#include "harness/mesh/cut.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace pelage {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
+constexpr double far = std::numeric_limits<double>::max();
+
+struct Edge {
+  std::uint32_t a, b;         // points, a < b
+  std::uint32_t left, right;  // faces; right none on a border
+  double length;
+};
+
+struct Graph {
+  std::vector<Edge> edge;
+  std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face joins its corners k and k + 1
+  std::vector<std::vector<std::uint32_t>> of_point;   // edges at a point, ascending
+};
+
+Graph make_graph(const Surface& surface) {
+  struct Side {
+    std::uint32_t a, b, face, corner;
+  };
+  std::vector<Side> sides;
+  sides.reserve(surface.triangle.size() * 3);
+  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = surface.triangle[f][k], q = surface.triangle[f][(k + 1) % 3];
+      sides.push_back({std::min(p, q), std::max(p, q), f, k});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.face, x.corner) < std::tie(y.a, y.b, y.face, y.corner);
+  });
+  Graph graph;
+  graph.of_face.resize(surface.triangle.size());
+  graph.of_point.resize(surface.point.size());
+  for (const Side& side : sides) {
+    const bool second = !graph.edge.empty() && graph.edge.back().a == side.a && graph.edge.back().b == side.b;
+    if (second) {
+      graph.edge.back().right = side.face;
+    } else {
+      graph.of_point[side.a].push_back(std::uint32_t(graph.edge.size()));
+      graph.of_point[side.b].push_back(std::uint32_t(graph.edge.size()));
+      graph.edge.push_back(
+          {side.a, side.b, side.face, none, glm::distance(surface.point[side.a], surface.point[side.b])});
+    }
+    graph.of_face[side.face][side.corner] = std::uint32_t(graph.edge.size() - 1);
+  }
+  return graph;
+}
+
+// Nearest first; equal distances by number, so that the result never depends on chance.
+using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
+                                  std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
+
+// Marks the edges that a shortest-path tree over the faces does not cross, then takes dead ends away. True:
+// cut.
+std::vector<char> cut_graph(const Surface& surface, const Graph& graph) {
+  const auto centroid = [&](std::uint32_t f) {
+    const auto [a, b, c] = surface.triangle[f];
+    return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
+  };
+  std::vector<char> cut(graph.edge.size(), 1);
+  std::vector<double> distance(surface.triangle.size(), far);
+  std::vector<std::uint32_t> via(surface.triangle.size(), none);
+  Queue queue;
+  queue.push({distance[0] = 0, 0});
+  while (!queue.empty()) {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > distance[f]) continue;
+    for (const std::uint32_t e : graph.of_face[f]) {
+      const std::uint32_t next = graph.edge[e].left == f ? graph.edge[e].right : graph.edge[e].left;
+      if (next == none) continue;
+      const double there = d + glm::distance(centroid(f), centroid(next));
+      if (there < distance[next]) queue.push({distance[next] = there, next}), via[next] = e;
+    }
+  }
+  for (const std::uint32_t e : via)
+    if (e != none) cut[e] = 0;
+
+  std::vector<std::uint32_t> degree(surface.point.size(), 0), ends;
+  for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
+    if (cut[e]) ++degree[graph.edge[e].a], ++degree[graph.edge[e].b];
+  for (std::uint32_t p = 0; p < degree.size(); ++p)
+    if (degree[p] == 1) ends.push_back(p);
+  while (!ends.empty()) {
+    const std::uint32_t p = ends.back();
+    ends.pop_back();
+    for (const std::uint32_t e : graph.of_point[p]) {
+      if (!cut[e]) continue;
+      cut[e] = 0;
+      --degree[p];
+      const std::uint32_t other = graph.edge[e].a == p ? graph.edge[e].b : graph.edge[e].a;
+      if (--degree[other] == 1) ends.push_back(other);
+    }
+  }
+  return cut;
+}
+
+struct Reach {
+  std::vector<double> distance;
+  std::vector<std::uint32_t> via;  // the edge towards the source
+  std::uint32_t farthest = 0;
+};
+
+Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources) {
+  Reach reach{std::vector<double>(graph.of_point.size(), far),
+              std::vector<std::uint32_t>(graph.of_point.size(), none), 0};
+  Queue queue;
+  for (const std::uint32_t p : sources) queue.push({reach.distance[p] = 0, p});
+  double most = -1;
+  while (!queue.empty()) {
+    const auto [d, p] = queue.top();
+    queue.pop();
+    if (d > reach.distance[p]) continue;
+    if (d > most) most = d, reach.farthest = p;
+    for (const std::uint32_t e : graph.of_point[p]) {
+      const std::uint32_t other = graph.edge[e].a == p ? graph.edge[e].b : graph.edge[e].a;
+      const double there = d + graph.edge[e].length;
+      if (there < reach.distance[other])
+        queue.push({reach.distance[other] = there, other}), reach.via[other] = e;
+    }
+  }
+  return reach;
+}
+
+std::vector<std::uint32_t> points_of(const Graph& graph, const std::vector<char>& cut) {
+  std::vector<std::uint32_t> points;
+  for (std::uint32_t p = 0; p < graph.of_point.size(); ++p) {
+    const auto& edges = graph.of_point[p];
+    if (std::any_of(edges.begin(), edges.end(), [&](std::uint32_t e) { return cut[e]; })) points.push_back(p);
+  }
+  return points;
+}
+
+std::size_t reach_into_limbs(const Graph& graph, std::vector<char>& cut, std::size_t most, double least) {
+  std::size_t paths = 0;
+  for (; paths < most; ++paths) {
+    std::vector<std::uint32_t> sources = points_of(graph, cut);
+    const bool closed = sources.empty();  // a sphere, nothing cut yet: begin at an extremity
+    if (closed) sources.push_back(walk(graph, {0}).farthest);
+    const Reach reach = walk(graph, sources);
+    if (!closed && reach.distance[reach.farthest] < least) break;
+    for (std::uint32_t p = reach.farthest; reach.via[p] != none;) {
+      const Edge& edge = graph.edge[reach.via[p]];
+      cut[reach.via[p]] = 1;
+      p = edge.a == p ? edge.b : edge.a;
+    }
+  }
+  return paths;
+}
+
+}  // namespace
+
+Disk cut_open(const Surface& surface, std::size_t most, double reach) {
+  const Graph graph = make_graph(surface);
+  std::vector<char> cut = cut_graph(surface, graph);
+  Disk disk;
+  disk.extremities = reach_into_limbs(graph, cut, most, reach);
+
+  // Corners that meet across an uncut edge are one copy.
+  std::vector<std::uint32_t> root(surface.triangle.size() * 3);
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t c) {
+    while (root[c] != c) c = root[c] = root[root[c]];
+    return c;
+  };
+  const auto corner = [&](std::uint32_t f, std::uint32_t p) {
+    const auto& t = surface.triangle[f];
+    return 3 * f + (t[0] == p ? 0u : t[1] == p ? 1u : 2u);
+  };
+  for (std::uint32_t e = 0; e < graph.edge.size(); ++e) {
+    const Edge& edge = graph.edge[e];
+    if (cut[e] || edge.right == none) continue;
+    for (const std::uint32_t p : {edge.a, edge.b}) {
+      const std::uint32_t x = find(corner(edge.left, p)), y = find(corner(edge.right, p));
+      root[std::max(x, y)] = std::min(x, y);
+    }
+  }
+  std::vector<std::uint32_t> number(root.size(), none);
+  disk.triangle.resize(surface.triangle.size());
+  for (std::uint32_t c = 0; c < root.size(); ++c) {
+    const std::uint32_t first = find(c);
+    if (number[first] == none) {
+      number[first] = std::uint32_t(disk.point.size());
+      disk.point.push_back(surface.triangle[c / 3][c % 3]);
+    }
+    disk.triangle[c / 3][c % 3] = number[first];
+  }
+  return disk;
+}
+
+}  // namespace pelage

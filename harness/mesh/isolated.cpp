@@ -1,0 +1,160 @@
+#include "harness/mesh/isolated.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <new>
+#include <optional>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;  // its shadow memory needs the whole address space, its reports stderr
+#else
+constexpr bool sanitized = false;
+#endif
+
+// What crosses the pipe: a kind, a length, the bytes.
+enum class Kind : char { progress = 'p', result = 'r', input_error = 'i', error = 'e' };
+
+void send(int pipe, Kind kind, const std::string& text) {
+  std::string message(1, char(kind));
+  const std::uint64_t size = text.size();
+  message.append(reinterpret_cast<const char*>(&size), sizeof size).append(text);
+  for (std::size_t done = 0; done < message.size();) {
+    const ssize_t written = ::write(pipe, message.data() + done, message.size() - done);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) ::_exit(1);  // nobody listens any more
+    done += std::size_t(written);
+  }
+}
+
+std::uint64_t address_space() {
+  std::ifstream file("/proc/self/statm");
+  std::uint64_t pages = 0;
+  file >> pages;
+  return pages * std::uint64_t(::sysconf(_SC_PAGESIZE));
+}
+
+[[noreturn]] void be_the_child(int pipe, const Limits& limits,
+                               const std::function<std::string(const Say&)>& work) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
+  const int quiet = ::open("/dev/null", O_WRONLY);
+  ::dup2(quiet, STDOUT_FILENO);
+  if (!sanitized) {
+    ::dup2(quiet, STDERR_FILENO);  // CGAL and Assimp talk; the user gets one line from us
+    const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
+    ::setrlimit(RLIMIT_AS, &space);
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+  }
+  try {
+    send(pipe, Kind::result, work([pipe](const std::string& text) { send(pipe, Kind::progress, text); }));
+  } catch (const InputError& error) {
+    send(pipe, Kind::input_error, error.what());
+  } catch (const std::bad_alloc&) {
+    send(pipe, Kind::error, fmt::format("needs more than {} MiB of memory", limits.memory >> 20));
+  } catch (const std::exception& error) {
+    send(pipe, Kind::error, error.what());
+  }
+  ::_exit(0);
+}
+
+class Inbox {
+ public:
+  void add(const char* bytes, std::size_t size) { bytes_.append(bytes, size); }
+  // The next whole message, if there is one.
+  std::optional<std::pair<Kind, std::string>> next() {
+    std::uint64_t size = 0;
+    if (bytes_.size() < 1 + sizeof size) return {};
+    std::memcpy(&size, bytes_.data() + 1, sizeof size);
+    if (bytes_.size() - 1 - sizeof size < size) return {};
+    std::pair message(Kind(bytes_[0]), bytes_.substr(1 + sizeof size, size));
+    bytes_.erase(0, 1 + sizeof size + size);
+    return message;
+  }
+
+ private:
+  std::string bytes_;
+};
+
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text.substr(0, 300);
+}
+
+}  // namespace
+
+std::string isolated(const std::string& name, const Limits& limits,
+                     const std::function<std::string(const Say&)>& work, const Say& progress) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(fmt::format("pipe: {}", std::strerror(errno)));
+  const pid_t child = ::fork();
+  if (child < 0) throw std::runtime_error(fmt::format("fork: {}", std::strerror(errno)));
+  if (child == 0) {
+    ::close(ends[0]);
+    be_the_child(ends[1], limits, work);
+  }
+  ::close(ends[1]);
+  const auto deadline = std::chrono::steady_clock::now() + limits.time;
+  Inbox inbox;
+  std::optional<std::pair<Kind, std::string>> answer;
+  bool late = false;
+  std::string chunk(1 << 16, '\0');
+  try {
+    while (!answer) {
+      const auto left =
+          std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
+      if ((late = left.count() <= 0)) break;
+      pollfd waiting{ends[0], POLLIN, 0};
+      if (::poll(&waiting, 1, int(std::min<std::int64_t>(left.count(), 1000))) <= 0) continue;
+      const ssize_t got = ::read(ends[0], chunk.data(), chunk.size());
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) break;
+      inbox.add(chunk.data(), std::size_t(got));
+      while (auto message = inbox.next()) {
+        if (message->first == Kind::progress) {
+          if (progress) progress(message->second);
+        } else {
+          answer = std::move(message);
+        }
+      }
+    }
+  } catch (...) {
+    ::close(ends[0]);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    throw;
+  }
+  ::close(ends[0]);
+  if (!answer) ::kill(child, SIGKILL);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (late)
+    throw InputError(
+        fmt::format("{}: gave up after {} s; a simpler mesh would do", name, limits.time.count()));
+  if (!answer && WIFSIGNALED(status))
+    throw InputError(fmt::format("{}: cannot be used; the mesh library crashed on it ({})", name,
+                                 ::strsignal(WTERMSIG(status))));
+  if (!answer) throw InputError(fmt::format("{}: cannot be used; the mesh library gave up on it", name));
+  if (answer->first == Kind::input_error) throw InputError(answer->second);
+  if (answer->first == Kind::error)
+    throw InputError(fmt::format("{}: cannot be used: {}", name, one_line(answer->second)));
+  return answer->second;
+}
+
+}  // namespace pelage

@@ -1,0 +1,131 @@
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <fmt/format.h>
+
+#include "harness/error.hpp"
+#include "harness/mesh/cgal_mesh.hpp"
+#include "harness/mesh/steps.hpp"
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace pelage {
+namespace {
+
+using Notes = std::vector<std::string>;
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name) {
+  std::vector<Kernel::Point_3> points;
+  points.reserve(soup.point.size());
+  for (const glm::dvec3& p : soup.point) points.emplace_back(p.x, p.y, p.z);
+  std::vector<std::vector<std::size_t>> polygons;
+  polygons.reserve(soup.polygon.size());
+  for (const auto& polygon : soup.polygon) polygons.emplace_back(polygon.begin(), polygon.end());
+
+  const std::size_t welded = PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
+  if (welded > 0) notes.push_back("welded " + counted(welded, "coincident point", "coincident points"));
+  const std::size_t before = polygons.size();
+  PMP::repair_polygon_soup(points, polygons);
+  if (polygons.size() < before)
+    notes.push_back("dropped " + counted(before - polygons.size(), "degenerate or doubled face",
+                                         "degenerate or doubled faces"));
+  if (polygons.empty()) throw InputError(fmt::format("{}: no face with an area is left", name));
+  const std::size_t joined = points.size();
+  PMP::orient_polygon_soup(points, polygons);
+  if (points.size() > joined)
+    notes.push_back("split " + counted(points.size() - joined, "point", "points") +
+                    " where faces cannot agree");
+  Polyhedron mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+  if (!CGAL::is_triangle_mesh(mesh)) {
+    PMP::triangulate_faces(mesh);
+    notes.push_back("split polygons into triangles");
+  }
+  return mesh;
+}
+
+void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
+  const auto faces = mesh.number_of_faces();
+  auto piece = mesh.add_property_map<Polyhedron::Face_index, std::size_t>("f:piece").first;
+  const std::size_t pieces = PMP::connected_components(mesh, piece);
+  if (pieces > 1) {
+    PMP::keep_largest_connected_components(mesh, 1);
+    mesh.collect_garbage();
+    notes.push_back(
+        fmt::format("kept the largest of {} pieces, {} of {} faces", pieces, mesh.number_of_faces(), faces));
+  }
+  mesh.remove_property_map(piece);
+}
+
+void drop_degenerate_faces(Polyhedron& mesh, Notes& notes) {
+  std::vector<Polyhedron::Face_index> flat;
+  PMP::degenerate_faces(mesh, std::back_inserter(flat));
+  if (flat.empty()) return;
+  const bool all = PMP::remove_degenerate_faces(mesh);
+  mesh.collect_garbage();
+  notes.push_back("removed " + counted(flat.size(), "face", "faces") + " without area" +
+                  (all ? "" : ", not all"));
+}
+
+double width(const Polyhedron& mesh, Polyhedron::Halfedge_index border) {
+  CGAL::Bbox_3 box;
+  for (const auto h : CGAL::halfedges_around_face(border, mesh)) box += mesh.point(mesh.target(h)).bbox();
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+void fill_holes(Polyhedron& mesh, bool all, Notes& notes) {
+  CGAL::Bbox_3 box;
+  for (const auto v : mesh.vertices()) box += mesh.point(v).bbox();
+  const double widest = all ? HUGE_VAL : 0.1 * std::hypot(box.x_span(), box.y_span(), box.z_span());
+  std::vector<Polyhedron::Halfedge_index> borders;
+  PMP::extract_boundary_cycles(mesh, std::back_inserter(borders));
+  std::size_t filled = 0;
+  for (const auto border : borders) {
+    if (width(mesh, border) > widest) continue;
+    std::vector<Polyhedron::Face_index> patch;
+    PMP::triangulate_hole(mesh, border, std::back_inserter(patch));
+    if (!patch.empty()) ++filled;
+  }
+  if (filled > 0) notes.push_back("filled " + counted(filled, "hole", "holes"));
+  if (filled < borders.size())
+    notes.push_back("left " + counted(borders.size() - filled, "border", "borders") + " open");
+}
+
+}  // namespace
+
+Surface repair(const Soup& soup, bool fill_all, const std::string& name) {
+  Notes notes;
+  Polyhedron mesh = from_soup(soup, notes, name);
+  const std::size_t stitched = PMP::stitch_borders(mesh);
+  if (stitched > 0) notes.push_back("stitched " + counted(stitched, "pair", "pairs") + " of border edges");
+  const std::size_t split = PMP::duplicate_non_manifold_vertices(mesh);
+  if (split > 0) notes.push_back("split " + counted(split, "non-manifold point", "non-manifold points"));
+  drop_degenerate_faces(mesh, notes);
+  keep_largest_piece(mesh, notes);
+  fill_holes(mesh, fill_all, notes);
+  PMP::remove_isolated_vertices(mesh);
+  mesh.collect_garbage();
+  if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
+  if (CGAL::is_closed(mesh) && !PMP::is_outward_oriented(mesh)) {
+    PMP::reverse_face_orientations(mesh);
+    notes.push_back("turned all faces outwards");
+  }
+  Surface surface = from_cgal(mesh);
+  surface.notes = notes;
+  return surface;
+}
+
+}  // namespace pelage

@@ -1,0 +1,119 @@
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "harness/error.hpp"
+#include "harness/mesh/cgal_mesh.hpp"
+#include "harness/mesh/cut.hpp"
+#include "harness/mesh/geometry.hpp"
+#include "harness/mesh/steps.hpp"
+
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+namespace pelage {
+namespace {
+
+using Lu = CGAL::Eigen_solver_traits<
+    Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
+
+// ARAP solves with one matrix, twice an iteration: it is factored once.
+class Factored_once {
+ public:
+  using NT = double;
+  using Matrix = Lu::Matrix;
+  using Vector = Lu::Vector;
+  bool linear_solver(const Matrix& a, const Vector& b, Vector& x, NT& scale) {
+    scale = 1;
+    if (!solver_) {
+      solver_ = std::make_shared<Solver>();
+      solver_->compute(a.eigen_object());
+    }
+    if (solver_->info() != Eigen::Success) return false;
+    x = solver_->solve(b);
+    return solver_->info() == Eigen::Success;
+  }
+
+ private:
+  using Solver = Eigen::SparseLU<Matrix::EigenType, Eigen::COLAMDOrdering<int>>;
+  std::shared_ptr<Solver> solver_;
+};
+
+using Point2 = Kernel::Point_2;
+using Border = SMP::Circular_border_arc_length_parameterizer_3<Polyhedron>;
+using Rigid = SMP::ARAP_parameterizer_3<Polyhedron, Border, Factored_once>;
+using Convex = SMP::Mean_value_coordinates_parameterizer_3<Polyhedron, Border, Lu>;
+
+Polyhedron flat_mesh(const Surface& surface, const Disk& disk) {
+  const Sphere sphere = bounding_sphere(surface.point);
+  Surface opened;
+  for (const std::uint32_t p : disk.point)
+    opened.point.push_back((surface.point[p] - sphere.centre) / sphere.radius);
+  opened.triangle = disk.triangle;
+  return to_cgal(opened);
+}
+
+struct Map {
+  std::vector<glm::dvec2> uv;  // per copy
+  std::size_t flipped = 0;
+  bool usable = false;  // finite, of some area, few faces flipped
+};
+
+template <class Parameterizer>
+Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
+  auto uv = mesh.add_property_map<Polyhedron::Vertex_index, Point2>("v:uv", Point2(0, 0)).first;
+  auto index = mesh.add_property_map<Polyhedron::Vertex_index, int>("v:number", 0).first;
+  auto placed = mesh.add_property_map<Polyhedron::Vertex_index, bool>("v:placed", false).first;
+  for (const auto v : mesh.vertices()) index[v] = int(v.idx());
+  const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
+  // Code 6 (no one-to-one mapping): ARAP's clean-up refused a border that crosses itself; the map is there.
+  (void)parameterizer.parameterize(mesh, border, uv, index, placed);
+  Map map;
+  for (const auto v : mesh.vertices()) map.uv.emplace_back(uv[v].x(), uv[v].y());
+  mesh.remove_property_map(uv);
+  mesh.remove_property_map(index);
+  mesh.remove_property_map(placed);
+  return map;
+}
+
+void judge(Map& map, const std::vector<Surface::Triangle>& triangles) {
+  double area = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const glm::dvec2 e = map.uv[b] - map.uv[a], g = map.uv[c] - map.uv[a];
+    const double twice = e.x * g.y - e.y * g.x;
+    area += twice;
+    if (!(twice > 0)) ++map.flipped;
+  }
+  map.usable = std::isfinite(area) && area > 0 && map.flipped * 50 <= triangles.size();
+}
+
+}  // namespace
+
+Surface unfold(const Surface& surface, const std::string& name) {
+  const Disk disk = cut_open(surface, 16, 0.25 * bounding_sphere(surface.point).radius);
+  Polyhedron mesh = flat_mesh(surface, disk);
+  Surface result = surface;
+  Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
+  judge(map, disk.triangle);
+  std::string method = "as rigidly as possible";
+  if (!map.usable) {
+    map = lay_flat(mesh, Convex());
+    judge(map, disk.triangle);
+    method = "mean-value coordinates on a circle";
+  }
+  if (!map.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  result.notes.push_back(fmt::format(
+      "UV map: one chart of {} corners for {} points, {} cuts into limbs, {}; {} of {} faces flipped",
+      disk.point.size(), surface.point.size(), disk.extremities, method, map.flipped,
+      surface.triangle.size()));
+  result.uv.clear();
+  for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({map.uv[a], map.uv[b], map.uv[c]});
+  return result;
+}
+
+}  // namespace pelage

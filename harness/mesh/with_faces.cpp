@@ -1,0 +1,76 @@
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_filter.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/subdivision_method_3.h>
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/mesh/cgal_mesh.hpp"
+#include "harness/mesh/steps.hpp"
+
+namespace SMS = CGAL::Surface_mesh_simplification;
+
+namespace pelage {
+namespace {
+
+// CGAL 5.5 stops on edge counts only. A collapse takes two faces away, at a border one: N + 1 is near enough.
+struct Few_enough_faces {
+  std::size_t faces;
+  template <class Cost, class Profile>
+  bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
+    return profile.surface_mesh().number_of_faces() <= faces + 1;
+  }
+};
+
+// Of the faces away from every border, so that the mesh stays a manifold.
+void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
+  Polyhedron::Face_index lowest;
+  double least = std::numeric_limits<double>::max();
+  for (const auto f : mesh.faces()) {
+    double height = 0;
+    bool inner = true;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh)) {
+      const auto& p = mesh.point(v);
+      height += glm::dot(up, glm::dvec3(p.x(), p.y(), p.z()));
+      inner = inner && !mesh.is_border(v);
+    }
+    if (inner && height < least) least = height, lowest = f;
+  }
+  if (lowest.is_valid()) CGAL::Euler::remove_face(mesh.halfedge(lowest), mesh);
+}
+
+}  // namespace
+
+Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name) {
+  if (surface.triangle.size() == faces) return surface;
+  Polyhedron mesh = to_cgal(surface);
+  std::vector<std::string> notes = surface.notes;
+  int rounds = 0;
+  for (; mesh.number_of_faces() < faces; ++rounds) CGAL::Subdivision_method_3::Loop_subdivision(mesh);
+  if (rounds > 0)
+    notes.push_back(fmt::format("subdivided {} faces into {} ({} x Loop)", surface.triangle.size(),
+                                mesh.number_of_faces(), rounds));
+
+  const auto before = mesh.number_of_faces();
+  SMS::edge_collapse(mesh, Few_enough_faces{faces},
+                     CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
+  mesh.collect_garbage();
+  if (mesh.number_of_faces() + 0u < before)
+    notes.push_back(fmt::format("collapsed edges from {} faces to {}", before, mesh.number_of_faces()));
+  if (mesh.number_of_faces() == faces + 1) {
+    drop_lowest_face(mesh, up);
+    mesh.collect_garbage();
+    notes.push_back("dropped the lowest face: the count is odd, a closed mesh's is even");
+  }
+  if (mesh.number_of_faces() != faces)
+    throw InputError(
+        fmt::format("{}: {} faces are not to be had without turning faces over; the nearest is {}", name,
+                    faces, mesh.number_of_faces()));
+  Surface result = from_cgal(mesh);
+  result.notes = notes;
+  return result;
+}
+
+}  // namespace pelage
