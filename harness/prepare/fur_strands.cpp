@@ -84,8 +84,10 @@ std::vector<FurStrand> grow_strands(const FurScene& fur) {
       }
       s.shade = 1.0 + double(fur.shade) * tone;
       const double azimuth = 2.0 * std::numbers::pi * random.uniform(i, 3);
-      const double reach = double(fur.bend) / 256.0 * (0.5 + random.uniform(i, 4));
-      s.bend = reach * glm::dvec2(std::cos(azimuth), std::sin(azimuth));
+      const glm::dvec2 along(std::cos(azimuth), std::sin(azimuth));
+      s.width = guard ? double(fur.width) : 1.0;
+      s.across = {-along.y, along.x};
+      s.bend = double(fur.bend) / 256.0 * (0.5 + random.uniform(i, 4)) * s.length * along;
       strands.push_back(s);
     }
   };

@@ -9,12 +9,14 @@ namespace pelage {
 
 /// One hair of the repeating square. Lengths in the plane are in sides of the square.
 struct FurStrand {
-  glm::dvec2 root{0};  ///< in [0,1)^2
-  glm::dvec2 pull{0};  ///< from the root to where a full lock would bring the tip
-  glm::dvec2 bend{0};  ///< offset of a blade's tip
-  double length = 1;   ///< fraction of L0
-  double radius = 0;   ///< at the root
-  double shade = 1;    ///< factor on the coat's colour
+  glm::dvec2 root{0};       ///< in [0,1)^2
+  glm::dvec2 pull{0};       ///< from the root to where a full lock would bring the tip
+  glm::dvec2 bend{0};       ///< offset of a blade's tip
+  double length = 1;        ///< fraction of L0
+  double radius = 0;        ///< at the root
+  double width = 1;         ///< a blade is so many times as wide ...
+  glm::dvec2 across{0, 1};  ///< ... this way (unit), across its bend
+  double shade = 1;         ///< factor on the coat's colour
 };
 
 /// Guard hairs first, then the undercoat. Roots lie on a jittered grid that wraps around.

@@ -25,25 +25,37 @@ int wrap(int i, int n) {
   return i < 0 ? i + n : i;
 }
 
-/// Counts the sub-samples of each texel inside a disc, row by row, and keeps the greatest coverage.
-class DiscPainter {
- public:
-  explicit DiscPainter(Slice& slice) : slice_(slice) {}
+/// A strand's section in texels: an ellipse.
+struct Section {
+  glm::dvec2 centre, across;  ///< across: unit, along the longer axis
+  double radius, width;       ///< semi-axes: radius, and width times that along `across`
+};
 
-  void paint(double cx, double cy, double radius, float weight, float shade) {
-    const int x0 = int(std::floor(cx - radius)), x1 = int(std::floor(cx + radius));
-    const int y0 = int(std::floor(cy - radius)), y1 = int(std::floor(cy + radius));
+/// Counts the sub-samples of each texel inside a section, row by row, and keeps the greatest coverage.
+class Painter {
+ public:
+  explicit Painter(Slice& slice) : slice_(slice) {}
+
+  void paint(const Section& s, float weight, float shade) {
+    // q(d) = xx dx^2 + 2 xy dx dy + yy dy^2 <= 1 inside.
+    const double p = 1.0 / (s.radius * s.radius), q = p / (s.width * s.width);
+    const glm::dvec2 e = s.across;
+    const double xx = q * e.x * e.x + p * e.y * e.y, yy = q * e.y * e.y + p * e.x * e.x,
+                 xy = (q - p) * e.x * e.y;
+    const double reach_x = std::sqrt(yy / (p * q)), reach_y = std::sqrt(xx / (p * q));
+    const int x0 = int(std::floor(s.centre.x - reach_x)), x1 = int(std::floor(s.centre.x + reach_x));
+    const int y0 = int(std::floor(s.centre.y - reach_y)), y1 = int(std::floor(s.centre.y + reach_y));
     const int columns = x1 - x0 + 1;
     for (int y = y0; y <= y1; ++y) {
       count_.assign(std::size_t(columns), 0);
       for (int k = 0; k < fine; ++k) {
-        const double dy = y + (k + 0.5) / fine - cy, square = radius * radius - dy * dy;
+        const double dy = y + (k + 0.5) / fine - s.centre.y;
+        const double square = xy * dy * xy * dy - xx * (yy * dy * dy - 1.0);
         if (square <= 0) continue;
-        const double half = std::sqrt(square);
-        const int first = int(std::ceil((cx - half - x0) * fine - 0.5));
-        const int last = int(std::floor((cx + half - x0) * fine - 0.5));
-        for (int i = std::max(first, 0); i <= std::min(last, columns * fine - 1); ++i)
-          ++count_[std::size_t(i / fine)];
+        const double middle = s.centre.x - x0 - xy * dy / xx, half = std::sqrt(square) / xx;
+        const int first = std::max(0, int(std::ceil((middle - half) * fine - 0.5)));
+        const int last = std::min(columns * fine - 1, int(std::floor((middle + half) * fine - 0.5)));
+        for (int i = first; i <= last; ++i) ++count_[std::size_t(i / fine)];
       }
       for (int x = x0; x <= x1; ++x) {
         const float a = weight * float(count_[std::size_t(x - x0)]) / (fine * fine);
@@ -60,12 +72,12 @@ class DiscPainter {
   std::vector<int> count_;
 };
 
-/// A disc thinner than two sub-samples would be hit or missed at random: it is drawn wider and fainter.
+/// A section thinner than two sub-samples would be hit or missed at random: it is drawn wider and fainter.
 constexpr double thinnest = 0.36;  // texels
 
 Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   Slice slice(fur.texture);
-  DiscPainter painter(slice);
+  Painter painter(slice);
   const double h = (1.0 + n) / fur.layers;
   for (const FurStrand& s : strands) {
     // The slice stands for the slab below it; a strand that ends inside the slab fills a part of it.
@@ -78,7 +90,7 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
       weight *= radius * radius / (thinnest * thinnest);
       radius = thinnest;
     }
-    painter.paint(centre.x, centre.y, radius, float(weight), float(s.shade));
+    painter.paint({centre, s.across, radius, s.width}, float(weight), float(s.shade));
   }
   return slice;
 }

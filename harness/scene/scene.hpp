@@ -20,6 +20,7 @@ struct FurScene {
   float tile = 1.8f;               ///< repeats of the slice per R
   int strands = 5000;              ///< guard hairs in one slice
   float radius = 1.2f;             ///< their radius at the root, texels of a 256-texel slice
+  float width = 1.0f;              ///< of a strand against its thickness, across its bend (grass: 2.4)
   int undercoat = 4000;            ///< undercoat hairs in one slice
   float undercoat_length = 0.45f;  ///< their greatest length, fraction of L0
   float least_length = 0.6f;       ///< shortest guard hair, fraction of L0

@@ -30,6 +30,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.tile", &fur.tile, "per R", 0.01, 100, "repeats of the slice"},
       {"fur.strands", &fur.strands, "", 0, 200000, "guard hairs in one slice"},
       {"fur.radius", &fur.radius, "texels of a 256-texel slice", 0.1, 32, "radius of a guard hair at the root"},
+      {"fur.width", &fur.width, "of its thickness", 1, 16, "width of a strand across its bend: blades of grass"},
       {"fur.undercoat", &fur.undercoat, "", 0, 200000, "undercoat hairs in one slice"},
       {"fur.undercoat_length", &fur.undercoat_length, "of L0", 0, 1, "greatest length of an undercoat hair"},
       {"fur.least_length", &fur.least_length, "of L0", 0, 1, "length of the shortest guard hair"},
