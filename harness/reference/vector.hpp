@@ -4,7 +4,7 @@
 
 namespace pelage::reference {
 
-/// v / |v|; the zero vector stays zero (docs/frame.md, 6).
+/// v / |v|; the zero vector stays zero (docs/frame.md).
 template <class V>
 V unit(const V& v) {
   const double length = glm::length(v);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/reference/synthetic.hpp"
+#include "tests/synthetic/synthetic.hpp"
 
 namespace pelage {
 namespace {

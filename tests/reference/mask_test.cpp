@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/reference/synthetic.hpp"
+#include "tests/synthetic/synthetic.hpp"
 
 namespace pelage {
 namespace {

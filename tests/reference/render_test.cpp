@@ -9,7 +9,7 @@
 #include "harness/picture/metrics.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/reference/visible.hpp"
-#include "tests/reference/synthetic.hpp"
+#include "tests/synthetic/synthetic.hpp"
 
 namespace pelage {
 namespace {

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-#include "tests/reference/synthetic.hpp"
+#include "tests/synthetic/synthetic.hpp"
 
 namespace pelage {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/reference/synthetic.hpp"
+#include "tests/synthetic/synthetic.hpp"
 
 #include <algorithm>
 #include <cmath>
