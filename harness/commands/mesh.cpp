@@ -1,0 +1,147 @@
+#include "harness/commands/mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/mesh/quality.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "harness/picture/image_io.hpp"
+
+namespace pelage {
+namespace {
+
+struct MeshCommand {
+  std::string model;
+  std::filesystem::path output, atlas;
+  std::optional<std::uint32_t> faces;
+  bool keep_uv = false;
+};
+
+void fill(Picture& picture, const Mesh& mesh, const glm::uvec3& t, glm::vec4 colour) {
+  glm::vec2 p[3];
+  for (int k = 0; k < 3; ++k)  // v grows upwards in the picture
+    p[k] = glm::vec2(mesh.uv[t[k]].x, 1 - mesh.uv[t[k]].y) * float(picture.width) - 0.5f;
+  const auto low = glm::vec2(std::min({p[0].x, p[1].x, p[2].x}), std::min({p[0].y, p[1].y, p[2].y}));
+  const auto high = glm::vec2(std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y}));
+  const auto side = [](glm::vec2 a, glm::vec2 b, glm::vec2 q) {
+    return (b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x);
+  };
+  for (int y = std::max(0, int(std::floor(low.y))); y <= std::min(picture.height - 1, int(high.y) + 1); ++y) {
+    for (int x = std::max(0, int(std::floor(low.x))); x <= std::min(picture.width - 1, int(high.x) + 1);
+         ++x) {
+      const glm::vec2 q(x, y);
+      const float a = side(p[0], p[1], q), b = side(p[1], p[2], q), c = side(p[2], p[0], q);
+      if ((a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0)) picture.at(x, y) = colour;
+    }
+  }
+}
+
+void line(Picture& picture, glm::vec2 a, glm::vec2 b, glm::vec4 colour) {
+  a = glm::vec2(a.x, 1 - a.y) * float(picture.width) - 0.5f;
+  b = glm::vec2(b.x, 1 - b.y) * float(picture.width) - 0.5f;
+  const int steps = std::max(1, int(2 * std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))));
+  for (int i = 0; i <= steps; ++i) {
+    const glm::vec2 p = a + (b - a) * (float(i) / float(steps));
+    const int x = int(std::lround(p.x)), y = int(std::lround(p.y));
+    if (x >= 0 && y >= 0 && x < picture.width && y < picture.height) picture.at(x, y) = colour;
+  }
+}
+
+// Charts in pale colours, darker where the map is squeezed (less UV than its share of the surface) and
+// lighter where it is stretched; seams black; faces turned over red, drawn large enough to be seen.
+Picture draw_atlas(const Mesh& mesh, int side) {
+  Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), glm::vec4(1))};
+  const std::vector<std::uint32_t> chart = charts(mesh);
+  const float length = mesh.length_per_uv.x * mesh.length_per_uv.y;
+  std::vector<std::size_t> flipped;
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
+    const glm::uvec3& t = mesh.triangle[f];
+    const glm::vec2 d = mesh.uv[t.y] - mesh.uv[t.x], e = mesh.uv[t.z] - mesh.uv[t.x];
+    const glm::vec3 a = mesh.position[t.y] - mesh.position[t.x], b = mesh.position[t.z] - mesh.position[t.x];
+    const float uv = d.x * e.y - d.y * e.x, surface = glm::length(glm::cross(a, b));
+    if (uv < 0) flipped.push_back(f);
+    const float ratio = surface > 0 ? std::abs(uv) * length / surface : 1.0f;
+    const float hue = 2.4f * float(chart[f]),
+                light = std::clamp(0.75f + 0.2f * std::log2(std::max(ratio, 0.01f)), 0.25f, 0.95f);
+    const glm::vec3 tint(0.9f + 0.1f * std::cos(hue), 0.9f + 0.1f * std::cos(hue - 2.1f),
+                         0.9f + 0.1f * std::cos(hue + 2.1f));
+    fill(picture, mesh, t, glm::vec4(light * tint, 1));
+  }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> once;  // sides without a partner of the other direction
+  for (const glm::uvec3& t : mesh.triangle)
+    for (int k = 0; k < 3; ++k)
+      if (!once.erase({t[(k + 1) % 3], t[k]})) once.insert({t[k], t[(k + 1) % 3]});
+  for (const auto& [a, b] : once) line(picture, mesh.uv[a], mesh.uv[b], glm::vec4(0, 0, 0, 1));
+  for (const std::size_t f : flipped) {
+    const glm::uvec3& t = mesh.triangle[f];
+    const glm::vec4 red(0.9f, 0, 0, 1);
+    fill(picture, mesh, t, red);
+    const float arm = 3.0f / float(side);
+    line(picture, mesh.uv[t.x] - glm::vec2(arm, 0), mesh.uv[t.x] + glm::vec2(arm, 0), red);
+    line(picture, mesh.uv[t.x] - glm::vec2(0, arm), mesh.uv[t.x] + glm::vec2(0, arm), red);
+  }
+  return picture;
+}
+
+void print(const Mesh& mesh) {
+  const Topology t = topology(mesh);
+  const UvQuality q = uv_quality(mesh);
+  fmt::print("{}, content {}\n", mesh.name, mesh.hash);
+  for (const std::string& note : mesh.notes) fmt::print("  {}\n", note);
+  fmt::print("vertices {} with seam copies, {} welded; edges {}; faces {}\n", t.copies, t.points, t.edges,
+             t.faces);
+  fmt::print("components {}, genus {}, borders {} of {} edges, {}\n", t.components, t.genus, t.borders,
+             t.boundary_edges,
+             t.manifold() ? "manifold"
+                          : fmt::format("NOT manifold: {} edges and {} points", t.bad_edges, t.bad_points));
+  fmt::print(
+      "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping "
+      "{:.4f}%\n",
+      q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " that wraps" : "", 100 * q.covered,
+      q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
+  fmt::print(
+      "UV area against surface area, 1 everywhere being perfect: {:.2f} at 1%, {:.2f} at 50%, {:.2f} at "
+      "99%\n",
+      q.area_low, q.area_median, q.area_high);
+  fmt::print("surface length per unit of u {:.3f} R, of v {:.3f} R\n", mesh.length_per_uv.x,
+             mesh.length_per_uv.y);
+}
+
+int run(const MeshCommand& command) {
+  if (!command.atlas.empty()) check_picture_path(command.atlas);
+  MeshOptions options;
+  options.faces = command.faces;
+  options.keep_uv = command.keep_uv;
+  options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+  const auto mesh = load_model(command.model, options);
+  print(*mesh);
+  if (!command.output.empty()) write_ply(command.output, *mesh);
+  if (!command.atlas.empty()) write_picture(command.atlas, draw_atlas(*mesh, 1024));
+  return 0;
+}
+
+}  // namespace
+
+void add_mesh(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<MeshCommand>();
+  CLI::App* command = app.add_subcommand("mesh", "Prepare a mesh; print its counts, topology and UV quality");
+  command->add_option("model", options->model, "A model's name, or a file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      ->required();
+  command->add_option("-o,--output", options->output, "Write the prepared mesh as PLY with its UV map");
+  command->add_option("--faces", options->faces, "Make it exactly so many triangles");
+  command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
+  command->add_option("--atlas", options->atlas, "Draw the UV map: charts, seams, faces turned over");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,182 @@
+#include "harness/mesh/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numeric>
+#include <tuple>
+
+namespace pelage {
+namespace {
+
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : root_(count) { std::iota(root_.begin(), root_.end(), 0u); }
+  std::uint32_t find(std::uint32_t i) {
+    while (root_[i] != i) i = root_[i] = root_[root_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a), b = find(b);
+    root_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> root_;
+};
+
+struct Side {
+  std::uint32_t low, high, face;
+  bool forward;  // from low to high
+};
+
+// The sides of all faces, sorted so that those of one edge stand together.
+std::vector<Side> sides_of(const std::vector<glm::uvec3>& triangles) {
+  std::vector<Side> sides;
+  sides.reserve(triangles.size() * 3);
+  for (std::uint32_t f = 0; f < triangles.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = triangles[f][k], b = triangles[f][(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), f, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
+  });
+  return sides;
+}
+
+template <class Visit>
+void for_each_edge(const std::vector<Side>& sides, Visit visit) {
+  for (std::size_t first = 0, last; first < sides.size(); first = last) {
+    for (last = first + 1;
+         last < sides.size() && sides[last].low == sides[first].low && sides[last].high == sides[first].high;)
+      ++last;
+    visit(first, last);
+  }
+}
+
+double twice_uv_area(const Mesh& mesh, const glm::uvec3& t) {
+  const glm::dvec2 a(mesh.uv[t.x]), b(mesh.uv[t.y]), c(mesh.uv[t.z]);
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// How many faces cover each texel centre; edges belong to the side below or left of them, so neighbours never
+// share.
+std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
+  std::vector<std::uint8_t> count(std::size_t(side) * std::size_t(side), 0);
+  for (const glm::uvec3& t : mesh.triangle) {
+    glm::dvec2 p[3];
+    for (int k = 0; k < 3; ++k) p[k] = glm::dvec2(mesh.uv[t[k]]) * double(side) - 0.5;
+    if (twice_uv_area(mesh, t) < 0) std::swap(p[1], p[2]);
+    const double low = std::min({p[0].y, p[1].y, p[2].y}), high = std::max({p[0].y, p[1].y, p[2].y});
+    for (int y = std::max(0, int(std::ceil(low))); y < side && y < high; ++y) {
+      double left = HUGE_VAL, right = -HUGE_VAL;
+      for (int k = 0; k < 3; ++k) {
+        // The same arithmetic for both faces of an edge: always from its lower end.
+        glm::dvec2 a = p[k], b = p[(k + 1) % 3];
+        if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
+        if (!(a.y <= y && y < b.y)) continue;
+        const double x = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
+        left = std::min(left, x), right = std::max(right, x);
+      }
+      for (int x = std::max(0, int(std::ceil(left))); x < side && x < right; ++x) {
+        auto& texel = count[std::size_t(y) * std::size_t(side) + std::size_t(x)];
+        if (texel < 255) ++texel;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+Topology topology(const Mesh& mesh) {
+  Topology topology;
+  topology.copies = mesh.position.size();
+  topology.points = mesh.welded;
+  topology.faces = mesh.triangle.size();
+  std::vector<glm::uvec3> triangles;
+  for (const glm::uvec3& t : mesh.triangle)
+    triangles.emplace_back(mesh.weld[t.x], mesh.weld[t.y], mesh.weld[t.z]);
+
+  Groups pieces(topology.faces), rims(topology.points), fans(topology.faces * 3);
+  std::vector<char> on_border(topology.points, 0);
+  const auto corner = [&](std::uint32_t f, std::uint32_t p) {
+    return 3 * f + (triangles[f].x == p ? 0u : triangles[f].y == p ? 1u : 2u);
+  };
+  const std::vector<Side> sides = sides_of(triangles);
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    ++topology.edges;
+    const Side& a = sides[first];
+    if (last - first == 1) {
+      ++topology.boundary_edges;
+      rims.join(a.low, a.high);
+      on_border[a.low] = on_border[a.high] = 1;
+    } else if (last - first > 2 || a.forward == sides[first + 1].forward) {
+      ++topology.bad_edges;
+    }
+    for (std::size_t i = first + 1; i < last; ++i) {
+      pieces.join(a.face, sides[i].face);
+      for (const std::uint32_t p : {a.low, a.high}) fans.join(corner(a.face, p), corner(sides[i].face, p));
+    }
+  });
+  for (std::uint32_t f = 0; f < topology.faces; ++f) topology.components += pieces.find(f) == f;
+  std::vector<std::uint32_t> fan(topology.points, 0);
+  for (std::uint32_t c = 0; c < topology.faces * 3; ++c)
+    if (fans.find(c) == c) ++fan[triangles[c / 3][int(c % 3)]];
+  for (std::uint32_t p = 0; p < topology.points; ++p) {
+    topology.bad_points += fan[p] != 1;
+    topology.borders += on_border[p] && rims.find(p) == p;
+  }
+  const long euler = long(topology.points) - long(topology.edges) + long(topology.faces);
+  topology.genus = (2 * long(topology.components) - long(topology.borders) - euler) / 2;
+  return topology;
+}
+
+std::vector<std::uint32_t> charts(const Mesh& mesh) {
+  Groups groups(mesh.triangle.size());
+  const std::vector<Side> sides = sides_of(mesh.triangle);
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first + 1; i < last; ++i) groups.join(sides[first].face, sides[i].face);
+  });
+  std::vector<std::uint32_t> number(mesh.triangle.size());
+  std::uint32_t next = 0;
+  for (std::uint32_t f = 0; f < number.size(); ++f)
+    number[f] = groups.find(f) == f ? next++ : number[groups.find(f)];
+  return number;
+}
+
+UvQuality uv_quality(const Mesh& mesh, int side) {
+  UvQuality quality;
+  double uv_area = 0, flipped = 0, surface_area = 0;
+  std::vector<std::pair<double, double>> ratio;  // UV area over surface area, surface area
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
+    const double twice = twice_uv_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a)) / 2;
+    uv_area += std::abs(twice) / 2;
+    if (twice < 0) flipped -= twice / 2, ++quality.flipped_faces;
+    surface_area += surface;
+    if (surface > 0) ratio.emplace_back(std::abs(twice) / 2 / surface, surface);
+  }
+  quality.flipped = uv_area > 0 ? flipped / uv_area : 0;
+  std::sort(ratio.begin(), ratio.end());
+  const auto percentile = [&](double part) {
+    double sum = 0;
+    for (const auto& [value, weight] : ratio)
+      if ((sum += weight) >= part * surface_area) return value * surface_area / uv_area;
+    return 0.0;
+  };
+  quality.area_low = percentile(0.01), quality.area_median = percentile(0.5),
+  quality.area_high = percentile(0.99);
+
+  std::size_t once = 0, more = 0;
+  for (const std::uint8_t count : cover(mesh, side)) once += count > 0, more += count > 1;
+  quality.covered = double(once) / (double(side) * side);
+  quality.overlapping = once > 0 ? double(more) / double(once) : 0;
+  const std::vector<std::uint32_t> chart = charts(mesh);
+  quality.charts = chart.empty() ? 0 : *std::max_element(chart.begin(), chart.end()) + 1;
+  return quality;
+}
+
+}  // namespace pelage
