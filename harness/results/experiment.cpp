@@ -10,6 +10,7 @@
 #include <set>
 
 #include "harness/error.hpp"
+#include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -19,9 +20,14 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kDefaultVariant = "shells/tile";
 
-/// Scene keys that an axis stands for. Strings of TOML are quoted here; numbers are not.
+/// A string as TOML writes it; JSON's escapes are TOML's.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
+
+/// Scene keys that one of the named axes stands for, values as in TOML.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
-  if (axis == "model") return {{"model", fmt::format("\"{}\"", value)}};
+  if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
   if (axis == "reading" || axis == "variant") return {};
   if (axis == "size") {
@@ -30,7 +36,11 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
       throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
     return {{"image.width", match[1]}, {"image.height", match[2]}};
   }
-  return {{axis, value}};
+  return {};
+}
+
+bool is_named_axis(const std::string& key) {
+  return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
 }
 
 /// A file name's worth of an axis value: a model file by its stem, anything odd replaced.
@@ -76,6 +86,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     const std::string& value = values[choice[i]];
     result.axes[key] = value;
     if (key == "variant") result.variant = value;
+    if (!is_named_axis(key)) result.set.emplace_back(key, value);
     for (const Setting& setting : settings_of(key, value)) set(setting);
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
@@ -87,7 +98,10 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(key, value);
   }
-  result.set = overrides.set;
+  // A file named on the command line is looked for from the working folder, not from the experiment's.
+  if (is_model_file(overrides.model))
+    result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
+  result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());
   result.overrides = recorded(overrides);
 
   const auto variant = experiment.variants.find(result.variant);

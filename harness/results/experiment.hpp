@@ -52,7 +52,7 @@ struct Case {
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;
   std::map<std::string, std::string> settings;  ///< scene keys that the experiment gives, values as in TOML
-  std::vector<Setting> set;                     ///< --set, applied last
+  std::vector<Setting> set;                     ///< other axes, then --set: applied last
   std::optional<Metric> published;              ///< only without overrides
 };
 

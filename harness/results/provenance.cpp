@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "harness/version/version.hpp"
+
 namespace pelage {
 namespace {
 
@@ -73,6 +75,12 @@ std::string file_name_of(const std::string& text) {
 
 nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous) {
   nlohmann::ordered_json json;
+  const BuildInfo& build = build_info();
+  json["version"] = build.version;
+  json["revision"] = build.revision;
+  json["dirty"] = build.dirty;
+  json["compiler"] = build.compiler;
+  json["flags"] = build.flags;
   json["host"] = anonymous ? "anonymous" : host_name();
   std::vector<std::string> words = argv;
   if (anonymous)

@@ -11,6 +11,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/results/interrupt.hpp"
 #include "harness/results/provenance.hpp"
+#include "harness/results/statistics.hpp"
 
 namespace pelage {
 namespace {
@@ -102,7 +103,11 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     subject->describe(row);
     if (which.published) row.metrics["paper_" + which.published->unit] = *which.published;
     judge(row, picture);
-    if (row.status == Status::ok) row.samples = sampling.samples;
+    if (row.status == Status::ok) {
+      row.samples = sampling.samples;
+      if (const auto covered = row.metrics.find("covered_fragments"); covered != row.metrics.end())
+        row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
+    }
   } catch (const Unsupported& error) {
     fails(Status::unsupported, error.what());
   } catch (const InputError& error) {

@@ -1,0 +1,90 @@
+// pelage list: experiments and their presets, or the cases of one.
+#include "harness/commands/list.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/commands/progress.hpp"
+#include "harness/results/experiment.hpp"
+
+namespace pelage {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ListOptions {
+  std::string experiment, preset = "quick";
+  bool json = false;
+};
+
+/// Most seconds that sampling can take; meshes, textures and checks come on top.
+double most_seconds(const Experiment& experiment, const Preset& preset) {
+  return double(cases_of(experiment, preset).size()) * (preset.limits.warm_up_s + preset.limits.limit_s);
+}
+
+int list_all(bool json) {
+  Json list = Json::array();
+  for (const auto& file : experiment_files()) {
+    const Experiment e = read_experiment(file);
+    Json presets = Json::object();
+    if (!json) fmt::print("{}\n  {} ({}, {})\n", e.name, e.title, e.paper, e.table);
+    for (const auto& [name, preset] : e.presets) {
+      const std::size_t count = cases_of(e, preset).size();
+      presets[name] = {{"cases", count},
+                       {"least_samples", preset.limits.least},
+                       {"most_samples", preset.limits.most},
+                       {"sampling_at_most_s", most_seconds(e, preset)}};
+      if (!json)
+        fmt::print("  {:8} {:3} cases, {} to {} samples each, sampling takes {} at most\n", name, count,
+                   preset.limits.least, preset.limits.most, clock_text(most_seconds(e, preset)));
+    }
+    list.push_back({{"name", e.name},
+                    {"title", e.title},
+                    {"paper", e.paper},
+                    {"table", e.table},
+                    {"file", file.string()},
+                    {"presets", presets}});
+  }
+  if (json) fmt::print("{}\n", list.dump(2));
+  return 0;
+}
+
+std::string text_of(const Metric& figure) {
+  const std::string relation = figure.relation == "=" ? "" : figure.relation + " ";
+  return fmt::format("{}{} {}", relation, figure.value, figure.unit);
+}
+
+int list_cases(const ListOptions& options) {
+  const Experiment e = read_experiment(experiment_file(options.experiment));
+  Json list = Json::array();
+  for (const Case& c : cases_of(e, preset_of(e, options.preset))) {
+    const std::string paper = c.published ? text_of(*c.published) : "";
+    if (options.json) {
+      list.push_back({{"case", c.name}, {"variant", c.variant}, {"axes", c.axes}, {"paper", paper}});
+    } else {
+      fmt::print("{:36} {:14} {}\n", c.name, c.variant, paper.empty() ? "" : "paper: " + paper);
+    }
+  }
+  if (options.json) fmt::print("{}\n", list.dump(2));
+  return 0;
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<ListOptions>();
+  CLI::App* command = app.add_subcommand("list", "List the experiments, or the cases of one");
+  command->add_option("experiment", options->experiment, "A name, or FILE.toml")
+      ->type_name("EXPERIMENT|FILE.toml");
+  command->add_option("--preset", options->preset, "Whose cases")->type_name("NAME")->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      return options->experiment.empty() ? list_all(options->json) : list_cases(*options);
+    };
+  });
+}
+
+}  // namespace pelage

@@ -1,0 +1,47 @@
+// pelage report: tables, plots and a page from recorded rows.
+#include "harness/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/commands/report.hpp"
+#include "harness/mesh/models.hpp"
+
+namespace pelage {
+namespace {
+
+struct ReportOptions {
+  std::vector<std::string> results;
+  std::string output;
+};
+
+int report(const ReportOptions& options) {
+  const std::vector<FoundRow> rows = read_results(options.results);
+  const std::vector<Model> known = models();
+  const Report written = write_report(rows, options.output, [&known](const std::string& name) {
+    for (const Model& model : known)
+      if (model.name == name) return model.footnote;
+    return std::string{};
+  });
+  for (const PaperTable& table : written.tables) fmt::print("{}\n", text_of(table));
+  for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
+  for (const Cell& cell : written.cells)
+    if (cell.status != Status::ok)
+      fmt::print(stderr, "pelage: {} {}: {}: {}\n", cell.experiment, cell.case_name, to_text(cell.status),
+                 cell.reason);
+  fmt::print(stderr, "pelage: the report is {}/index.html\n", options.output);
+  return 0;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand("report", "Make tables, plots and a page from results");
+  command->add_option("results", options->results, "Folders or files of results")
+      ->required()
+      ->type_name("RESULTS");
+  command->add_option("-o,--output", options->output, "Folder of the report")->required()->type_name("DIR");
+  command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,218 @@
+// pelage run: the cases of an experiment on a device, a row of results each.
+#include "harness/commands/run.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "harness/commands/progress.hpp"
+#include "harness/commands/run_options.hpp"
+#include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/results/interrupt.hpp"
+#include "harness/results/provenance.hpp"
+#include "harness/results/results_folder.hpp"
+#include "harness/results/runner.hpp"
+#include "harness/results/shells_subject.hpp"
+#include "harness/results/statistics.hpp"
+#include "harness/results/tuning.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Sweep {
+  Experiment experiment;
+  std::vector<Case> cases;
+  SamplingLimits limits;
+};
+
+Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64_t seed) {
+  Sweep sweep;
+  sweep.experiment = read_experiment(experiment_file(name));
+  const Preset& preset = preset_of(sweep.experiment, options.preset);
+  sweep.limits = preset.limits;
+  sweep.cases = filtered(cases_of(sweep.experiment, preset, options.overrides()), options.filter);
+  if (sweep.cases.empty())
+    throw InputError(fmt::format("{}: no case matches --filter '{}'", sweep.experiment.name, options.filter));
+  sweep.cases = shuffled(sharded(sweep.cases, options.shard_or_all()), seed);
+  if (options.tuning != "defaults")
+    for (Case& which : sweep.cases) which.variant += "/" + fs::path(options.tuning).stem().string();
+  // Every scene is read before anything runs: a typing error must not cost an hour.
+  for (const Case& which : sweep.cases) scene_of(sweep.experiment, which);
+  return sweep;
+}
+
+std::vector<cl::Device> chosen_devices(const std::string& wanted) {
+  if (wanted != "all") return {cl::choose_device(wanted)};
+  std::vector<cl::Device> all = cl::devices();
+  if (all.empty()) cl::choose_device("");  // throws, and says what to install
+  return all;
+}
+
+/// The device's name, with its place where two have the same name.
+std::string file_stem_of(const cl::Device& device, const std::vector<cl::Device>& all) {
+  const auto same = std::count_if(all.begin(), all.end(), [&](const cl::Device& other) {
+    return other.info().name == device.info().name;
+  });
+  const std::string name = file_name_of(device.info().name);
+  return same > 1 ? fmt::format("{}-{}.{}", name, device.info().platform_index, device.info().device_index)
+                  : name;
+}
+
+void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
+             const std::vector<cl::Device>& devices) {
+  for (const Sweep& sweep : sweeps)
+    for (const cl::Device& device : devices)
+      for (const Case& which : sweep.cases)
+        fmt::print("{}\t{}\t{}\t{}\n", sweep.experiment.name, which.name, which.variant, device.spec());
+  fmt::print(
+      stderr, "pelage: {} cases, preset {}; nothing was run\n",
+      std::accumulate(sweeps.begin(), sweeps.end(), std::size_t(0),
+                      [&](std::size_t n, const Sweep& s) { return n + s.cases.size() * devices.size(); }),
+      options.preset);
+}
+
+/// A journal that continues must continue the same thing.
+void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
+  const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
+                                     [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
+  if (!resume && present > 0)
+    throw InputError(
+        fmt::format("{}: already holds {} of these cases: go on with --resume, or give -o another folder",
+                    journal.file().string(), present));
+  for (const Row& row : journal.rows()) {
+    const std::string was = row.provenance.value("preset", "");
+    if (resume && was != plan.provenance.value("preset", ""))
+      throw InputError(fmt::format("{}: was run with --preset {}", journal.file().string(), was));
+  }
+}
+
+std::string told(const Row& row) {
+  if (row.status != Status::ok) return fmt::format("{}: {}", to_text(row.status), row.reason);
+  const double milliseconds = median(frame_ms(row));
+  return fmt::format("ok, {:.2f} ms, {:.1f} fps", milliseconds, 1000 / milliseconds);
+}
+
+RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::Device& device,
+                     const std::string& device_file, bool several, const fs::path& folder, double budget_s,
+                     std::uint64_t seed, const std::map<std::string, int>& tuning) {
+  RunPlan plan;
+  plan.run_id = fmt::format("{}-{}", file_name_of(utc_now()), getpid());
+  plan.experiment = sweep.experiment.name;
+  plan.device = device.info().name;
+  plan.repeat = std::max(0, options.repeat_index);
+  plan.cases = sweep.cases;
+  plan.limits = sweep.limits;
+  plan.budget_s = budget_s;
+  const fs::path place = folder / sweep.experiment.name;
+  plan.images = place / "images";
+  if (several) plan.image_suffix = "@" + device_file;
+  plan.provenance = host_provenance(options.argv, options.anonymous);
+  plan.provenance.update(device_provenance(device.info()));
+  plan.provenance["preset"] = options.preset;
+  plan.provenance["order_seed"] = seed;
+  plan.provenance["kernel_hash"] = kernel_hash();
+
+  const std::string shard = options.shard.empty() ? ""
+                                                  : fmt::format(".{}-of-{}", options.shard_or_all().index,
+                                                                options.shard_or_all().count);
+  const fs::path file =
+      place / fmt::format("{}@{}{}.jsonl", device_file,
+                          file_name_of(plan.provenance.at("host").get<std::string>()), shard);
+  const bool resume = !options.resume.empty();
+  Journal journal(file, resume ? Journal::Mode::resume : Journal::Mode::fresh);
+  refuse_other_run(journal, plan, resume);
+
+  Progress progress(plan.cases.size());
+  if (journal.dropped_bytes() > 0)
+    progress.note(fmt::format("pelage: {}: dropped a row that was cut off", file.string()));
+  progress.skip(std::size_t(std::count_if(plan.cases.begin(), plan.cases.end(), [&](const Case& c) {
+    return journal.holds(planned_key(plan, c));
+  })));
+  RunListener listener;
+  listener.starting = [&](std::size_t, const Case& which) { progress.start(which.name); };
+  listener.finished = [&](std::size_t, const Row& row) {
+    if (row.status != Status::ok && isatty(STDERR_FILENO))
+      progress.note(fmt::format("{}: {}", row.case_name, told(row)));
+    progress.finish(told(row));
+  };
+  const MakeSubject make = shells_on(device, sweep.experiment, tuning,
+                                     [&](const std::string& text) { progress.note("  " + text); });
+  return run_cases(plan, make, journal, listener);
+}
+
+int run_here(const RunOptions& options, const fs::path& folder) {
+  const std::uint64_t seed = options.order_seed.value_or(std::random_device{}());
+  std::vector<Sweep> sweeps;
+  std::set<std::string> names;
+  for (const std::string& name : options.experiments) {
+    sweeps.push_back(plan_sweep(options, name, seed));
+    if (!names.insert(sweeps.back().experiment.name).second)
+      throw InputError(fmt::format("{} is given twice", sweeps.back().experiment.name));
+  }
+  const std::vector<cl::Device> devices = chosen_devices(options.device);
+  const std::map<std::string, int> tuning =
+      options.tuning == "defaults" ? std::map<std::string, int>{} : read_tuning(options.tuning);
+  if (options.dry_run) {
+    dry_run(options, sweeps, devices);
+    return 0;
+  }
+  if (!options.model.empty()) load_model(options.model);  // refused now rather than case by case
+
+  RunSummary all;
+  const auto from = std::chrono::steady_clock::now();
+  for (const Sweep& sweep : sweeps) {
+    for (const cl::Device& device : devices) {
+      const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+      const RunSummary one = run_sweep(options, sweep, device, file_stem_of(device, devices),
+                                       devices.size() > 1, folder, options.budget_s() - spent, seed, tuning);
+      all.ok += one.ok;
+      all.kept += one.kept;
+      all.not_ok += one.not_ok;
+      all.left += one.left;
+      all.bad_input = all.bad_input || one.bad_input;
+    }
+  }
+  fmt::print(stderr, "pelage: {} ok, {} not ok{}{}\n", all.ok, all.not_ok,
+             all.kept ? fmt::format(", {} kept from before", all.kept) : "",
+             all.left ? fmt::format(", {} left (the budget is spent; go on with --resume {})", all.left,
+                                    folder.string())
+                      : "");
+  return all.bad_input ? 2 : all.not_ok > 0 ? 1 : 0;
+}
+
+int run_command(const RunOptions& options) {
+  const fs::path folder = options.folder();
+  refuse_recordings(folder);
+  if (options.dry_run) return run_here(options, folder);
+  end_on_interrupt(
+      fmt::format("\npelage: interrupted; what is done is kept: go on with --resume {}\n", folder.string()));
+  const int code = options.repeat > 1 && options.repeat_index < 0 ? run_repeats(options, folder)
+                                                                  : run_here(options, folder);
+  if (options.repeat_index < 0) fmt::print("{}\n", folder.string());
+  return code;
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Time the cases of an experiment, checking every picture");
+  declare(*command, *options);
+  command->callback([options, &chosen] {
+    chosen = [options] {
+      check_options(*options);
+      return run_command(*options);
+    };
+  });
+}
+
+}  // namespace pelage

@@ -1,0 +1,93 @@
+// references.bib: what to cite with these figures.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "harness/report/report.hpp"
+#include "harness/results/experiment.hpp"
+#include "harness/version/version.hpp"
+
+namespace pelage {
+namespace {
+
+const std::map<std::string, std::string>& papers() {
+  static const std::map<std::string, std::string> entries{
+      {"silva2010-curling-clumping", R"(@article{silva2010-curling-clumping,
+  author  = {Silva, Paulo and Bando, Yosuke and Chen, Bing-Yu and Nishita, Tomoyuki},
+  title   = {Curling and Clumping Fur Represented by Texture Layers},
+  journal = {The Visual Computer},
+  volume  = {26},
+  number  = {6--8},
+  pages   = {659--667},
+  year    = {2010},
+  doi     = {10.1007/s00371-010-0484-4}
+}
+)"},
+      {"silva2010-wet-fur", R"(@misc{silva2010-wet-fur,
+  author       = {Silva, Paulo and Bando, Yosuke and Chen, Bing-Yu and Nishita, Tomoyuki},
+  title        = {Real-Time Rendering of Wet Fur},
+  year         = {2010},
+  howpublished = {The University of Tokyo, Toshiba and National Taiwan University}
+}
+)"}};
+  return entries;
+}
+
+/// An experiment is named after its paper: "silva2010-table1" does not say which, the experiment's file does.
+std::string paper_of(const std::string& experiment) {
+  for (const auto& file : experiment_files())
+    if (file.stem() == experiment) return read_experiment(file).paper;
+  return {};
+}
+
+}  // namespace
+
+std::string bibliography_of(const std::vector<FoundRow>& rows) {
+  const BuildInfo& build = build_info();
+  std::string text = fmt::format(
+      "@software{{pelage,\n  title   = {{pelage: an OpenCL research benchmark harness for real-time layered "
+      "fur}},\n"
+      "  version = {{{}}},\n  note    = {{revision {}}}\n}}\n",
+      build.version, build.revision);
+  std::set<std::string> experiments, keys;
+  for (const FoundRow& found : rows) experiments.insert(found.row.experiment);
+  for (const std::string& experiment : experiments) keys.insert(paper_of(experiment));
+  for (const std::string& key : keys)
+    if (const auto found = papers().find(key); found != papers().end()) text += "\n" + found->second;
+  return text;
+}
+
+std::string provenance_of(const std::vector<FoundRow>& rows) {
+  // What differs from row to row by its nature is left to the rows themselves.
+  static const std::set<std::string> of_a_row{"utc",        "load",       "prepare_s",
+                                              "check_s",    "converged",  "mesh_hash",
+                                              "scene_hash", "check_seed", "bad_input"};
+  std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
+  for (const FoundRow& found : rows)
+    runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);
+  std::string text;
+  for (const auto& [run, members] : runs) {
+    text += fmt::format("run {} ({}, {} rows)\n", run.first, run.second, members.size());
+    std::map<std::string, std::set<std::string>> values;
+    std::string first, last;
+    for (const FoundRow* member : members) {
+      for (const auto& [key, value] : member->row.provenance.items())
+        if (!of_a_row.contains(key))
+          values[key].insert(value.is_string() ? value.get<std::string>() : value.dump());
+      const std::string utc = member->row.provenance.value("utc", "");
+      if (first.empty() || utc < first) first = utc;
+      last = std::max(last, utc);
+    }
+    text += fmt::format("  from {} to {}\n  device: {}\n", first, last, members.front()->row.device);
+    for (const auto& [key, set] : values) {
+      text += fmt::format("  {}:", key);
+      for (const std::string& value : set) text += fmt::format(" {}{}", value, set.size() > 1 ? ";" : "");
+      text += "\n";
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace pelage

@@ -1,0 +1,124 @@
+#include "harness/report/csv.hpp"
+
+#include <fmt/format.h>
+
+#include <functional>
+#include <set>
+
+#include "harness/results/statistics.hpp"
+
+namespace pelage {
+namespace {
+
+/// Columns that only some rows have: the union over all of them.
+struct Columns {
+  std::set<std::string> axes, metrics;
+  explicit Columns(const std::vector<FoundRow>& rows) {
+    for (const FoundRow& found : rows) {
+      for (const auto& [key, value] : found.row.axes)
+        if (key != "variant") axes.insert(key);
+      for (const auto& [name, metric] : found.row.metrics) metrics.insert(name);
+    }
+  }
+};
+
+std::string overrides_text(const Row& row) {
+  std::string text;
+  for (const auto& [key, value] : row.overrides)
+    text += fmt::format("{}{}={}", text.empty() ? "" : ";", key, value);
+  return text;
+}
+
+std::string of_provenance(const Row& row, const char* key) {
+  const auto found = row.provenance.find(key);
+  if (found == row.provenance.end()) return {};
+  return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
+std::vector<std::string> head(const Columns& columns, std::vector<std::string> rest) {
+  std::vector<std::string> fields{"experiment", "case", "variant"};
+  fields.insert(fields.end(), columns.axes.begin(), columns.axes.end());
+  for (const char* name : {"overrides", "device", "host", "run_id", "repeat", "preset", "status", "reason"})
+    fields.emplace_back(name);
+  fields.insert(fields.end(), rest.begin(), rest.end());
+  for (const std::string& name : columns.metrics) fields.push_back("metric." + name);
+  return fields;
+}
+
+std::vector<std::string> body(const Columns& columns, const Row& row, const std::vector<std::string>& rest) {
+  std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
+  for (const std::string& key : columns.axes)
+    fields.push_back(row.axes.contains(key) ? row.axes.at(key) : "");
+  for (std::string text :
+       {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id, std::to_string(row.repeat),
+        of_provenance(row, "preset"), std::string(to_text(row.status)), row.reason})
+    fields.push_back(std::move(text));
+  fields.insert(fields.end(), rest.begin(), rest.end());
+  for (const std::string& name : columns.metrics)
+    fields.push_back(row.metrics.contains(name) ? fmt::format("{:.10g}", row.metrics.at(name).value) : "");
+  return fields;
+}
+
+/// Calls `use(phase, clock, samples)` for every list of times of a row.
+void each_list(
+    const Row& row,
+    const std::function<void(const std::string&, const std::string&, const std::vector<double>&)>& use) {
+  for (const auto& [phase, samples] : row.samples) {
+    if (!samples.wall_ms.empty()) use(phase, "wall", samples.wall_ms);
+    if (!samples.event_ms.empty()) use(phase, "event", samples.event_ms);
+  }
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& field : fields) {
+    if (&field != &fields.front()) line += ',';
+    if (field.find_first_of(",\"\r\n") == std::string::npos) {
+      line += field;
+      continue;
+    }
+    line += '"';
+    for (const char c : field) line += c == '"' ? std::string("\"\"") : std::string(1, c);
+    line += '"';
+  }
+  return line + "\n";
+}
+
+std::string csv_by_phase(const std::vector<FoundRow>& rows) {
+  const Columns columns(rows);
+  std::string text = csv_line(head(columns, {"phase", "clock", "samples", "median_ms", "low_ms", "high_ms"}));
+  for (const FoundRow& found : rows) {
+    const Row& row = found.row;
+    if (row.status != Status::ok || row.samples.empty()) {
+      text += csv_line(body(columns, row, {"frame", "wall", "0", "", "", ""}));
+      continue;
+    }
+    each_list(row, [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
+      const Interval interval = median_interval(times);
+      text +=
+          csv_line(body(columns, row,
+                        {phase, clock, std::to_string(times.size()), fmt::format("{:.10g}", median(times)),
+                         fmt::format("{:.10g}", interval.low), fmt::format("{:.10g}", interval.high)}));
+    });
+  }
+  return text;
+}
+
+std::string csv_by_sample(const std::vector<FoundRow>& rows) {
+  const Columns columns(rows);
+  std::string text = csv_line(head(columns, {"phase", "clock", "sample", "ms"}));
+  for (const FoundRow& found : rows) {
+    if (found.row.status != Status::ok) continue;
+    each_list(found.row,
+              [&](const std::string& phase, const std::string& clock, const std::vector<double>& times) {
+                for (std::size_t i = 0; i < times.size(); ++i)
+                  text += csv_line(body(columns, found.row,
+                                        {phase, clock, std::to_string(i), fmt::format("{:.10g}", times[i])}));
+              });
+  }
+  return text;
+}
+
+}  // namespace pelage

@@ -1,0 +1,162 @@
+// index.html: the report as one page that needs nothing from outside its folder.
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "harness/report/report.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+:root { color-scheme: light dark; --line: #d5d2cb; --soft: #6b675f; --back: #fbfaf7; --text: #23211d; --accent: #8a4b14; }
+@media (prefers-color-scheme: dark) {
+  :root { --line: #44413b; --soft: #a5a096; --back: #1d1c19; --text: #ece8df; --accent: #e0a56a; }
+  figure.plot { background: #fff; border-radius: 6px; padding: .5rem; }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 2.5rem 1.25rem 4rem; background: var(--back); color: var(--text);
+  font: 16px/1.55 "Source Sans 3", "Helvetica Neue", Helvetica, Arial, sans-serif; }
+h1 { font-size: 1.9rem; margin: 0 0 .25rem; } h2 { font-size: 1.25rem; margin: 2.75rem 0 .5rem; }
+p.lead, .soft, figcaption { color: var(--soft); } p.lead { margin: 0 0 1rem; }
+a { color: var(--accent); }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: .93rem; margin: .75rem 0; }
+th, td { padding: .28rem .8rem; text-align: right; white-space: nowrap; }
+th:first-child, td:first-child { text-align: left; padding-left: 0; }
+thead tr:first-child th { border-top: 2px solid var(--text); }
+thead tr:last-child th { border-bottom: 1px solid var(--text); }
+tbody tr:last-child td { border-bottom: 2px solid var(--text); }
+thead th { font-weight: 600; } thead th.group { text-align: center; }
+td.ours { font-weight: 600; } td.bad { color: #b3261e; font-weight: 400; }
+.grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
+figure { margin: 0; } figure img, figure svg { max-width: 100%; height: auto; display: block; }
+.grid img { width: 100%; border-radius: 6px; } figcaption { font-size: .87rem; margin-top: .3rem; }
+ol.notes { list-style: none; padding: 0; font-size: .87rem; color: var(--soft); }
+)";
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// The drawing itself, without the XML prologue that has no place inside a page.
+std::string svg_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::size_t start = text.find("<svg");
+  return start == std::string::npos ? std::string{} : text.substr(start);
+}
+
+std::string cells_html(const std::optional<Cell>& cell) {
+  if (!cell) return "<td>–</td><td>–</td><td>–</td>";
+  const CellText text = cell_text(*cell);
+  const std::string title = cell->status == Status::ok
+                                ? fmt::format("{:.3f} ms, 95% interval {:.3f} to {:.3f} ms", cell->median_ms,
+                                              cell->interval_ms.low, cell->interval_ms.high)
+                                : cell->reason;
+  return fmt::format("<td class=\"{}\" title=\"{}\">{}</td><td>{}</td><td>{}</td>",
+                     cell->status == Status::ok ? "ours" : "bad", escaped(title), escaped(text.ours),
+                     escaped(text.paper), escaped(text.ratio));
+}
+
+std::string table_html(const PaperTable& table) {
+  std::string html;
+  for (const PaperTable::Block& block : table.blocks) {
+    html += fmt::format("<div class=\"wide\"><table>\n<thead><tr><th>{} layers</th><th></th>",
+                        escaped(block.layers));
+    for (const std::string& size : table.sizes)
+      html += fmt::format("<th class=\"group\" colspan=\"3\">{}</th>", escaped(size));
+    html += "</tr>\n<tr><th>Model</th><th>Triangles</th>";
+    for (std::size_t i = 0; i < table.sizes.size(); ++i) html += "<th>ours</th><th>paper</th><th>ratio</th>";
+    html += "</tr></thead>\n<tbody>\n";
+    for (const PaperTable::Row& row : block.rows) {
+      html += fmt::format("<tr><td>{}{}</td><td>{}</td>", escaped(row.model),
+                          row.note.empty() ? "" : "<sup>" + row.note + "</sup>", row.triangles);
+      for (const auto& cell : row.cells) html += cells_html(cell);
+      html += "</tr>\n";
+    }
+    html += "</tbody></table></div>\n";
+  }
+  html +=
+      "<p class=\"soft\">Frames per second: 1000 over the median wall time of a warm frame in ms, first "
+      "enqueue to "
+      "finish. Ratio: ours over the paper's. * marks a median whose 95% interval is wider than the preset "
+      "asks "
+      "for. Point at a figure for its time and interval.</p>\n<ol class=\"notes\">";
+  for (const std::string& note : table.footnotes)
+    html += fmt::format("<li><sup>{}</sup> {}</li>", escaped(note.substr(0, 1)), escaped(note.substr(2)));
+  return html + "</ol>\n";
+}
+
+std::string heading(const PaperTable& table) {
+  return table.experiment + (table.reading == "default" ? "" : ", " + table.reading + " reading");
+}
+
+}  // namespace
+
+std::string html_of(const Report& report, const std::filesystem::path& folder) {
+  std::string body;
+  std::size_t ok = 0;
+  for (const Cell& c : report.cells) ok += c.status == Status::ok;
+  body += "<h1>pelage: results</h1>\n";
+  body += fmt::format(
+      "<p class=\"lead\">{} cases, {} of them ok: their timed frame agreed with the double-precision "
+      "reference. No other case has a time. <a href=\"provenance.txt\">Provenance</a>, "
+      "<a href=\"references.bib\">references</a>, "
+      "<a href=\"tables/all-phases.csv\">all phases as CSV</a>.</p>\n",
+      report.cells.size(), ok);
+  for (const std::string& note : report.notes)
+    body += fmt::format("<p class=\"soft\">{}</p>\n", escaped(note));
+  for (std::size_t i = 0; i < report.tables.size(); ++i) {
+    const std::string& stem = report.table_stems[i];
+    body += fmt::format(
+        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a href=\"tables/{}.csv\">CSV</a> "
+        "&middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n",
+        escaped(heading(report.tables[i])), escaped(report.tables[i].device),
+        escaped(report.tables[i].variant), stem, stem);
+    body += table_html(report.tables[i]);
+  }
+  for (const ReportPlot& plot : report.plots)
+    body += fmt::format(
+        "<h2>{}</h2>\n<figure class=\"plot\">{}<figcaption><a href=\"plots/{}.svg\">SVG</a> &middot; "
+        "<a href=\"plots/{}.pdf\">PDF</a> &middot; <a href=\"plots/{}.csv\">data</a> &middot; "
+        "<a href=\"plots/{}.py\">program</a></figcaption></figure>\n",
+        escaped(plot.title), svg_of(folder / "plots" / (plot.stem + ".svg")), plot.stem, plot.stem, plot.stem,
+        plot.stem);
+  if (!report.pictures.empty()) {
+    body += "<h2>Pictures of the timed frames</h2>\n<div class=\"grid\">\n";
+    for (const ReportPicture& picture : report.pictures)
+      body += fmt::format(
+          "<figure><a href=\"images/{}\"><img src=\"images/{}\" alt=\"{}\" loading=\"lazy\"></a>"
+          "<figcaption>{}</figcaption></figure>\n",
+          picture.file, picture.file, escaped(picture.title), escaped(picture.title));
+    body += "</div>\n";
+  }
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>pelage: results</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      kStyle, body);
+}
+
+}  // namespace pelage

@@ -1,0 +1,115 @@
+#include "harness/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+#include "harness/atomic_file.hpp"
+#include "harness/report/csv.hpp"
+#include "harness/report/plot.hpp"
+#include "harness/results/provenance.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_file(const fs::path& path, const std::string& text) {
+  write_atomically(path, [&](const fs::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << text << std::flush;
+    if (!stream) throw InputError(fmt::format("{}: cannot be written", path.string()));
+  });
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
+}
+
+std::string title_of(const PaperTable& table, bool several_devices) {
+  std::string title = table.experiment;
+  if (table.reading != "default") title += ", " + table.reading + " reading";
+  if (several_devices) title += ", " + table.device;
+  return title;
+}
+
+void write_tables(Report& report, const fs::path& folder, bool several_devices) {
+  for (const PaperTable& table : report.tables) {
+    const std::string stem = file_stem_of(table, several_devices);
+    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
+    write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
+    report.table_stems.push_back(stem);
+  }
+}
+
+void draw_plots(Report& report, const fs::path& folder, bool several_devices) {
+  for (std::size_t i = 0; i < report.tables.size(); ++i) {
+    const std::string stem = report.table_stems[i] + "-frame-time";
+    const fs::path place = folder / "plots";
+    std::string problem;
+    try {
+      write_file(place / (stem + ".csv"), csv_of(report.tables[i]));
+      fs::copy_file(plot_program("frame_time"), place / (stem + ".py"), fs::copy_options::overwrite_existing);
+      problem = draw_plot(place / (stem + ".py"), place / (stem + ".csv"), place / stem);
+    } catch (const InputError& error) {
+      problem = error.what();
+    }
+    if (problem.empty())
+      report.plots.push_back(
+          {"Frame time against triangles: " + title_of(report.tables[i], several_devices), stem});
+    else if (std::find(report.notes.begin(), report.notes.end(), problem) == report.notes.end())
+      report.notes.push_back(problem);
+  }
+}
+
+/// One picture per experiment, reading and model: the most layers, then the smallest size.
+void copy_pictures(Report& report, const fs::path& folder) {
+  std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
+  auto rank = [](const Cell& c) {
+    return std::pair(-std::atof(c.axis("layers").c_str()), std::atof(c.axis("size").c_str()));
+  };
+  for (const Cell& c : report.cells) {
+    if (c.status != Status::ok || !c.overrides.empty() || !fs::is_regular_file(c.image)) continue;
+    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model")}];
+    if (!chosen || rank(c) < rank(*chosen)) chosen = &c;
+  }
+  for (const auto& [key, cell] : best) {
+    const auto& [experiment, reading, model] = key;
+    const std::string file = file_name_of(
+        fmt::format("{}-{}{}.png", experiment, model, reading == "default" ? "" : "-" + reading));
+    std::error_code error;
+    fs::copy_file(cell->image, folder / "images" / file, fs::copy_options::overwrite_existing, error);
+    if (error)
+      report.notes.push_back(fmt::format("images/{}: {}", file, error.message()));
+    else
+      report.pictures.push_back(
+          {fmt::format("{}{}, {} layers, {}", model, reading == "default" ? "" : " (" + reading + " reading)",
+                       cell->axis("layers"), cell->axis("size")),
+           file});
+  }
+}
+
+}  // namespace
+
+Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note) {
+  for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
+  Report report;
+  report.cells = cells_of(rows);
+  report.tables = paper_tables(report.cells, note);
+  std::set<std::pair<std::string, std::string>> devices;
+  for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
+  write_tables(report, folder, devices.size() > 1);
+  write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
+  draw_plots(report, folder, devices.size() > 1);
+  copy_pictures(report, folder);
+  write_file(folder / "references.bib", bibliography_of(rows));
+  write_file(folder / "provenance.txt", provenance_of(rows));
+  write_file(folder / "index.html", html_of(report, folder));
+  return report;
+}
+
+}  // namespace pelage

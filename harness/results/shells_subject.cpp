@@ -1,0 +1,141 @@
+#include "harness/results/shells_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "harness/cl/program.hpp"
+#include "harness/error.hpp"
+#include "harness/mesh/hash.hpp"
+#include "harness/picture/metrics.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/reference/reference.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/shells.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint32_t seed_of(const std::string& name) {
+  return std::uint32_t(Hash().text(name).value());
+}
+
+class ShellsSubject : public Subject {
+ public:
+  ShellsSubject(const cl::Device& device, std::shared_ptr<const FrameInput> input,
+                const ShellOptions& options, std::uint32_t seed)
+      : input_(std::move(input)), options_(options), seed_(seed), shells_(device, input_, options) {}
+
+  FrameSample frame() override {
+    const FrameTiming timing = shells_.frame();
+    return {timing.wall_ms, timing.phase_event_ms};
+  }
+  Picture read() override { return shells_.read(); }
+  std::vector<Check> check(const Picture& timed) override {
+    return check_against_reference(*input_, shells_.frames_simulated(), timed, seed_);
+  }
+  void describe(Row& row) override {
+    row.build_ms = shells_.build_ms();
+    row.tuning = options_.tuning;
+    row.metrics["wet_ms"] = {shells_.wet_ms(), "ms"};
+    row.metrics["covered_fragments"] = {double(shells_.count()), "fragments"};
+    row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
+    row.metrics["model_height"] = {model_height(shells_.read()), "1"};
+    row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
+    row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
+    row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["scene_hash"] = scene_hash(input_->scene);
+    row.provenance["check_seed"] = seed_;
+  }
+
+ private:
+  std::shared_ptr<const FrameInput> input_;
+  ShellOptions options_;
+  std::uint32_t seed_;
+  Shells shells_;
+};
+
+}  // namespace
+
+std::vector<Check> check_against_reference(const FrameInput& input, int frames, const Picture& timed,
+                                           std::uint32_t seed) {
+  reference::Options options;
+  options.frames = frames;
+  options.windows = fur_windows(timed, kCheckWindows, kCheckSide, seed);
+  const auto count = double(options.windows.size());
+  const AgreementLimits limits;
+  if (options.windows.empty()) return {{"reference", "windows", 0, double(kCheckWindows), true}};
+  const Agreement agreement = compare(timed, reference::render(input, options), options.windows);
+  return {{"reference", "windows", count, double(kCheckWindows), true},
+          {"reference", "fur pixels", double(agreement.pixels), 1, true},
+          {"reference", "psnr", agreement.psnr, limits.psnr, true},
+          {"reference", "p99.9", agreement.p999, limits.p999, false},
+          // Not a limit of its own: it stands in the row so that a reader sees the largest difference.
+          {"reference", "worst", agreement.worst, 1e6, false}};
+}
+
+double model_height(const Picture& picture) {
+  int rows = 0;
+  for (int y = 0; y < picture.height; ++y) {
+    const auto row = picture.pixel.begin() + std::ptrdiff_t(y) * picture.width;
+    rows += std::any_of(row, row + picture.width, [](const glm::vec4& p) { return p.w > 0; });
+  }
+  return double(rows) / std::max(1, picture.height);
+}
+
+double wet_share(const Mesh& mesh, const std::vector<glm::vec4>& mask, int side) {
+  double wet = 0, all = 0;
+  auto texel = [side](float u) {
+    return std::min(side - 1, int((u - std::floor(u)) * float(side)));  // docs/frame.md, section 2
+  };
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::vec3 a = mesh.position[t.x], b = mesh.position[t.y], c = mesh.position[t.z];
+    const double area = glm::length(glm::cross(b - a, c - a));
+    const glm::vec2 uv = (mesh.uv[t.x] + mesh.uv[t.y] + mesh.uv[t.z]) / 3.0f;
+    all += area;
+    if (mask[std::size_t(texel(uv.y)) * std::size_t(side) + std::size_t(texel(uv.x))].w > 0) wet += area;
+  }
+  return all > 0 ? wet / all : 0;
+}
+
+std::string kernel_hash() {
+  std::vector<fs::path> files;
+  const fs::path folder = cl::kernel_folder();
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Hash hash;
+  for (const fs::path& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    hash.text(fs::relative(file, folder).string());
+    hash.text(std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()));
+  }
+  return hash.hex();
+}
+
+MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
+                      const std::map<std::string, int>& tuning,
+                      const std::function<void(const std::string&)>& progress) {
+  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
+  return [=](const Case& which) -> std::unique_ptr<Subject> {
+    if (which.pipeline != "shells")
+      throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
+    const Scene scene = scene_of(experiment, which);
+    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
+    if (!mesh) {
+      MeshOptions options;
+      options.progress = progress;
+      mesh = load_model(scene.model, options);
+    }
+    const ShellOptions options{which.mapping, tuning};
+    return std::make_unique<ShellsSubject>(device, prepare(scene, mesh), options, seed_of(which.name));
+  };
+}
+
+}  // namespace pelage
