@@ -1,0 +1,80 @@
+// pelage compare: did anything get slower?
+#include "harness/commands/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "harness/error.hpp"
+#include "harness/report/comparison.hpp"
+
+namespace pelage {
+namespace {
+
+struct CompareOptions {
+  std::string a, b, by, threshold = "5%";
+  bool fail_on_regression = false, json = false;
+};
+
+std::string milliseconds(double value) {
+  return value > 0 ? fmt::format("{:.3f}", value) : "-";
+}
+
+void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
+  if (options.json) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Pair& p : pairs)
+      list.push_back({{"case", p.name},
+                      {"a", p.a},
+                      {"b", p.b},
+                      {"a_ms", p.a_ms},
+                      {"b_ms", p.b_ms},
+                      {"change", p.change},
+                      {"verdict", to_text(p.verdict)}});
+    fmt::print("{}\n", list.dump(2));
+    return;
+  }
+  for (const Pair& p : pairs)
+    fmt::print("{:>10} {:>10} {:>+8.1f}%  {:7} {}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
+               100 * p.change, to_text(p.verdict), p.name,
+               options.by.empty() ? "" : fmt::format("  ({} -> {})", p.a, p.b));
+}
+
+int compare(const CompareOptions& options) {
+  const CompareBy by(options.by);
+  const double threshold = threshold_from_text(options.threshold);
+  const bool one_set = options.b.empty();
+  if (one_set && by.text.empty())
+    throw InputError("give two sets of results, or --by what differs within one");
+  const std::vector<Cell> a = cells_of(read_results({options.a}));
+  const std::vector<Cell> b = one_set ? a : cells_of(read_results({options.b}));
+  const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, threshold);
+  print(pairs, options);
+  const auto count = [&](Verdict v) {
+    return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
+  };
+  fmt::print(stderr, "pelage: {} faster, {} slower, {} lost, {} the same within {}\n", count(Verdict::faster),
+             count(Verdict::slower), count(Verdict::lost), count(Verdict::same), options.threshold);
+  const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
+  return options.fail_on_regression && regressed ? 5 : 0;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
+  command->add_option("a", options->a, "Results before")->required()->type_name("A");
+  command->add_option("b", options->b, "Results after; without it, --by compares within A")->type_name("B");
+  command->add_option("--by", options->by, "What may differ")->type_name("device|variant|axes.KEY");
+  command->add_option("--threshold", options->threshold, "Smaller changes count as none")
+      ->type_name("5%")
+      ->capture_default_str();
+  command->add_flag("--fail-on-regression", options->fail_on_regression,
+                    "Exit 5 when a case is slower or lost");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,46 @@
+// Rows of Table 1 with times of our own making.
+#pragma once
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/results/experiment.hpp"
+#include "harness/results/results_folder.hpp"
+
+namespace pelage::test {
+
+/// All 32 cells. A frame of F triangles, N layers and a picture of P pixels takes (F N / 1e6 + P N / 1e6) ms,
+/// within
+/// +-1%.
+inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
+  const Experiment e =
+      read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");
+  const std::map<std::string, double> triangles{{"torus", 9360},      {"pear", 20845},  {"hippo", 44452},
+                                                {"cow", 92689},       {"horse", 95533}, {"bunny", 142307},
+                                                {"elephant", 154789}, {"lion", 365118}};
+  std::vector<FoundRow> rows;
+  for (const Case& c : cases_of(e, preset_of(e, "quick"))) {
+    Row row;
+    row.run_id = "run";
+    row.experiment = e.name;
+    row.case_name = c.name;
+    row.variant = c.variant;
+    row.axes = c.axes;
+    row.device = device;
+    const double count = triangles.at(c.axes.at("model")), layers = std::stod(c.axes.at("layers"));
+    const double pixels = c.axes.at("size") == "800x600" ? 480000 : 1764000;
+    const double ms = factor * (count + pixels) * layers / 1e6;
+    for (int i = 0; i < 21; ++i) row.samples["frame"].wall_ms.push_back(ms * (1 + 0.001 * (i - 10)));
+    row.samples["raster"].event_ms = row.samples["frame"].wall_ms;
+    row.metrics["triangles"] = {count, "triangles"};
+    row.metrics["covered_fragments"] = {pixels * layers / 3, "fragments"};
+    row.metrics["paper_fps"] = *c.published;
+    row.provenance = {
+        {"host", "h"}, {"converged", true}, {"utc", "2026-11-21T00:00:00Z"}, {"preset", "quick"}};
+    rows.push_back({row, "results/silva2010-table1/test_device@h.jsonl"});
+  }
+  return rows;
+}
+
+}  // namespace pelage::test
