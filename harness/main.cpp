@@ -8,9 +8,15 @@
 #include <string>
 
 #include "harness/cl/program.hpp"
+#include "harness/commands/check.hpp"
 #include "harness/commands/command.hpp"
 #include "harness/commands/devices.hpp"
+#include "harness/commands/export.hpp"
+#include "harness/commands/list.hpp"
+#include "harness/commands/mesh.hpp"
 #include "harness/commands/render.hpp"
+#include "harness/commands/report.hpp"
+#include "harness/commands/run.hpp"
 #include "harness/commands/scene.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
@@ -59,6 +65,12 @@ int main(int argc, char** argv) {
   add_devices(app, chosen);
   add_scene(app, chosen);
   add_render(app, chosen);
+  add_mesh(app, chosen);
+  add_check(app, chosen);
+  add_list(app, chosen);
+  add_run(app, chosen);
+  add_export(app, chosen);
+  add_report(app, chosen);
   app.require_subcommand(0, 1);
 
   try {

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
+#include <regex>
+#include <set>
 
 #include "harness/error.hpp"
 #include "harness/scene/scene_keys.hpp"
@@ -210,6 +213,37 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
   }
   for (const char* word : {"default", "uv", "point", "r_drop", "[[shading.light]]"}) {
     EXPECT_NE(text.find(word), std::string::npos) << word;
+  }
+}
+
+/// Members of scene.hpp as dotted keys, by its text: "float length = ..." within "struct FurScene".
+std::vector<std::string> members() {
+  std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "harness/scene/scene.hpp");
+  const std::map<std::string, std::string> tables{
+      {"FurScene", "fur."},         {"CurlScene", "curl."},          {"WetnessScene", "wetness."},
+      {"ClumpScene", "clump."},     {"WindScene", "dynamics.wind."}, {"DynamicsScene", "dynamics."},
+      {"ShadingScene", "shading."}, {"CoatScene", "coat."},          {"CameraScene", "camera."},
+      {"ImageScene", "image."}};
+  const std::regex opening(R"(^struct (\w+) \{)"), member(R"(^  [\w:]+ (\w+)( = [^;]+|\{[^;]*\})?;)");
+  std::vector<std::string> names;
+  std::string prefix;
+  std::smatch match;
+  for (std::string line; std::getline(file, line);) {
+    if (std::regex_search(line, match, opening))
+      prefix = tables.contains(match[1]) ? tables.at(match[1]) : "";
+    if (!prefix.empty() && std::regex_search(line, match, member)) names.push_back(prefix + match[1].str());
+  }
+  return names;
+}
+
+TEST(SceneRoundTrip, EveryMemberHasAKey) {
+  Scene scene;
+  std::set<std::string> keys;
+  for (const Key& key : scene_keys(scene)) keys.emplace(key.name);
+  const std::vector<std::string> names = members();
+  EXPECT_GE(names.size() + 1, keys.size());  // and the model
+  for (const std::string& name : names) {
+    EXPECT_TRUE(keys.contains(name) || name == "dynamics.wind") << name;
   }
 }
 

@@ -1,0 +1,197 @@
+#include "harness/commands/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "harness/commands/frame_dump.hpp"
+#include "harness/commands/scene_options.hpp"
+#include "harness/picture/metrics.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/shells.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr int frames = 30;                 // of motion before the picture: half a second of wind
+constexpr double most_tip_error = 1e-4;    // of the strand's length; a hundredth of a pixel in these pictures
+constexpr double most_texel_error = 1e-5;  // UV units and wetness; texels are 4e-3 apart
+
+struct CheckOptions {
+  std::vector<std::string> stages;
+  std::string device;
+  bool full = false;
+};
+
+struct Case {
+  std::string name;
+  Scene scene;
+};
+
+/// One figure and what it must keep.
+struct Finding {
+  std::string stage, metric;
+  double value = 0, limit = 0;
+  bool at_least = false;
+  bool ok() const { return at_least ? value >= limit : value <= limit; }
+};
+
+Case make_case(const std::string& model, int layers, const std::string& look) {
+  Scene scene;
+  scene.model = model;
+  scene.fur.layers = layers;
+  scene.image.width = 320;
+  scene.image.height = 200;
+  const bool all = look == "all";
+  if (all || look == "curly") {
+    scene.curl.radius = 0.02f;
+    scene.curl.turns = 2;
+  }
+  if (all || look == "wet") {
+    scene.wetness.random = 400;
+    scene.wetness.radius = 0.03f;
+    scene.clump.shape = 0.5f;
+  }
+  if (look == "wet") scene.shading.model = "wet";
+  if (all || look == "windy") {
+    scene.dynamics.wind.strength = 0.01f;
+    scene.dynamics.wind.gust = 0.6f;
+    scene.dynamics.gravity = {0, -4, 0};
+  }
+  return {fmt::format("{}, {} layers, {}", model, layers, look), scene};
+}
+
+std::vector<Case> make_cases(bool full) {
+  std::vector<Case> cases;
+  if (!full) {
+    for (const char* look : {"curly", "wet", "windy"}) cases.push_back(make_case("torus", 16, look));
+    cases.push_back(make_case("bunny", 16, "all"));
+    return cases;
+  }
+  for (const char* model : {"torus", "pear", "hippo", "cow", "horse", "bunny", "elephant", "lion"}) {
+    for (const int layers : {16, 64}) {
+      for (const char* look : {"curly", "wet", "windy"}) cases.push_back(make_case(model, layers, look));
+    }
+  }
+  return cases;
+}
+
+std::vector<Finding> compare_tips(const FrameInput& input, const FrameOutput& ours,
+                                  const FrameOutput& reference) {
+  double worst = 0;
+  for (std::size_t i = 0; i < reference.tips.size(); ++i) {
+    const double error = glm::length(glm::dvec3(ours.tips[i]) - glm::dvec3(reference.tips[i]));
+    worst = std::isfinite(error) ? std::max(worst, error) : 1e6;
+  }
+  return {{"simulate", "largest tip error / L0", worst / double(input.scene.fur.length), most_tip_error}};
+}
+
+std::vector<Finding> compare_masks(const FrameOutput& ours, const FrameOutput& reference) {
+  double worst = 0, other = 0;
+  for (std::size_t i = 0; i < reference.mask.size(); ++i) {
+    const glm::vec4 a = ours.mask[i], b = reference.mask[i];
+    // A texel on a droplet's border may fall either way; it then counts here and not as an error of its
+    // values.
+    if ((a.w > 0) != (b.w > 0)) {
+      ++other;
+      continue;
+    }
+    for (int c = 0; c < 4; ++c) {
+      const double error = std::abs(double(a[c]) - double(b[c]));
+      worst = std::isfinite(error) ? std::max(worst, error) : 1e6;
+    }
+  }
+  return {{"mask", "texels wet in one only", other, 0},
+          {"mask", "largest texel error", worst, most_texel_error}};
+}
+
+std::vector<Finding> compare_pictures(const std::string& mapping, const Picture& ours,
+                                      const Picture& reference) {
+  const Agreement agreement = compare(ours, reference);
+  const AgreementLimits limits;
+  return {{"picture", fmt::format("PSNR over fur, {} (dB)", mapping), agreement.psnr, limits.psnr, true},
+          {"picture", fmt::format("99.9th percentile, {}", mapping), agreement.p999, limits.p999}};
+}
+
+std::vector<Finding> compare_mappings(const Picture& tile, const Picture& pixel) {
+  double covered = 0;
+  for (std::size_t i = 0; i < tile.pixel.size(); ++i)
+    covered += (tile.pixel[i].w > 0) != (pixel.pixel[i].w > 0);
+  return {{"mappings", "pixels covered in one only", covered, 0},
+          {"mappings", "largest difference", compare(tile, pixel).worst, 1.0 / 255.0}};
+}
+
+FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> input,
+                 const std::string& mapping) {
+  ShellOptions options;
+  options.mapping = mapping;
+  Shells shells(device, std::move(input), options);
+  shells.advance(frames - 1);
+  shells.frame();
+  return {mapping, frames, shells.tips(), shells.mask(), shells.read()};
+}
+
+std::vector<Finding> check_case(const cl::Device& device, const Case& which,
+                                const std::set<std::string>& stages) {
+  const auto input = prepare(which.scene, load_scene_mesh(which.scene));
+  const FrameOutput reference = reference_output(*input, frames, false);
+  const FrameOutput tile = draw(device, input, "tile");
+  std::vector<Finding> findings;
+  const auto add = [&](const std::string& stage, const std::vector<Finding>& found) {
+    if (stages.contains(stage)) findings.insert(findings.end(), found.begin(), found.end());
+  };
+  add("simulate", compare_tips(*input, tile, reference));
+  add("mask", compare_masks(tile, reference));
+  add("picture", compare_pictures("tile", tile.image, reference.image));
+  if (stages.contains("picture") || stages.contains("mappings")) {
+    const FrameOutput pixel = draw(device, input, "pixel");
+    add("picture", compare_pictures("pixel", pixel.image, reference.image));
+    add("mappings", compare_mappings(tile.image, pixel.image));
+  }
+  return findings;
+}
+
+int run_checks(const CheckOptions& options) {
+  const cl::Device device = cl::choose_device(options.device);
+  std::set<std::string> stages(options.stages.begin(), options.stages.end());
+  if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings"};
+  const std::vector<Case> cases = make_cases(options.full);
+  fmt::print("{}\n{:<9} {:<24} {:<34} {:>10} {:>10}\n", device.info().name, "stage", "case", "metric",
+             "value", "limit");
+  std::size_t failures = 0, done = 0;
+  for (const Case& which : cases) {
+    fmt::print(stderr, "{}/{} {}\n", ++done, cases.size(), which.name);
+    for (const Finding& finding : check_case(device, which, stages)) {
+      fmt::print("{:<9} {:<24} {:<34} {:>10.4g} {} {:>8.4g}  {}\n", finding.stage, which.name, finding.metric,
+                 finding.value, finding.at_least ? ">" : "<", finding.limit, finding.ok() ? "ok" : "FAILED");
+      failures += !finding.ok();
+    }
+    std::fflush(stdout);
+  }
+  if (failures > 0) fmt::print(stderr, "pelage: {} of the checks failed\n", failures);
+  return failures > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command =
+      app.add_subcommand("check", "Compare what a device computes with the double-precision reference");
+  command
+      ->add_option("stages", options->stages,
+                   "Stages to compare: simulate, mask, picture, mappings; without any, all")
+      ->check(CLI::IsMember({"simulate", "mask", "picture", "mappings"}))
+      ->type_name("STAGE");
+  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+      ->type_name("DEVICE");
+  command->add_flag("--full", options->full, "All eight models, 16 and 64 layers, curly, wet and windy");
+  command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,206 @@
+// The commands do what they say, on good input.
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "harness/picture/image_io.hpp"
+#include "harness/picture/metrics.hpp"
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+TEST(Commands, HelpAndVersionGoToStdout) {
+  const Folder folder;
+  const Outcome help = pelage(folder, "--help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_EQ(help.err, "");
+  for (const char* command : {"devices", "scene", "render", "check"}) {
+    EXPECT_NE(help.out.find(command), std::string::npos) << command;
+    const Outcome one = pelage(folder, std::string(command) + " --help");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_NE(one.out.find("Usage: pelage " + std::string(command)), std::string::npos) << one.out;
+  }
+  const Outcome version = pelage(folder, "--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_NE(version.out.find("cite"), std::string::npos);
+}
+
+TEST(Commands, ThePrintedSceneReadsBackToItself) {
+  const Folder folder;
+  const Outcome first = pelage(folder, "scene --set fur.layers=16 --set shading.model=wet --set model=torus");
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(first.err, "");
+  folder.write("written.toml", first.out);
+  const Outcome second = pelage(folder, "scene written.toml");
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_NE(second.out.find("\nlayers = 16 "), std::string::npos);
+}
+
+/// A dataset of floats (converted from whatever it is) and its shape.
+struct Dataset {
+  std::vector<hsize_t> shape;
+  std::vector<float> values;
+  std::string units;
+};
+
+Dataset read(hid_t file, const char* name) {
+  Dataset data;
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
+  if (set < 0) return data;
+  const hid_t space = H5Dget_space(set);
+  data.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+  H5Sget_simple_extent_dims(space, data.shape.data(), nullptr);
+  data.values.resize(
+      std::accumulate(data.shape.begin(), data.shape.end(), std::size_t{1}, std::multiplies<>()));
+  H5Dread(set, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data());
+  const hid_t attribute = H5Aopen(set, "units", H5P_DEFAULT);
+  const hid_t type = H5Aget_type(attribute);
+  data.units.resize(H5Tget_size(type));
+  H5Aread(attribute, type, data.units.data());
+  H5Tclose(type);
+  H5Aclose(attribute);
+  H5Sclose(space);
+  H5Dclose(set);
+  return data;
+}
+
+float distance(const std::vector<float>& a, std::size_t i, const std::vector<float>& b, std::size_t j) {
+  return std::hypot(a[3 * i] - b[3 * j], a[3 * i + 1] - b[3 * j + 1], a[3 * i + 2] - b[3 * j + 2]);
+}
+
+using Shape = std::vector<hsize_t>;
+
+TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
+  const Folder folder;
+  const Outcome outcome = pelage(
+      folder,
+      "render --model torus --pipeline reference --size 40x30 --set fur.layers=4 --set fur.texture=32 --set "
+      "wetness.random=50 --set dynamics.gravity=[0,-9,0] --set dynamics.time=0.2 -o image.exr --dump "
+      "frame.h5");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const hid_t file = H5Fopen((folder.path() / "frame.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  for (const char* name :
+       {"mesh/position", "mesh/triangle", "mesh/uv", "mesh/normal", "strand/root", "strand/rest",
+        "strand/tip", "mask", "fur", "colour", "layer/offset", "camera/view", "camera/projection", "image"}) {
+    const Dataset data = read(file, name);
+    EXPECT_FALSE(data.values.empty()) << name;
+    EXPECT_FALSE(data.units.empty()) << name;
+    for (const float value : data.values) ASSERT_TRUE(std::isfinite(value)) << name;
+  }
+  const Dataset position = read(file, "mesh/position"), triangle = read(file, "mesh/triangle");
+  const hsize_t vertices = position.shape[0], faces = 9360;
+  EXPECT_EQ(triangle.shape, (Shape{faces, 3}));
+  EXPECT_EQ(read(file, "mask").shape, (Shape{256, 256, 4}));
+  EXPECT_EQ(read(file, "fur").shape, (Shape{4, 32, 32, 2}));
+  EXPECT_EQ(read(file, "fur_mip/1").shape, (Shape{4, 16, 16, 2}));
+  const Dataset offset = read(file, "layer/offset");
+  EXPECT_EQ(offset.shape, (Shape{4, vertices, 3}));
+
+  // Tips stay on their springs' half ball and have left their rest: gravity pulls.
+  const Dataset root = read(file, "strand/root"), rest = read(file, "strand/rest"),
+                tip = read(file, "strand/tip");
+  float moved = 0;
+  for (std::size_t f = 0; f < faces; ++f) {
+    EXPECT_NEAR(distance(rest.values, f, root.values, f), 0.09f, 1e-5f);
+    EXPECT_LE(distance(tip.values, f, root.values, f), 0.09f + 1e-5f);
+    moved = std::max(moved, distance(tip.values, f, rest.values, f));
+  }
+  EXPECT_GT(moved, 0.005f);
+
+  // Upper layers lie farther out than lower ones, on the mean.
+  std::vector<double> height(4, 0.0);
+  const Dataset normal = read(file, "mesh/normal");
+  for (std::size_t n = 0; n < 4; ++n) {
+    for (std::size_t v = 0; v < vertices; ++v) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        height[n] += double(offset.values[(n * vertices + v) * 3 + c]) * double(normal.values[3 * v + c]);
+      }
+    }
+  }
+  EXPECT_GT(height[0], 0);
+  for (std::size_t n = 1; n < 4; ++n) EXPECT_GT(height[n], height[n - 1]);
+
+  // The camera sees the model: all vertices in front of it, their mean near the picture's middle.
+  const Dataset view = read(file, "camera/view"), projection = read(file, "camera/projection");
+  double x = 0, y = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    double eye[4], screen[4];
+    const float* p = &position.values[3 * v];
+    for (std::size_t r = 0; r < 4; ++r) {
+      eye[r] = double(view.values[4 * r + 3]);
+      for (std::size_t c = 0; c < 3; ++c) eye[r] += double(view.values[4 * r + c]) * double(p[c]);
+    }
+    for (std::size_t r = 0; r < 4; ++r) {
+      screen[r] = 0;
+      for (std::size_t c = 0; c < 4; ++c) screen[r] += double(projection.values[4 * r + c]) * eye[c];
+    }
+    ASSERT_GT(screen[3], 0);
+    x += screen[0] / screen[3] / double(vertices);
+    y += screen[1] / screen[3] / double(vertices);
+  }
+  EXPECT_LT(std::abs(x), 4);
+  EXPECT_LT(std::abs(y), 4);
+
+  // The image is the one that was written beside it.
+  const Dataset image = read(file, "image");
+  EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
+  const Picture picture = read_picture(folder.path() / "image.exr");
+  for (std::size_t i = 0; i < picture.pixel.size(); ++i) {
+    for (int c = 0; c < 4; ++c) ASSERT_EQ(image.values[4 * i + std::size_t(c)], picture.pixel[i][c]);
+  }
+  H5Fclose(file);
+}
+
+TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
+  const Folder folder;
+  const std::string scene =
+      "render --model torus --size 80x60 --set fur.layers=8 --set curl.radius=0.02 --set curl.turns=2 ";
+  for (const char* rest :
+       {"-o tile.exr", "-o pixel.exr --mapping pixel", "-o reference.exr --pipeline reference",
+        "-o eight.exr --pipeline reference --reference-bits 8"}) {
+    const Outcome outcome = pelage(folder, scene + rest);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+  const Picture reference = read_picture(folder.path() / "reference.exr");
+  for (const char* name : {"tile.exr", "pixel.exr"}) {
+    EXPECT_TRUE(within(compare(read_picture(folder.path() / name), reference))) << name;
+  }
+  const Agreement eight = compare(read_picture(folder.path() / "eight.exr"), reference);
+  EXPECT_GT(eight.worst, 0.0) << "rounding to 8 bits changed nothing";
+  EXPECT_GT(eight.psnr, 30.0);
+}
+
+TEST(Commands, CheckComparesOneStage) {
+  const Folder folder;
+  const Outcome outcome = pelage(folder, "check simulate mask");
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("simulate"), std::string::npos);
+  EXPECT_NE(outcome.out.find("mask"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("picture"), std::string::npos);
+  EXPECT_EQ(outcome.out.find("FAILED"), std::string::npos);
+}
+
+TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
+  const Folder folder;
+  std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
+                        std::filesystem::copy_options::recursive);
+  // Droplets that leave half their wetness.
+  std::string text = folder.read("kernels/wet/equations.clh");
+  const std::string right = ": drop.wetness;";
+  const auto place = text.find(right);
+  ASSERT_NE(place, std::string::npos);
+  folder.write("kernels/wet/equations.clh",
+               text.substr(0, place) + ": 0.5f * drop.wetness;" + text.substr(place + right.size()));
+  const Outcome outcome = pelage(folder, "--kernels kernels check simulate mask");
+  EXPECT_EQ(outcome.code, 1) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("FAILED"), std::string::npos) << outcome.out;
+}
+
+}  // namespace
+}  // namespace pelage::cli

@@ -1,0 +1,58 @@
+// Runs the built binary as a user's shell would.
+#pragma once
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace pelage::cli {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+/// A folder of its own that goes with the object.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "pelage-cli-XXXXXX").string();
+    if (!mkdtemp(name.data())) std::abort();
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+  }
+  std::string read(const std::string& name) const {
+    std::ifstream file(path_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// `arguments` in the shell's syntax; `environment` as assignments before the command. Runs inside the
+/// folder.
+inline Outcome pelage(const Folder& folder, const std::string& arguments,
+                      const std::string& environment = "") {
+  // Leaks of the OpenCL libraries are not ours to report; errors of memory still are.
+  const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
+                              environment + " timeout 300 '" PELAGE_BINARY "' >stdout 2>stderr " + arguments;
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
+          folder.read("stderr")};
+}
+
+}  // namespace pelage::cli
