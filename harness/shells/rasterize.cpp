@@ -99,9 +99,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   dry_ = cl::Buffer<float>(device, vertices);
   tip_ = cl::Buffer<float>(device, 3 * vertices);
   record_ = cl::Buffer<float>(device, RECORD * vertices);
-  screen_x_ = cl::Buffer<std::int32_t>(device, screens);
-  screen_y_ = cl::Buffer<std::int32_t>(device, screens);
-  screen_iw_ = cl::Buffer<float>(device, screens);
+  screen_ = cl::Buffer<float>(device, 4 * screens);
   box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups));
   chunk_count_ = cl::Buffer<std::int32_t>(device, lists * std::size_t(params_.chunks));
   length_ = cl::Buffer<std::int32_t>(device, lists);
@@ -144,7 +142,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
 
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
   cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
-  kernel.with(params_, table_, corner_, screen_x_, screen_y_, screen_iw_, vertex_, tip_, dry_, list_start_,
+  kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_,
               list_, record_, tangent_, fur_, coat_, *mask_, image_, covered_);
   if (per_pixel_) return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   return kernel.enqueue(queue, std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y), 1);
@@ -158,7 +156,7 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_
   const std::size_t blocks = std::size_t(params_.vertices / lanes_);
   tips_.with(params_, slice_, strand_, weight_, strand_state, std::int32_t(strand_stride), tip_);
   keep("transform", tips_.enqueue(queue, blocks));
-  layers_.with(params_, vertex_, tip_, dry_, table_, screen_x_, screen_y_, screen_iw_, box_);
+  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_);
   keep("transform", layers_.enqueue(queue, blocks));
   records_.with(params_, vertex_, tip_, uv_, record_);
   keep("transform", records_.enqueue(queue, std::size_t(params_.vertices)));

@@ -74,13 +74,13 @@ static Surface surface_at(const RasterParams *s, TABLE(float) records, TABLE(flo
   return p;
 }
 
-__kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(int) screen_x, TABLE(int) screen_y,
-                           TABLE(float) screen_iw, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+__kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(float) screen,
+                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                            TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
                            TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
-  Geometry m = {corners, screen_x, screen_y, screen_iw, vertex, tip, dry, table};
+  Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
   int tiles = s.tiles_x * s.tiles_y, tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
   int origin_x = SUBPIXEL * i + 128 - 128 * s.width, origin_y = SUBPIXEL * j + 128 - 128 * s.height;

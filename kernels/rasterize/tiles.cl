@@ -13,23 +13,36 @@
 #define TILE_PIXELS (TILE_W * TILE_H)
 #define NOBODY -1
 
-// Triangles that have been set up, a column per lane.
+// Set-ups are kept for a while, so that fragments of many triangles fill whole blocks of lanes.
+#define SLOTS (8 * LANES > 128 ? 8 * LANES : 128)
+#define FRAGMENTS (TILE_PIXELS + 256)
+
+// Triangles that have been set up: what coverage and interpolation need, a column per triangle.
+typedef struct {
+  int used;                                           // slots, a multiple of LANES
+  float b1_right[SLOTS], b1_down[SLOTS], b2_right[SLOTS], b2_down[SLOTS];
+  float iw[SLOTS], iw1[SLOTS], iw2[SLOTS];
+  int x[SLOTS], y[SLOTS];
+  int vertex[3][SLOTS];
+  int count;                                          // covered fragments in drawing order: slot << 16 | pixel
+  int fragment[FRAGMENTS];
+} Drawn;
+
+// Which pixels the LANES triangles of a batch cover.
 typedef struct {
   int at[3][LANES], right[3][LANES], down[3][LANES];
-  float b1_right[LANES], b1_down[LANES], b2_right[LANES], b2_down[LANES];
-  float iw[LANES], iw1[LANES], iw2[LANES];
-  int x[LANES], y[LANES];
   int from_x[LANES], from_y[LANES], to_x[LANES], to_y[LANES];   // to_x < from_x: nothing covered
-  int vertex[3][LANES];
+  int small[LANES];                                   // 1: `bits` has the answer, bit 8 dy + dx
+  int bits[LANES];
 } Batch;
 
-// Fragments that wait for shading, in order.
+// Fragments that wait for shading, in order: a row each of u, v, A, B (and dX/du, dX/dv).
 typedef struct {
   int count;
   int pixel[LANES];
   float w[LANES];
-  float record[RECORD][LANES];
-  float surface[RECORD][LANES];          // dX/du, dX/dv: the wet model's
+  float8 record[LANES];
+  float8 surface[LANES];
 } Queue;
 
 typedef struct {
@@ -45,60 +58,129 @@ typedef struct {
   int width, height;
 } Place;
 
-static inline void keep(Setup t, Triangles b, float least_iw, Batch *out) {
-  for (int k = 0; k < 3; ++k) {
-    spill_whole(t.edge[k].at, out->at[k]);
-    spill_whole(t.edge[k].right, out->right[k]);
-    spill_whole(t.edge[k].down, out->down[k]);
-  }
-  spill_real(t.slope[0].right, out->b1_right);
-  spill_real(t.slope[0].down, out->b1_down);
-  spill_real(t.slope[1].right, out->b2_right);
-  spill_real(t.slope[1].down, out->b2_down);
-  spill_real(t.iw, out->iw);
-  spill_real(t.iw1, out->iw1);
-  spill_real(t.iw2, out->iw2);
-  spill_whole(t.x, out->x);
-  spill_whole(t.y, out->y);
-  truth seen = t.live && (fmax(t.iw, fmax(t.iw1, t.iw2)) >= REAL(least_iw));
-  spill_whole(t.left, out->from_x);
-  spill_whole(t.top, out->from_y);
-  spill_whole(seen ? t.right : WHOLE(-1), out->to_x);
-  spill_whole(t.bottom, out->to_y);
-  spill_whole(b.vertex[0], out->vertex[0]);
-  spill_whole(t.swapped ? b.vertex[2] : b.vertex[1], out->vertex[1]);
-  spill_whole(t.swapped ? b.vertex[1] : b.vertex[2], out->vertex[2]);
-}
-
 // Barycentrics within the drawn triangle to those within the mesh's, for a piece of a clipped one.
 typedef struct { float b1[3], b2[3]; } Piece;
 
-// A covered pixel centre: its 1/w, and the perspective-correct barycentrics of vertices 1 and 2.
-typedef struct { float iw, b1, b2; } Point;
+// The pixels covered by triangles of at most 8 x 4 pixels: all LANES of them at once, pixel by pixel.
+static inline whole covered_bits(Setup t, truth small) {
+  whole bits = WHOLE(0);
+  whole e0 = t.edge[0].at + t.edge[0].right * t.left + t.edge[0].down * t.top;
+  whole e1 = t.edge[1].at + t.edge[1].right * t.left + t.edge[1].down * t.top;
+  whole e2 = t.edge[2].at + t.edge[2].right * t.left + t.edge[2].down * t.top;
+  for (int dy = 0; dy < 4; ++dy) {
+    truth row = small && (t.top + dy <= t.bottom);
+    if (!some(row)) break;
+    whole f0 = e0, f1 = e1, f2 = e2;
+    for (int dx = 0; dx < 8; ++dx) {
+      truth inside = row && (t.left + dx <= t.right);
+      if (!some(inside)) break;
+      bits = bits | ((inside && ((f0 | f1 | f2) >= WHOLE(0))) ? WHOLE(1 << (8 * dy + dx)) : WHOLE(0));
+      f0 = f0 + t.edge[0].right;
+      f1 = f1 + t.edge[1].right;
+      f2 = f2 + t.edge[2].right;
+    }
+    e0 = e0 + t.edge[0].down;
+    e1 = e1 + t.edge[1].down;
+    e2 = e2 + t.edge[2].down;
+  }
+  return bits;
+}
 
-static inline Point point_at(const Batch *b, int k, int i, int j) {
-  float dx = (float)(SUBPIXEL * i - b->x[k]), dy = (float)(SUBPIXEL * j - b->y[k]);
-  float b1 = fma(b->b1_right[k], dx, b->b1_down[k] * dy);
-  float b2 = fma(b->b2_right[k], dx, b->b2_down[k] * dy);
-  Point p;
-  p.iw = fma(b2, b->iw2[k] - b->iw[k], fma(b1, b->iw1[k] - b->iw[k], b->iw[k]));
-  p.b1 = b1;
-  p.b2 = b2;
+// Puts a batch into the next slots; false when nothing of it can be seen. least_iw: nothing behind it shows.
+static inline bool keep(Setup t, Triangles b, float least_iw, Drawn *out, Batch *batch) {
+  truth seen = t.live && (fmax(t.iw, fmax(t.iw1, t.iw2)) >= REAL(least_iw));
+  if (!some(seen)) return false;
+  truth small = seen && (t.right - t.left < WHOLE(8)) && (t.bottom - t.top < WHOLE(4));
+  whole bits = covered_bits(t, small);
+  if (!some((seen && !small) || (bits != WHOLE(0)))) return false;
+  spill_whole(bits, batch->bits);
+  spill_whole(small ? WHOLE(1) : WHOLE(0), batch->small);
+  spill_whole(t.left, batch->from_x);
+  spill_whole(t.top, batch->from_y);
+  spill_whole(seen ? t.right : WHOLE(-1), batch->to_x);
+  spill_whole(t.bottom, batch->to_y);
+  if (some(seen && !small))
+    for (int k = 0; k < 3; ++k) {
+      spill_whole(t.edge[k].at, batch->at[k]);
+      spill_whole(t.edge[k].right, batch->right[k]);
+      spill_whole(t.edge[k].down, batch->down[k]);
+    }
+  int slot = out->used;
+  spill_real(t.slope[0].right, out->b1_right + slot);
+  spill_real(t.slope[0].down, out->b1_down + slot);
+  spill_real(t.slope[1].right, out->b2_right + slot);
+  spill_real(t.slope[1].down, out->b2_down + slot);
+  spill_real(t.iw, out->iw + slot);
+  spill_real(t.iw1, out->iw1 + slot);
+  spill_real(t.iw2, out->iw2 + slot);
+  spill_whole(t.x, out->x + slot);
+  spill_whole(t.y, out->y + slot);
+  spill_whole(b.vertex[0], out->vertex[0] + slot);
+  spill_whole(t.swapped ? b.vertex[2] : b.vertex[1], out->vertex[1] + slot);
+  spill_whole(t.swapped ? b.vertex[1] : b.vertex[2], out->vertex[2] + slot);
+  return true;
+}
+
+// Lists the fragments that triangle `lane` of the batch in `slot` covers.
+static inline void list_fragments(const Batch *b, int lane, int slot, Drawn *out) {
+  int count = out->count;
+  int tag = slot << 16;
+  if (b->small[lane]) {
+    uint bits = (uint)b->bits[lane];
+    int corner = b->from_y[lane] * TILE_W + b->from_x[lane];
+    while (bits) {
+      uint lowest = 31 - clz(bits & (0u - bits));
+      out->fragment[count++] = tag | (corner + (int)(lowest >> 3) * TILE_W + (int)(lowest & 7));
+      bits &= bits - 1;
+    }
+  } else {
+    int r0 = b->right[0][lane], r1 = b->right[1][lane], r2 = b->right[2][lane];
+    int from = b->from_x[lane], to = b->to_x[lane];
+    for (int j = b->from_y[lane]; j <= b->to_y[lane]; ++j) {
+      int e0 = b->at[0][lane] + r0 * from + b->down[0][lane] * j;
+      int e1 = b->at[1][lane] + r1 * from + b->down[1][lane] * j;
+      int e2 = b->at[2][lane] + r2 * from + b->down[2][lane] * j;
+      for (int i = from; i <= to; ++i) {
+        out->fragment[count] = tag | (j * TILE_W + i);
+        count += (e0 | e1 | e2) >= 0;
+        e0 += r0;
+        e1 += r1;
+        e2 += r2;
+      }
+    }
+  }
+  out->count = count;
+}
+
+// LANES covered pixel centres: 1/w and the perspective-correct barycentrics of vertices 1 and 2.
+typedef struct {
+  whole slot, pixel;
+  real iw, b1, b2;
+} Points;
+
+static inline Points points_at(const Drawn *d, int first, int last) {
+  whole word = own_gather_whole(d->fragment, min(WHOLE(first) + lane_numbers(), WHOLE(last - 1)));
+  Points p;
+  p.slot = word >> 16;
+  p.pixel = word & WHOLE(0xffff);
+  real dx = to_real((p.pixel % TILE_W) * SUBPIXEL - own_gather_whole(d->x, p.slot));
+  real dy = to_real((p.pixel / TILE_W) * SUBPIXEL - own_gather_whole(d->y, p.slot));
+  p.b1 = fma(own_gather(d->b1_right, p.slot), dx, own_gather(d->b1_down, p.slot) * dy);
+  p.b2 = fma(own_gather(d->b2_right, p.slot), dx, own_gather(d->b2_down, p.slot) * dy);
+  real iw = own_gather(d->iw, p.slot), iw1 = own_gather(d->iw1, p.slot), iw2 = own_gather(d->iw2, p.slot);
+  p.iw = fma(p.b2, iw2 - iw, fma(p.b1, iw1 - iw, iw));
+  real w = 1.0f / p.iw;
+  p.b1 = p.b1 * iw1 * w;
+  p.b2 = p.b2 * iw2 * w;
   return p;
 }
 
-static inline Point in_perspective(const Batch *b, int k, Point p, const Piece *piece) {
-  float w = 1.0f / p.iw;
-  float b1 = p.b1 * b->iw1[k] * w, b2 = p.b2 * b->iw2[k] * w;
-  if (piece) {
-    float b0 = 1.0f - b1 - b2;
-    p.b1 = b0 * piece->b1[0] + b1 * piece->b1[1] + b2 * piece->b1[2];
-    p.b2 = b0 * piece->b2[0] + b1 * piece->b2[1] + b2 * piece->b2[2];
-  } else {
-    p.b1 = b1;
-    p.b2 = b2;
-  }
-  return p;
+static inline Points of_piece(Points p, const Piece *piece) {
+  real b0 = 1.0f - p.b1 - p.b2;
+  Points q = p;
+  q.b1 = b0 * piece->b1[0] + p.b1 * piece->b1[1] + p.b2 * piece->b1[2];
+  q.b2 = b0 * piece->b2[0] + p.b1 * piece->b2[1] + p.b2 * piece->b2[2];
+  return q;
 }
 
 typedef struct {
@@ -107,16 +189,41 @@ typedef struct {
   Textures textures;
 } Attributes;
 
+#if LANES == 16
+// Columns of sixteen rows of eight.
+static inline void columns_of(const float8 *row, real out[RECORD]) {
+  float16 r0 = (float16)(row[0], row[1]), r1 = (float16)(row[2], row[3]), r2 = (float16)(row[4], row[5]);
+  float16 r3 = (float16)(row[6], row[7]), r4 = (float16)(row[8], row[9]), r5 = (float16)(row[10], row[11]);
+  float16 r6 = (float16)(row[12], row[13]), r7 = (float16)(row[14], row[15]);
+#define COLUMN(c, d) (float16)(r0.s##c, r0.s##d, r1.s##c, r1.s##d, r2.s##c, r2.s##d, r3.s##c, r3.s##d, \
+                               r4.s##c, r4.s##d, r5.s##c, r5.s##d, r6.s##c, r6.s##d, r7.s##c, r7.s##d)
+  out[0] = COLUMN(0, 8);
+  out[1] = COLUMN(1, 9);
+  out[2] = COLUMN(2, a);
+  out[3] = COLUMN(3, b);
+  out[4] = COLUMN(4, c);
+  out[5] = COLUMN(5, d);
+  out[6] = COLUMN(6, e);
+  out[7] = COLUMN(7, f);
+#undef COLUMN
+}
+#else
+static inline void columns_of(const float8 *row, real out[RECORD]) { vstore8(*row, 0, out); }
+#endif
+
 static inline Surface surface_of(const RasterParams *s, const Queue *q, const Place *place) {
+  real c[RECORD];
+  columns_of(q->record, c);
   Surface p;
-  p.uv = vec2(fill_real(q->record[0]), fill_real(q->record[1]));
-  p.a = vec3(fill_real(q->record[2]), fill_real(q->record[3]), fill_real(q->record[4]));
-  p.b = vec3(fill_real(q->record[5]), fill_real(q->record[6]), fill_real(q->record[7]));
+  p.uv = vec2(c[0], c[1]);
+  p.a = vec3(c[2], c[3], c[4]);
+  p.b = vec3(c[5], c[6], c[7]);
   p.along_u = p.a;
   p.along_v = p.a;
   if (s->wet_model) {
-    p.along_u = vec3(fill_real(q->surface[0]), fill_real(q->surface[1]), fill_real(q->surface[2]));
-    p.along_v = vec3(fill_real(q->surface[3]), fill_real(q->surface[4]), fill_real(q->surface[5]));
+    columns_of(q->surface, c);
+    p.along_u = vec3(c[0], c[1], c[2]);
+    p.along_v = vec3(c[3], c[4], c[5]);
   }
   p.w = fill_real(q->w);
   whole pixel = fill_whole(q->pixel);
@@ -125,32 +232,21 @@ static inline Surface surface_of(const RasterParams *s, const Queue *q, const Pl
   return p;
 }
 
-static inline void interpolate_record(TABLE(float) table, int v0, int v1, int v2, float b1, float b2,
-                                      float out[RECORD][LANES], int k) {
+static inline float8 interpolated(TABLE(float) table, int v0, int v1, int v2, float b1, float b2) {
   float8 r0 = vload8(v0, table), r1 = vload8(v1, table), r2 = vload8(v2, table);
-  float8 r = fma((float8)(b2), r2 - r0, fma((float8)(b1), r1 - r0, r0));
-  out[0][k] = r.s0;
-  out[1][k] = r.s1;
-  out[2][k] = r.s2;
-  out[3][k] = r.s3;
-  out[4][k] = r.s4;
-  out[5][k] = r.s5;
-  out[6][k] = r.s6;
-  out[7][k] = r.s7;
+  return fma((float8)(b2), r2 - r0, fma((float8)(b1), r1 - r0, r0));
 }
 
 // Shades the queued fragments of layer n and blends them in their order; returns how many pixels became opaque.
-static int flush(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, Queue *q, Tile *tile) {
+static int shade(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, Queue *q, Tile *tile) {
   int count = q->count, opaque = 0;
   if (count == 0) return 0;
   q->count = 0;
   for (int k = count; k < LANES; ++k) {    // the free lanes repeat a real fragment: nothing odd to compute
     q->pixel[k] = q->pixel[0];
     q->w[k] = q->w[0];
-    for (int c = 0; c < RECORD; ++c) {
-      q->record[c][k] = q->record[c][0];
-      q->surface[c][k] = q->surface[c][0];
-    }
+    q->record[k] = q->record[0];
+    q->surface[k] = q->surface[0];
   }
   Surface p = surface_of(s, q, place);
   Fur f = fur_fragment(s, from->textures, l, n, p);
@@ -162,94 +258,116 @@ static int flush(const RasterParams *s, const Attributes *from, Layer l, int n, 
   spill_real(c.y, green);
   spill_real(c.z, blue);
   for (int k = 0; k < count; ++k) {
-    float4 behind = tile->colour[q->pixel[k]];
-    if (alpha[k] <= 0.0f || behind.w <= OPAQUE) continue;
-    float weight = behind.w * alpha[k];
-    behind += (float4)(weight * red[k], weight * green[k], weight * blue[k], -weight);
-    tile->colour[q->pixel[k]] = behind;
-    opaque += behind.w <= OPAQUE;
+    float4 front = tile->colour[q->pixel[k]];
+    if (alpha[k] <= 0.0f || front.w <= OPAQUE) continue;
+    float weight = front.w * alpha[k];
+    front += (float4)(weight * red[k], weight * green[k], weight * blue[k], -weight);
+    tile->colour[q->pixel[k]] = front;
+    opaque += front.w <= OPAQUE;
   }
   return opaque;
 }
 
-// Queues the fragments of triangle k; returns how many pixels became opaque meanwhile.
-static int draw(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, const Batch *b, int k,
-                const Piece *piece, Queue *q, Tile *tile, uint *covered) {
+// Takes the listed fragments that may be seen to the shading queue; returns how many pixels became opaque.
+static int queue_fragments(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place,
+                           const Piece *piece, Drawn *d, Queue *q, Tile *tile) {
   int opaque = 0;
-  for (int j = b->from_y[k]; j <= b->to_y[k]; ++j)
-    for (int i = b->from_x[k]; i <= b->to_x[k]; ++i) {
-      int e0 = b->at[0][k] + b->right[0][k] * i + b->down[0][k] * j;
-      int e1 = b->at[1][k] + b->right[1][k] * i + b->down[1][k] * j;
-      int e2 = b->at[2][k] + b->right[2][k] * i + b->down[2][k] * j;
-      if ((e0 | e1 | e2) < 0) continue;
-#ifdef COUNT_FRAGMENTS
-      ++*covered;
-      continue;
-#endif
-      int pixel = j * TILE_W + i;
-      Point p = point_at(b, k, i, j);
-      if (p.iw < tile->depth[pixel] || tile->colour[pixel].w <= OPAQUE) continue;
-      float w = 1.0f / p.iw;
-      p = in_perspective(b, k, p, piece);
+  for (int first = 0; first < d->count; first += LANES) {
+    Points p = points_at(d, first, d->count);
+    truth seen = (p.iw >= own_gather(tile->depth, p.pixel)) &&
+                 (own_gather((const float *)tile->colour, p.pixel * 4 + 3) > REAL(OPAQUE));
+    if (!some(seen)) continue;
+    if (piece) p = of_piece(p, piece);
+    int wanted[LANES], pixel[LANES], slot[LANES];
+    float w[LANES], b1[LANES], b2[LANES];
+    spill_whole(seen ? WHOLE(1) : WHOLE(0), wanted);
+    spill_whole(p.pixel, pixel);
+    spill_whole(p.slot, slot);
+    spill_real(1.0f / p.iw, w);
+    spill_real(p.b1, b1);
+    spill_real(p.b2, b2);
+    int count = min(d->count - first, LANES);
+    for (int k = 0; k < count; ++k) {
+      if (!wanted[k]) continue;
       int at = q->count++;
-      q->pixel[at] = pixel;
-      q->w[at] = w;
-      int v0 = b->vertex[0][k], v1 = b->vertex[1][k], v2 = b->vertex[2][k];
-      interpolate_record(from->records, v0, v1, v2, p.b1, p.b2, q->record, at);
-      if (s->wet_model) interpolate_record(from->tangents, v0, v1, v2, p.b1, p.b2, q->surface, at);
-      if (q->count == LANES) opaque += flush(s, from, l, n, place, q, tile);
+      int v0 = d->vertex[0][slot[k]], v1 = d->vertex[1][slot[k]], v2 = d->vertex[2][slot[k]];
+      q->pixel[at] = pixel[k];
+      q->w[at] = w[k];
+      q->record[at] = interpolated(from->records, v0, v1, v2, b1[k], b2[k]);
+      if (s->wet_model) q->surface[at] = interpolated(from->tangents, v0, v1, v2, b1[k], b2[k]);
+      if (q->count == LANES) opaque += shade(s, from, l, n, place, q, tile);
     }
+  }
+  d->count = 0;
+  d->used = 0;
   return opaque;
 }
 
-// The nearest base triangle at each pixel; the first drawn among equals.
-static void draw_base(const Batch *b, int k, const Piece *piece, Tile *tile) {
-  for (int j = b->from_y[k]; j <= b->to_y[k]; ++j)
-    for (int i = b->from_x[k]; i <= b->to_x[k]; ++i) {
-      int e0 = b->at[0][k] + b->right[0][k] * i + b->down[0][k] * j;
-      int e1 = b->at[1][k] + b->right[1][k] * i + b->down[1][k] * j;
-      int e2 = b->at[2][k] + b->right[2][k] * i + b->down[2][k] * j;
-      if ((e0 | e1 | e2) < 0) continue;
-      int pixel = j * TILE_W + i;
-      Point p = point_at(b, k, i, j);
-      if (p.iw <= tile->depth[pixel]) continue;
-      tile->depth[pixel] = p.iw;
-      p = in_perspective(b, k, p, piece);
-      tile->base_b1[pixel] = p.b1;
-      tile->base_b2[pixel] = p.b2;
-      for (int c = 0; c < 3; ++c) tile->base_vertex[c][pixel] = b->vertex[c][k];
+// The nearest base triangle at each listed fragment; the first drawn among equals.
+static void base_fragments(const Piece *piece, Drawn *d, Tile *tile) {
+  for (int first = 0; first < d->count; first += LANES) {
+    Points p = points_at(d, first, d->count);
+    float iw[LANES], b1[LANES], b2[LANES];
+    int pixel[LANES], slot[LANES];
+    spill_real(p.iw, iw);
+    if (piece) p = of_piece(p, piece);
+    spill_real(p.b1, b1);
+    spill_real(p.b2, b2);
+    spill_whole(p.pixel, pixel);
+    spill_whole(p.slot, slot);
+    int count = min(d->count - first, LANES);
+    for (int k = 0; k < count; ++k) {
+      int at = pixel[k];
+      if (iw[k] <= tile->depth[at]) continue;
+      tile->depth[at] = iw[k];
+      tile->base_b1[at] = b1[k];
+      tile->base_b2[at] = b2[k];
+      for (int c = 0; c < 3; ++c) tile->base_vertex[c][at] = d->vertex[c][slot[k]];
     }
+  }
+  d->count = 0;
+  d->used = 0;
 }
 
-// A fan of the polygon that clipping left, as batches; calls draw or draw_base for each piece.
+// Everything listed so far, to the base or to the queue; returns how many pixels became opaque.
+static int draw(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, const Piece *piece,
+                Drawn *d, Queue *q, Tile *tile, uint *covered) {
+#ifdef COUNT_FRAGMENTS
+  if (n >= 0) {
+    *covered += (uint)d->count;
+    d->count = 0;
+    d->used = 0;
+    return 0;
+  }
+#endif
+  if (n >= 0) return queue_fragments(s, from, l, n, place, piece, d, q, tile);
+  base_fragments(piece, d, tile);
+  return 0;
+}
+
+// The fan of the polygon that clipping leaves of a triangle, piece by piece; `d` must be empty.
 static int draw_clipped(const RasterParams *s, Geometry m, const Attributes *from, Layer l, int n, const Place *place,
-                        int v0, int v1, int v2, Batch *pieces, Queue *q, Tile *tile, uint *covered) {
+                        int v0, int v1, int v2, Batch *batch, Drawn *d, Queue *q, Tile *tile, uint *covered) {
   Cut polygon[POLYGON];
   int corners = clipped_triangle(s, m, l, v0, v1, v2, polygon);
   int opaque = 0;
   for (int i = 1; i + 1 < corners; ++i) {
     // One piece on all lanes: rare enough that the others may idle.
     Triangles b;
-    int index[3];
-    index[0] = 0;
-    index[1] = i;
-    index[2] = i + 1;
+    int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
-    b.vertex[0] = WHOLE(0);
-    b.vertex[1] = WHOLE(1);
-    b.vertex[2] = WHOLE(2);
-    keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, 0.0f, pieces);
+    for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
+    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, 0.0f, d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
-      int from_corner = index[pieces->vertex[c][0]];
-      piece.b1[c] = polygon[from_corner].b1;
-      piece.b2[c] = polygon[from_corner].b2;
+      piece.b1[c] = polygon[index[d->vertex[c][0]]].b1;
+      piece.b2[c] = polygon[index[d->vertex[c][0]]].b2;
     }
-    pieces->vertex[0][0] = v0;
-    pieces->vertex[1][0] = v1;
-    pieces->vertex[2][0] = v2;
-    if (n < 0) draw_base(pieces, 0, &piece, tile);
-    else opaque += draw(s, from, l, n, place, pieces, 0, &piece, q, tile, covered);
+    d->vertex[0][0] = v0;
+    d->vertex[1][0] = v1;
+    d->vertex[2][0] = v2;
+    list_fragments(batch, 0, 0, d);
+    opaque += draw(s, from, l, n, place, &piece, d, q, tile, covered);
   }
   return opaque;
 }
@@ -266,7 +384,8 @@ static void resolve(const RasterParams *s, const Attributes *from, Layer base, c
       int v0 = covered ? tile->base_vertex[0][pixel] : 0, v1 = covered ? tile->base_vertex[1][pixel] : 0;
       int v2 = covered ? tile->base_vertex[2][pixel] : 0;
       float b1 = covered ? tile->base_b1[pixel] : 0.0f, b2 = covered ? tile->base_b2[pixel] : 0.0f;
-      interpolate_record(from->records, v0, v1, v2, b1, b2, q->record, k);
+      q->record[k] = interpolated(from->records, v0, v1, v2, b1, b2);
+      q->surface[k] = q->record[k];
     }
     real3 c = skin_colour(s, from->textures, base, surface_of(s, q, place));
     float red[LANES], green[LANES], blue[LANES];
@@ -289,14 +408,14 @@ static void resolve(const RasterParams *s, const Attributes *from, Layer base, c
 }
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(int) screen_x, TABLE(int) screen_y,
-                          TABLE(float) screen_iw, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(float) screen,
+                          TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
                           TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int tile_index = (int)get_global_id(0);
   int tiles = s.tiles_x * s.tiles_y;
   if (tile_index >= tiles) return;
-  Geometry m = {corners, screen_x, screen_y, screen_iw, vertex, tip, dry, table};
+  Geometry m = {corners, screen, vertex, tip, dry, table};
   Attributes from;
   from.records = records;
   from.tangents = tangents;
@@ -313,7 +432,10 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
 
   Tile tile;
   Queue queue;
-  Batch batch, pieces;
+  Batch batch;
+  Drawn drawn;
+  drawn.used = 0;
+  drawn.count = 0;
   queue.count = 0;
   for (int i = 0; i < TILE_PIXELS; ++i) {
     tile.depth[i] = 0.0f;
@@ -336,23 +458,42 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
       whole triangle = gather_whole(list, entry);
       Triangles b = triangles_at(&s, m, n, triangle, place.origin_x, place.origin_y);
       truth outside = needs_clip(b);
-      Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place.width, place.height);
-      t.live = t.live && !outside;
-      if (!some(t.live || outside)) continue;
-      keep(t, b, least_iw, &batch);
-      int clipped[LANES];
-      spill_whole(outside ? WHOLE(1) : WHOLE(0), clipped);
+      if (some(outside)) {
+        // Rare: triangle by triangle, so that the order holds.
+        live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+        int clipped[LANES], corner[3][LANES];
+        spill_whole(outside ? WHOLE(1) : WHOLE(0), clipped);
+        for (int c = 0; c < 3; ++c) spill_whole(b.vertex[c], corner[c]);
+        for (int k = 0; k < end - begin; ++k) {
+          int lane = n < 0 ? k : end - begin - 1 - k;
+          if (clipped[lane]) {
+            live_pixels -= draw_clipped(&s, m, &from, l, n, &place, corner[0][lane], corner[1][lane], corner[2][lane],
+                                        &batch, &drawn, &queue, &tile, &fragments);
+          } else {
+            Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place.width, place.height);
+            t.live = t.live && !outside;
+            if (keep(t, b, least_iw, &drawn, &batch)) list_fragments(&batch, lane, lane, &drawn);
+            live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+          }
+        }
+        continue;
+      }
+      if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place.width, place.height), b, least_iw, &drawn, &batch))
+        continue;
+      int slot = drawn.used;
+      drawn.used += LANES;
       for (int k = 0; k < end - begin; ++k) {
         int lane = n < 0 ? k : end - begin - 1 - k;
-        if (clipped[lane])
-          live_pixels -= draw_clipped(&s, m, &from, l, n, &place, batch.vertex[0][lane], batch.vertex[1][lane],
-                                      batch.vertex[2][lane], &pieces, &queue, &tile, &fragments);
-        else if (n < 0)
-          draw_base(&batch, lane, 0, &tile);
-        else
-          live_pixels -= draw(&s, &from, l, n, &place, &batch, lane, 0, &queue, &tile, &fragments);
+        if (batch.to_x[lane] < batch.from_x[lane]) continue;
+        if (drawn.count + TILE_PIXELS > FRAGMENTS) {
+          live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+          drawn.used = slot + LANES;   // the rest of this batch still stands in its slots
+        }
+        list_fragments(&batch, lane, slot + lane, &drawn);
       }
+      if (drawn.used + LANES > SLOTS) live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
     }
+    live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
     if (n < 0) {
       // What lies behind the base everywhere in the tile cannot be seen.
       least_iw = tile.depth[0];
@@ -362,7 +503,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
       least_iw = 0.0f;
 #endif
     } else {
-      live_pixels -= flush(&s, &from, l, n, &place, &queue, &tile);
+      live_pixels -= shade(&s, &from, l, n, &place, &queue, &tile);
     }
   }
 #ifdef COUNT_FRAGMENTS

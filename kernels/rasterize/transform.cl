@@ -38,11 +38,11 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   return c;
 }
 
-// Every layer's vertices, base first: screen x, y (1/256 pixel from the image centre) and 1/w at [(n + 1) vertices + i],
-// and for each group of layers the box of pixels whose centres they bound, at [(group vertices + i) 4]: left, top, right,
+// Every layer's vertices, base first: rows of screen x, y (1/256 pixel from the image centre, integers' bits) and 1/w at
+// [(n + 1) vertices + i], and for each group of layers the box of pixels whose centres they bound, at [(group vertices + i) 4]: left, top, right,
 // bottom from the image's corner. A vertex that needs clipping has 1/w = 0 and a box without limits.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
-                             __global int *screen_x, __global int *screen_y, __global float *screen_iw, __global short *box) {
+                             __global float *screen, __global short *box) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   Corner c = corner(&s, vertex, tip, dry, block);
@@ -53,10 +53,8 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
     whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
-      size_t layer = (size_t)(n + 1) * s.vertices;
-      store_whole(v.x, screen_x + layer, block);
-      store_whole(v.y, screen_y + layer, block);
-      store_real(v.iw, screen_iw + layer, block);
+      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
+      store_rows(row, screen + 4 * (size_t)(n + 1) * s.vertices, block);
       truth clipped = v.iw == REAL(0.0f);
       whole x = v.x + centre_x, y = v.y + centre_y;
       left = clipped ? WHOLE(-32768) : min(left, (x + WHOLE(SUBPIXEL - 1)) >> 8);
