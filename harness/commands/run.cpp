@@ -105,7 +105,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
                      const std::string& device_file, bool several, const fs::path& folder, double budget_s,
                      std::uint64_t seed, const std::map<std::string, int>& tuning) {
   RunPlan plan;
-  plan.run_id = fmt::format("{}-{}", file_name_of(utc_now()), getpid());
+  plan.run_id = fmt::format("{}-{}", utc_stamp(), getpid());
   plan.experiment = sweep.experiment.name;
   plan.device = device.info().name;
   plan.repeat = std::max(0, options.repeat_index);

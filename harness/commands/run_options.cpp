@@ -71,7 +71,7 @@ fs::path RunOptions::folder() const {
   if (!resume.empty()) return resume;
   if (!output.empty()) return output;
   return fs::path("pelage-results") /
-         fmt::format("{}-{}", file_name_of(utc_now()), anonymous ? "anonymous" : file_name_of(host_name()));
+         fmt::format("{}-{}", utc_stamp(), anonymous ? "anonymous" : file_name_of(host_name()));
 }
 
 void declare(CLI::App& command, RunOptions& options) {

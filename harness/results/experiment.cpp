@@ -114,6 +114,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   result.pipeline = part("pipeline", "shells");
   result.mapping = part("mapping", "tile");
 
+  if (result.overrides.empty()) result.require = experiment.require;
   if (result.overrides.empty())
     for (const Published& published : experiment.published)
       if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {

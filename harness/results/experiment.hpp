@@ -43,6 +43,7 @@ struct Experiment {
   std::map<std::string, std::map<std::string, std::string>> variants;     ///< name -> pipeline, mapping
   std::map<std::string, Preset> presets;
   std::vector<Published> published;
+  std::map<std::string, double> require;  ///< metric -> least value that a case of this experiment must have
 };
 
 struct Case {
@@ -54,6 +55,7 @@ struct Case {
   std::map<std::string, std::string> settings;  ///< scene keys that the experiment gives, values as in TOML
   std::vector<Setting> set;                     ///< other axes, then --set: applied last
   std::optional<Metric> published;              ///< only without overrides
+  std::map<std::string, double> require;        ///< only without overrides
 };
 
 /// What the command line changes: --set, --axis, --model.

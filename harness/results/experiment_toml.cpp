@@ -210,6 +210,9 @@ Experiment read_experiment(const fs::path& file) {
       result.axes = read_axes(file, *inner);
     } else if (key == "published") {
       result.published = read_published(file, *inner);
+    } else if (key == "require") {
+      for (const auto& [metric, least] : *inner)
+        result.require[std::string(metric.str())] = number_at(file, *inner, metric.str(), 0, -1e300, 1e300);
     } else if (key == "preset") {
       for (const auto& [name, preset] : *inner) {
         if (!preset.is_table()) refuse(file, &preset, fmt::format("preset.{} must be a table", name.str()));
@@ -221,7 +224,7 @@ Experiment read_experiment(const fs::path& file) {
       refuse(
           file, &node,
           fmt::format("unknown key {} (known: axes, hardware, layers, model, name, paper, preset, published, "
-                      "reading, scene, size, table, title, variant)",
+                      "reading, require, scene, size, table, title, variant)",
                       key.str()));
     }
   }

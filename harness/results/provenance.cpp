@@ -22,6 +22,15 @@ std::string first_line(const std::filesystem::path& file) {
   return line;
 }
 
+std::string utc(const char* format) {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), format, &parts);
+  return text.data();
+}
+
 std::string os_name() {
   std::ifstream stream("/etc/os-release");
   for (std::string line; std::getline(stream, line);)
@@ -32,12 +41,11 @@ std::string os_name() {
 }  // namespace
 
 std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text.data();
+  return utc("%Y-%m-%dT%H:%M:%SZ");
+}
+
+std::string utc_stamp() {
+  return utc("%Y%m%dT%H%M%SZ");
 }
 
 double load_average() {

@@ -8,6 +8,7 @@
 
 namespace pelage {
 
+std::string utc_stamp();  ///< "20261121T001502Z", fit for a file name
 std::string utc_now();    ///< "2026-11-21T00:15:02Z"
 double load_average();    ///< over the last minute
 std::string host_name();  ///< up to the first dot

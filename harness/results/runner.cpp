@@ -101,6 +101,10 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     row.check = subject->check(picture);
     row.provenance["check_s"] = seconds_since(check_from);
     subject->describe(row);
+    for (const auto& [metric, least] : which.require)
+      row.check.push_back({"experiment", metric,
+                           row.metrics.contains(metric) ? row.metrics.at(metric).value : std::nan(""), least,
+                           true});
     if (which.published) row.metrics["paper_" + which.published->unit] = *which.published;
     judge(row, picture);
     if (row.status == Status::ok) {

@@ -82,6 +82,16 @@ TEST(Runner, ACheckThatIsNotANumberFails) {
             Status::failed_check);
 }
 
+TEST(Runner, ACaseMustMeetWhatItsExperimentRequires) {
+  RunPlan plan = fake_plan(1);
+  for (const auto& [least, status] : {std::pair{12.0, Status::ok}, {12.5, Status::failed_check}}) {
+    plan.cases[0].require = {{"triangles", least}};
+    EXPECT_EQ(run_case(plan, plan.cases[0], kShort, fakes()).status, status) << least;
+  }
+  plan.cases[0].require = {{"never measured", 0}};
+  EXPECT_EQ(run_case(plan, plan.cases[0], kShort, fakes()).status, Status::failed_check);
+}
+
 TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
   const Folder folder;
   Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);

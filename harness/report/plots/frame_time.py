@@ -52,10 +52,13 @@ def main(table, outputs):
                     x, y, yerr=error, color=colour, marker=marker, markersize=5, linewidth=1.4, capsize=2)
             paper = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] != "<"]
             if paper:
-                drawn["paper, " + size.replace("x", " × ")], = axis.plot(
-                    [float(r["triangles"]) for r in paper], [1000 / float(r["paper_fps"]) for r in paper],
-                    color=colour, marker=marker, markersize=5, markerfacecolor="white", linewidth=0.9,
-                    linestyle="--")
+                # A whole number of frames per second stands for all that rounds to it.
+                y = [1000 / float(r["paper_fps"]) for r in paper]
+                error = [[m - 1000 / (number(r["paper_fps_high"]) or 1000 / m) for m, r in zip(y, paper)],
+                         [1000 / (number(r["paper_fps_low"]) or 1000 / m) - m for m, r in zip(y, paper)]]
+                drawn["paper, " + size.replace("x", " × ")] = axis.errorbar(
+                    [float(r["triangles"]) for r in paper], y, yerr=error, color=colour, marker=marker,
+                    markersize=5, markerfacecolor="white", linewidth=0.9, linestyle="--", capsize=2)
             # "< 1 fps" is a bound: the frame took longer than this.
             bounds = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] == "<"]
             for r in bounds:
@@ -65,6 +68,8 @@ def main(table, outputs):
                 axis.plot(float(r["triangles"]), bound, color=colour, marker=marker, markersize=5,
                           markerfacecolor="white", linestyle="none")
             if bounds:
+                axis.annotate("paper: < 1 fps", (float(bounds[0]["triangles"]), 1000), xytext=(-8, 0),
+                              textcoords="offset points", ha="right", va="center", fontsize=8, color="0.35")
                 axis.set_ylim(top=max(axis.get_ylim()[1], 2500))
         axis.set_xscale("log")
         axis.set_yscale("log")
