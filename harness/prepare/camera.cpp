@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-constexpr double fill_height = 0.85, fill_width = 0.94;
+constexpr double fill_height = 0.88, fill_width = 0.94;
 
 struct Axes {
   glm::dvec3 right, down, forward;

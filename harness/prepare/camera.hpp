@@ -8,7 +8,7 @@ namespace pelage {
 
 /// The camera of `scene.camera` for a picture of `scene.image`'s size. When framed, it looks along -direction
 /// at the middle of what `points` (R) and a margin of `margin` R around each cover on screen, from where they
-/// fill 85% of the picture's height or 94% of its width, whichever comes first.
+/// fill 88% of the picture's height or 94% of its width, whichever comes first.
 Camera make_camera(const CameraScene& scene, const ImageScene& image, std::span<const glm::vec3> points,
                    float margin);
 

@@ -44,7 +44,7 @@ double plain(glm::dvec3, std::uint32_t) {
 }
 
 double patches(glm::dvec3 p, std::uint32_t seed) {
-  return smoothstep(-0.18, 0.22, fractal_noise(p, seed));
+  return smoothstep(-0.45, 0.45, fractal_noise(p, seed));
 }
 
 double stripes(glm::dvec3 p, std::uint32_t seed) {

@@ -19,7 +19,7 @@ enum Stream : std::uint32_t {
   undercoat_traits
 };
 
-constexpr double lock_share = 0.6;          // of the shade's variation that a whole lock has in common
+constexpr double lock_share = 0.4;          // of the shade's variation that a whole lock has in common
 constexpr double undercoat_thinness = 0.8;  // radius against the guard hairs'
 
 glm::dvec2 shortest(glm::dvec2 d) {
@@ -107,7 +107,9 @@ glm::dvec2 strand_centre(const FurStrand& s, const FurScene& fur, double h) {
 
 double strand_radius(const FurStrand& s, const FurScene& fur, double h) {
   const double t = std::min(h / s.length, 1.0);
-  return s.radius * (1.0 - (1.0 - double(fur.tip_radius)) * std::pow(t, double(fur.taper)));
+  const double radius = s.radius * (1.0 - (1.0 - double(fur.tip_radius)) * std::pow(t, double(fur.taper)));
+  const double spacing = double(fur.length) * double(fur.tile) / fur.layers;  // of two slices, sides
+  return std::sqrt(radius * radius + 2.0 * radius * spacing * double(fur.sweep) / std::numbers::pi);
 }
 
 }  // namespace pelage

@@ -25,7 +25,10 @@ std::vector<FurStrand> grow_strands(const FurScene& fur);
 /// Centre of a strand's section at height h in [0,1] (fraction of L0), not wrapped.
 glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
 
-/// Its radius at h <= length: full at the root, fur.tip_radius of it at the tip.
+/// Its radius at h <= length: full at the root, fur.tip_radius of it at the tip; and then that of the disc as
+/// large as the area it sweeps when a slanting ray carries it over a slice's thickness, pi r^2 + 2 r spacing
+/// fur.sweep. Without this, rays pass between the sections of a strand where layers are few, and the fur is
+/// thinner and darker.
 double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
 
 /// `count` points spread evenly over [0,1)^2: rows of nearly equal number, each point jittered in its cell.

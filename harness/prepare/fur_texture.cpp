@@ -16,7 +16,12 @@ constexpr double reference_layers = 16;  // the layer count at which coverage is
 struct Slice {
   int side;
   std::vector<float> coverage, shade;
-  explicit Slice(int n) : side(n), coverage(std::size_t(n) * std::size_t(n)), shade(coverage.size(), 1.0f) {}
+  std::vector<float> claim;  ///< how near the middle of a strand a texel lies: the nearest gives the shade
+  explicit Slice(int n)
+      : side(n),
+        coverage(std::size_t(n) * std::size_t(n)),
+        shade(coverage.size(), 1.0f),
+        claim(coverage.size()) {}
   std::size_t at(int x, int y) const { return std::size_t(y) * std::size_t(side) + std::size_t(x); }
 };
 
@@ -60,8 +65,11 @@ class Painter {
       for (int x = x0; x <= x1; ++x) {
         const float a = weight * float(count_[std::size_t(x - x0)]) / (fine * fine);
         const std::size_t i = slice_.at(wrap(x, slice_.side), wrap(y, slice_.side));
-        if (a <= slice_.coverage[i]) continue;
-        slice_.coverage[i] = a;
+        slice_.coverage[i] = std::max(slice_.coverage[i], a);
+        const glm::dvec2 d = glm::dvec2(x + 0.5, y + 0.5) - s.centre;
+        const float claim = a / float(1.0 + xx * d.x * d.x + 2.0 * xy * d.x * d.y + yy * d.y * d.y);
+        if (claim <= slice_.claim[i]) continue;
+        slice_.claim[i] = claim;
         slice_.shade[i] = shade;
       }
     }

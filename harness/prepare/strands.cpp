@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-constexpr double noise_size = 0.22;  // R, the size of a ruffled area
+constexpr double noise_size = 0.1;   // R, the size of a ruffled area
 constexpr double least_grip = 0.25;  // below this tangential share the comb fades instead of swirling
 constexpr int comb_iterations = 20;  // of smoothing, about as many edges wide
 

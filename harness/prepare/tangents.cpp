@@ -2,11 +2,15 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/prepare/noise.hpp"
 
 namespace pelage {
 namespace {
 
 constexpr int smooth_iterations = 60;
+constexpr double phase_size = 0.25;  // R, over which the curl's phase varies
 
 glm::dvec3 unit_tangent(glm::dvec3 v, glm::dvec3 n) {
   const glm::dvec3 flat = tangential(v, n);
@@ -67,6 +71,13 @@ CurlFrame curl_frame(const Mesh& mesh, const Skin& skin, const SurfaceTangents& 
   for (std::size_t w = 0; w < points; ++w) {
     const std::uint32_t copy = skin.first_copy[w];
     glm::dvec3 v = glm::cross(skin.normal[w], u[w]);
+    if (smooth && curl.variation != 0.0f) {
+      const double turn = double(curl.variation) * noise(skin.position[w] / phase_size, 0xc021u);
+      const double c = std::cos(2.0 * std::numbers::pi * turn), s = std::sin(2.0 * std::numbers::pi * turn);
+      const glm::dvec3 turned = c * u[w] + s * v;
+      v = c * v - s * u[w];
+      u[w] = turned;
+    }
     if (!smooth && glm::dot(v, glm::dvec3(tangents.b[copy])) < 0) v = -v;  // a mirrored chart
     frame.u.push_back(glm::vec3(u[w]));
     frame.v.push_back(glm::vec3(v));

@@ -12,7 +12,8 @@ SurfaceTangents surface_tangents(const Mesh& mesh, const Skin& skin);
 
 /// S Eq. 4's u and v per surface point, orthonormal and tangential. "uv": the first copy's UV gradient, as
 /// printed; it jumps where the atlas is cut. "smooth": the mean of the copies' gradients, smoothed over the
-/// welded surface.
+/// welded surface and turned by a smooth random angle of `variation` turns, so that curls are not all in
+/// phase.
 CurlFrame curl_frame(const Mesh& mesh, const Skin& skin, const SurfaceTangents& tangents,
                      const CurlScene& curl);
 

@@ -30,6 +30,7 @@ struct FurScene {
   float lock_pull = 0.45f;         ///< how far a strand's tip moves to its lock's centre, 0..1
   float lock_power = 1.0f;         ///< exponent of h in that pull
   float bend = 0.0f;               ///< exponential bend of a blade at its tip, texels (grass: 18)
+  float sweep = 0.18f;             ///< how obliquely strands are seen (tangent): widens them where layers are few
   float shade = 0.28f;             ///< variation of shade from strand to strand, +-
   float comb = 0.6f;               ///< tangential lean of the spring's rest tip, 0: the paper's upright fur
   float comb_noise = 0.0f;         ///< lean in random, smooth directions, added to comb
@@ -43,6 +44,7 @@ struct FurScene {
 struct CurlScene {
   float radius = 0.0f;            ///< K_alpha, R
   float turns = 0.0f;             ///< omega / 2 pi, turns from root to tip
+  float variation = 0.0f;         ///< turns by which the curl's phase varies over the body, +-; "smooth" frame only
   std::string frame = "smooth";   ///< "smooth" | "uv"
 };
 

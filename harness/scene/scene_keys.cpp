@@ -40,6 +40,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.lock_pull", &fur.lock_pull, "", 0, 1, "how far a tip moves to its lock's centre"},
       {"fur.lock_power", &fur.lock_power, "", 0.01, 16, "exponent of the height in that pull"},
       {"fur.bend", &fur.bend, "texels of a 256-texel slice", 0, 256, "exponential bend of a blade at its tip"},
+      {"fur.sweep", &fur.sweep, "tangent of an angle", 0, 4, "how obliquely strands are seen: widens them where layers are few, so that 16 and 64 look alike"},
       {"fur.shade", &fur.shade, "", 0, 1, "variation of shade from strand to strand, +-"},
       {"fur.comb", &fur.comb, "", 0, 10, "tangential lean of the rest tip; 0: upright, as in the paper"},
       {"fur.comb_noise", &fur.comb_noise, "", 0, 10, "lean in random, smooth directions, added to comb"},
@@ -51,6 +52,7 @@ std::vector<Key> scene_keys(Scene& s) {
 
       {"curl.radius", &curl.radius, "R", 0, 1, "K_alpha of S Eq. 4, radius of the curl"},
       {"curl.turns", &curl.turns, "", -64, 64, "turns from root to tip, omega / 2 pi"},
+      {"curl.variation", &curl.variation, "turns", 0, 8, "variation of the curl's phase over the body, +-; with the smooth frame only"},
       {.name = "curl.frame", .slot = &curl.frame, .unit = "", .help = "tangent frame: a smoothed field, or the raw UV gradient", .choices = {"smooth", "uv"}},
 
       {"wetness.size", &wetness.size, "texels", 8, 4096, "side of the wetness mask"},
