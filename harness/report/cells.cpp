@@ -81,10 +81,10 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
   for (const FoundRow& found : rows) {
     Cell cell = cell_of(found);
-    const auto same = std::find_if(cells.begin(), cells.end(),
-                                   [&](const Cell& c) { return identity(c) == identity(cell); });
-    if (same == cells.end()) cells.push_back(std::move(cell));
-    add(same == cells.end() ? cells.back() : *same, found.row);
+    auto place = std::find_if(cells.begin(), cells.end(),
+                              [&](const Cell& c) { return identity(c) == identity(cell); });
+    if (place == cells.end()) place = cells.insert(place, std::move(cell));
+    add(*place, found.row);
   }
   for (Cell& cell : cells) summarize(cell);
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {

@@ -87,12 +87,14 @@ TEST(PaperTable, OverriddenRowsStayOut) {
 TEST(PaperTable, AsLatex) {
   const std::string tex = latex_of(paper_tables(cells_of(table1_rows()), note).at(0));
   for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "hippo\\tnote{a}",
-                           "a pig \\& 100\\% so", "$<$ 1", "silva"})
-    if (std::string_view(part) != "silva") EXPECT_NE(tex.find(part), std::string::npos) << part;
+                           "a pig \\& 100\\% so", "$<$ 1"})
+    EXPECT_NE(tex.find(part), std::string::npos) << part;
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
   // Every line of the body has one cell per column: 2 + 2 sizes x 3.
-  for (const std::string& line : lines_of(tex))
-    if (line.starts_with("torus")) EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
+  for (const std::string& line : lines_of(tex)) {
+    if (!line.starts_with("torus")) continue;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
+  }
   EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
 }
 
