@@ -10,6 +10,7 @@
 #include "harness/cl/program.hpp"
 #include "harness/commands/check.hpp"
 #include "harness/commands/command.hpp"
+#include "harness/commands/compare.hpp"
 #include "harness/commands/devices.hpp"
 #include "harness/commands/export.hpp"
 #include "harness/commands/list.hpp"
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
   add_list(app, chosen);
   add_run(app, chosen);
   add_export(app, chosen);
+  add_compare(app, chosen);
   add_report(app, chosen);
   app.require_subcommand(0, 1);
 
@@ -94,6 +96,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return failed("out of memory", 1);
   } catch (const std::exception& error) {
+    if (std::ferror(stdout)) return failed("standard output cannot be written", 2);
     return failed(error.what(), 1);
   }
 }

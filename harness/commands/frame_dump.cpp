@@ -127,7 +127,7 @@ void dump_frame(const std::filesystem::path& path, const FrameInput& input, cons
   const auto side = static_cast<std::size_t>(input.scene.wetness.size);
   const auto coat = static_cast<std::size_t>(input.coat.size);
   write_atomically(path, [&](const std::filesystem::path& temporary) {
-    Hdf5File file(temporary);
+    Hdf5File file(temporary, path.string());
     const BuildInfo& build = build_info();
     file.note("pelage",
               fmt::format("{} {}{}", build.version, build.revision, build.dirty ? ", modified" : ""));

@@ -48,9 +48,9 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
 
 }  // namespace
 
-Hdf5File::Hdf5File(const std::filesystem::path& path) : name_(path.string()) {
+Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our errors are exceptions, not its stack on stderr
-  file_ = H5Fcreate(name_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) throw InputError(name_ + ": cannot be written");
 }
 

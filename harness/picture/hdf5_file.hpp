@@ -10,8 +10,8 @@ namespace pelage {
 
 class Hdf5File {
  public:
-  /// Creates or replaces the file. Throws InputError when it cannot.
-  explicit Hdf5File(const std::filesystem::path& path);
+  /// Creates or replaces the file; errors call it `name`. Throws InputError when it cannot.
+  Hdf5File(const std::filesystem::path& path, std::string name);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;

@@ -65,7 +65,7 @@ const Bad scenes[] = {
 const Bad meshes[] = {
     {"--model nothing", 2, "nothing"},
     {"--model nothing.obj", 2, "nothing.obj"},
-    {"--model .", 2, "."},
+    {"--model .", 2, "not a file"},
     {"--model text.obj", 2, "text.obj"},
     {"--model empty.off", 2, "empty.off"},
     {"--model truncated.off", 2, "truncated.off"},
