@@ -1,0 +1,46 @@
+// kernels/opencl.clh's words for C++: one lane, in double. A test includes this and then, inside namespace
+// pelage::in_double, the .clh files it wants; the device's own text is then checked without a device. Include
+// the kernel files once per translation unit, and kernels/ must be on the include path.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace pelage::in_double {
+
+using scalar = double;
+using real = double;
+using whole = std::int32_t;
+using wide = std::int64_t;
+using truth = bool;
+
+using std::fabs;
+using std::floor;
+using std::fma;
+using std::fmax;
+using std::fmin;
+using std::log2;
+using std::max;
+using std::min;
+using std::pow;
+using std::rint;
+using std::sqrt;
+
+inline real gather(const float* table, whole i) {
+  return real(table[i]);
+}
+inline whole gather_whole(const std::int32_t* table, whole i) {
+  return table[i];
+}
+inline bool some(truth m) {
+  return m;
+}
+
+}  // namespace pelage::in_double
+
+#define TABLE(type) const type*
+#define to_real (real)
+#define to_whole (whole)
+#define to_wide (wide)
+#define narrow (whole)
