@@ -51,10 +51,10 @@ void lay_out_corners(const Mesh& mesh, bool separate, Geometry& g) {
   const std::size_t faces = mesh.triangle.size();
   g.triangles = padded(faces);
   // Empty triangles at the end stand on a vertex that no other uses.
-  g.corner.assign(std::size_t(3) * std::size_t(g.triangles), g.vertices - 1);
+  g.corner.assign(std::size_t(4) * std::size_t(g.triangles), g.vertices - 1);
   for (std::size_t f = 0; f < faces; ++f)
     for (std::size_t k = 0; k < 3; ++k)
-      g.corner[k * std::size_t(g.triangles) + f] =
+      g.corner[4 * f + k] =
           static_cast<std::int32_t>(separate ? 3 * f + k : mesh.triangle[f][static_cast<int>(k)]);
 }
 

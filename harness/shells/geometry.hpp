@@ -17,7 +17,7 @@ struct Geometry {
   std::vector<float> uv;       ///< u, v per vertex
   std::vector<float> mask_uv;  ///< two columns: where the vertex samples the wetness mask
   std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv, two unused
-  std::vector<std::int32_t> corner;  ///< three columns of vertex numbers
+  std::vector<std::int32_t> corner;  ///< four per triangle: its vertices and 0
   // Which strands bend a vertex, padded per block of `lanes` vertices.
   std::vector<std::int32_t> slice;  ///< blocks + 1
   std::vector<std::int32_t> strand;

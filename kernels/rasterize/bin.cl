@@ -13,10 +13,11 @@
 // Tiles that a block of LANES triangles may touch in group g; right < left when they cover no pixel centre.
 typedef struct { int left[LANES], top[LANES], right[LANES], bottom[LANES]; } Touched;
 
-static inline bool touched(const RasterParams *s, TABLE(int) corners, TABLE(int) box, int g, int block, Touched *out) {
+static inline bool touched(const RasterParams *s, TABLE(float) corners, TABLE(int) box, int g, int block, Touched *out) {
   whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
+  real4 row = load_rows(corners, block);
   for (int k = 0; k < 3; ++k) {
-    whole i = load_whole(corners + (size_t)k * s->triangles, block) * 2;
+    whole i = bits_as_whole(k == 0 ? row.x : k == 1 ? row.y : row.z) * 2;
     TABLE(int) of_group = box + (size_t)g * s->vertices * 2;
     whole low = gather_whole(of_group, i), high = gather_whole(of_group, i + 1);
     left = min(left, (low << 16) >> 16);
@@ -36,9 +37,9 @@ static inline bool touched(const RasterParams *s, TABLE(int) corners, TABLE(int)
   return some(live);
 }
 
-// corners: the triangles' vertices, three columns of `triangles` (padded by empty ones to a multiple of 16).
+// corners: per triangle a row of three vertex numbers and 0, padded by empty ones to a multiple of 16.
 // count: [(g chunks + chunk) tiles + tile].
-__kernel void bin_count(RasterParams s, TABLE(int) corners, TABLE(int) box, __global int *count) {
+__kernel void bin_count(RasterParams s, TABLE(float) corners, TABLE(int) box, __global int *count) {
   int chunk = (int)get_global_id(0), g = (int)get_global_id(1);
   if (chunk >= s.chunks || g >= s.groups) return;
   int tiles = s.tiles_x * s.tiles_y;
@@ -80,7 +81,7 @@ __kernel void bin_start(RasterParams s, TABLE(int) length, __global int *list_st
   list_start[lists] = sum;
 }
 
-__kernel void bin_fill(RasterParams s, TABLE(int) corners, TABLE(int) box, __global int *count, TABLE(int) list_start,
+__kernel void bin_fill(RasterParams s, TABLE(float) corners, TABLE(int) box, __global int *count, TABLE(int) list_start,
                        __global int *list) {
   int chunk = (int)get_global_id(0), g = (int)get_global_id(1);
   if (chunk >= s.chunks || g >= s.groups) return;

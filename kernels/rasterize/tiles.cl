@@ -11,20 +11,20 @@
 #define TILE_H 32
 #endif
 #define TILE_PIXELS (TILE_W * TILE_H)
-#define NOBODY -1
+
+#define ALWAYS_INLINE static inline __attribute__((always_inline))
 
 // Set-ups are kept for a while, so that fragments of many triangles fill whole blocks of lanes.
 #define SLOTS (8 * LANES > 128 ? 8 * LANES : 128)
 #define FRAGMENTS (TILE_PIXELS + 256)
 
-// Triangles that have been set up: what coverage and interpolation need, a column per triangle.
+// Triangles that have been set up: what interpolation needs, three rows of four per triangle.
 typedef struct {
-  int used;                                           // slots, a multiple of LANES
-  float b1_right[SLOTS], b1_down[SLOTS], b2_right[SLOTS], b2_down[SLOTS];
-  float iw[SLOTS], iw1[SLOTS], iw2[SLOTS];
-  int x[SLOTS], y[SLOTS];
-  int vertex[3][SLOTS];
-  int count;                                          // covered fragments in drawing order: slot << 16 | pixel
+  int used;                          // slots, a multiple of LANES
+  float place[SLOTS * 4];            // vertex 0's x, y (integers' bits); b1's slopes right and down
+  float depth[SLOTS * 4];            // b2's slopes right and down; 1/w of vertices 0 and 1
+  float vertex[SLOTS * 4];           // 1/w of vertex 2; the vertices' numbers (integers' bits)
+  int count;                         // covered fragments in drawing order: slot << 16 | pixel
   int fragment[FRAGMENTS];
 } Drawn;
 
@@ -36,13 +36,14 @@ typedef struct {
   int bits[LANES];
 } Batch;
 
-// Fragments that wait for shading, in order: a row each of u, v, A, B (and dX/du, dX/dv).
+// Fragments that wait for a stage, in order: a row each of u, v, A, B (and dX/du, dX/dv).
 typedef struct {
   int count;
   int pixel[LANES];
   float w[LANES];
   float8 record[LANES];
   float8 surface[LANES];
+  float8 fur[LANES];                     // of those that passed: displaced u, v; coverage, detail, rho, pull u, v
 } Queue;
 
 typedef struct {
@@ -62,7 +63,7 @@ typedef struct {
 typedef struct { float b1[3], b2[3]; } Piece;
 
 // The pixels covered by triangles of at most 8 x 4 pixels: all LANES of them at once, pixel by pixel.
-static inline whole covered_bits(Setup t, truth small) {
+ALWAYS_INLINE whole covered_bits(Setup t, truth small) {
   whole bits = WHOLE(0);
   whole e0 = t.edge[0].at + t.edge[0].right * t.left + t.edge[0].down * t.top;
   whole e1 = t.edge[1].at + t.edge[1].right * t.left + t.edge[1].down * t.top;
@@ -87,7 +88,7 @@ static inline whole covered_bits(Setup t, truth small) {
 }
 
 // Puts a batch into the next slots; false when nothing of it can be seen. least_iw: nothing behind it shows.
-static inline bool keep(Setup t, Triangles b, float least_iw, Drawn *out, Batch *batch) {
+ALWAYS_INLINE bool keep(Setup t, Triangles b, float least_iw, Drawn *out, Batch *batch) {
   truth seen = t.live && (fmax(t.iw, fmax(t.iw1, t.iw2)) >= REAL(least_iw));
   if (!some(seen)) return false;
   truth small = seen && (t.right - t.left < WHOLE(8)) && (t.bottom - t.top < WHOLE(4));
@@ -105,19 +106,13 @@ static inline bool keep(Setup t, Triangles b, float least_iw, Drawn *out, Batch 
       spill_whole(t.edge[k].right, batch->right[k]);
       spill_whole(t.edge[k].down, batch->down[k]);
     }
-  int slot = out->used;
-  spill_real(t.slope[0].right, out->b1_right + slot);
-  spill_real(t.slope[0].down, out->b1_down + slot);
-  spill_real(t.slope[1].right, out->b2_right + slot);
-  spill_real(t.slope[1].down, out->b2_down + slot);
-  spill_real(t.iw, out->iw + slot);
-  spill_real(t.iw1, out->iw1 + slot);
-  spill_real(t.iw2, out->iw2 + slot);
-  spill_whole(t.x, out->x + slot);
-  spill_whole(t.y, out->y + slot);
-  spill_whole(b.vertex[0], out->vertex[0] + slot);
-  spill_whole(t.swapped ? b.vertex[2] : b.vertex[1], out->vertex[1] + slot);
-  spill_whole(t.swapped ? b.vertex[1] : b.vertex[2], out->vertex[2] + slot);
+  real4 place = {bits_as_real(t.x), bits_as_real(t.y), t.slope[0].right, t.slope[0].down};
+  spill_rows(place, out->place + 4 * out->used);
+  real4 depth = {t.slope[1].right, t.slope[1].down, t.iw, t.iw1};
+  spill_rows(depth, out->depth + 4 * out->used);
+  whole v1 = t.swapped ? b.vertex[2] : b.vertex[1], v2 = t.swapped ? b.vertex[1] : b.vertex[2];
+  real4 vertex = {t.iw2, bits_as_real(b.vertex[0]), bits_as_real(v1), bits_as_real(v2)};
+  spill_rows(vertex, out->vertex + 4 * out->used);
   return true;
 }
 
@@ -154,20 +149,27 @@ static inline void list_fragments(const Batch *b, int lane, int slot, Drawn *out
 
 // LANES covered pixel centres: 1/w and the perspective-correct barycentrics of vertices 1 and 2.
 typedef struct {
-  whole slot, pixel;
+  whole pixel;
   real iw, b1, b2;
+  whole v0, v1, v2;
 } Points;
 
-static inline Points points_at(const Drawn *d, int first, int last) {
+ALWAYS_INLINE Points points_at(const Drawn *d, int first, int last) {
   whole word = own_gather_whole(d->fragment, min(WHOLE(first) + lane_numbers(), WHOLE(last - 1)));
   Points p;
-  p.slot = word >> 16;
+  whole slot = word >> 16;
   p.pixel = word & WHOLE(0xffff);
-  real dx = to_real((p.pixel % TILE_W) * SUBPIXEL - own_gather_whole(d->x, p.slot));
-  real dy = to_real((p.pixel / TILE_W) * SUBPIXEL - own_gather_whole(d->y, p.slot));
-  p.b1 = fma(own_gather(d->b1_right, p.slot), dx, own_gather(d->b1_down, p.slot) * dy);
-  p.b2 = fma(own_gather(d->b2_right, p.slot), dx, own_gather(d->b2_down, p.slot) * dy);
-  real iw = own_gather(d->iw, p.slot), iw1 = own_gather(d->iw1, p.slot), iw2 = own_gather(d->iw2, p.slot);
+  real4 place = own_gather_rows(d->place, slot);
+  real4 depth = own_gather_rows(d->depth, slot);
+  real4 vertex = own_gather_rows(d->vertex, slot);
+  real dx = to_real((p.pixel % TILE_W) * SUBPIXEL - bits_as_whole(place.x));
+  real dy = to_real((p.pixel / TILE_W) * SUBPIXEL - bits_as_whole(place.y));
+  p.b1 = fma(place.z, dx, place.w * dy);
+  p.b2 = fma(depth.x, dx, depth.y * dy);
+  real iw = depth.z, iw1 = depth.w, iw2 = vertex.x;
+  p.v0 = bits_as_whole(vertex.y);
+  p.v1 = bits_as_whole(vertex.z);
+  p.v2 = bits_as_whole(vertex.w);
   p.iw = fma(p.b2, iw2 - iw, fma(p.b1, iw1 - iw, iw));
   real w = 1.0f / p.iw;
   p.b1 = p.b1 * iw1 * w;
@@ -175,7 +177,7 @@ static inline Points points_at(const Drawn *d, int first, int last) {
   return p;
 }
 
-static inline Points of_piece(Points p, const Piece *piece) {
+ALWAYS_INLINE Points of_piece(Points p, const Piece *piece) {
   real b0 = 1.0f - p.b1 - p.b2;
   Points q = p;
   q.b1 = b0 * piece->b1[0] + p.b1 * piece->b1[1] + p.b2 * piece->b1[2];
@@ -237,30 +239,40 @@ static inline float8 interpolated(TABLE(float) table, int v0, int v1, int v2, fl
   return fma((float8)(b2), r2 - r0, fma((float8)(b1), r1 - r0, r0));
 }
 
-// Shades the queued fragments of layer n and blends them in their order; returns how many pixels became opaque.
-static int shade(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, Queue *q, Tile *tile) {
-  int count = q->count, opaque = 0;
-  if (count == 0) return 0;
-  q->count = 0;
-  for (int k = count; k < LANES; ++k) {    // the free lanes repeat a real fragment: nothing odd to compute
+// The free lanes repeat a real fragment: nothing odd to compute.
+static inline void fill_up(Queue *q) {
+  for (int k = q->count; k < LANES; ++k) {
     q->pixel[k] = q->pixel[0];
     q->w[k] = q->w[0];
     q->record[k] = q->record[0];
     q->surface[k] = q->surface[0];
+    q->fur[k] = q->fur[0];
   }
-  Surface p = surface_of(s, q, place);
-  Fur f = fur_fragment(s, from->textures, l, n, p);
-  if (!some(f.coverage > REAL(0.0f))) return 0;
-  real3 c = fur_colour(s, from->textures, l, p, f);
-  float alpha[LANES], red[LANES], green[LANES], blue[LANES];
-  spill_real(f.coverage, alpha);
-  spill_real(c.x, red);
-  spill_real(c.y, green);
-  spill_real(c.z, blue);
+}
+
+// Lights the fragments that hold fur and blends them in their order; returns how many pixels became opaque.
+static int light(const RasterParams *s, const Attributes *from, const Layer *l, int n, const Place *place, Queue *q, Tile *tile) {
+  int count = q->count, opaque = 0;
+  if (count == 0) return 0;
+  fill_up(q);
+  q->count = 0;
+  real c[RECORD];
+  columns_of(q->fur, c);
+  Fur f;
+  f.uv = vec2(c[0], c[1]);
+  f.coverage = c[2];
+  f.detail = c[3];
+  f.rho = c[4];
+  f.pull = vec2(c[5], c[6]);
+  real3 colour = fur_colour(s, from->textures, *l, n, surface_of(s, q, place), f);
+  float red[LANES], green[LANES], blue[LANES];
+  spill_real(colour.x, red);
+  spill_real(colour.y, green);
+  spill_real(colour.z, blue);
   for (int k = 0; k < count; ++k) {
     float4 front = tile->colour[q->pixel[k]];
-    if (alpha[k] <= 0.0f || front.w <= OPAQUE) continue;
-    float weight = front.w * alpha[k];
+    if (front.w <= OPAQUE) continue;
+    float weight = front.w * q->fur[k].s2;
     front += (float4)(weight * red[k], weight * green[k], weight * blue[k], -weight);
     tile->colour[q->pixel[k]] = front;
     opaque += front.w <= OPAQUE;
@@ -268,9 +280,39 @@ static int shade(const RasterParams *s, const Attributes *from, Layer l, int n, 
   return opaque;
 }
 
-// Takes the listed fragments that may be seen to the shading queue; returns how many pixels became opaque.
-static int queue_fragments(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place,
-                           const Piece *piece, Drawn *d, Queue *q, Tile *tile) {
+// Keeps of the queued fragments of layer n those that hold fur; returns how many pixels became opaque.
+static int sift(const RasterParams *s, const Attributes *from, const Layer *l, int n, const Place *place, Queue *q, Queue *lit,
+                Tile *tile) {
+  int count = q->count, opaque = 0;
+  if (count == 0) return 0;
+  fill_up(q);
+  q->count = 0;
+  Fur f = fur_fragment(s, from->textures, *l, n, surface_of(s, q, place));
+  if (!some(f.coverage > REAL(0.0f))) return 0;
+  float coverage[LANES], u[LANES], v[LANES], detail[LANES], rho[LANES], pull_u[LANES], pull_v[LANES];
+  spill_real(f.coverage, coverage);
+  spill_real(f.uv.x, u);
+  spill_real(f.uv.y, v);
+  spill_real(f.detail, detail);
+  spill_real(f.rho, rho);
+  spill_real(f.pull.x, pull_u);
+  spill_real(f.pull.y, pull_v);
+  for (int k = 0; k < count; ++k) {
+    if (coverage[k] <= 0.0f) continue;
+    int at = lit->count++;
+    lit->pixel[at] = q->pixel[k];
+    lit->w[at] = q->w[k];
+    lit->record[at] = q->record[k];
+    if (s->wet_model) lit->surface[at] = q->surface[k];
+    lit->fur[at] = (float8)(u[k], v[k], coverage[k], detail[k], rho[k], pull_u[k], pull_v[k], 0.0f);
+    if (lit->count == LANES) opaque += light(s, from, l, n, place, lit, tile);
+  }
+  return opaque;
+}
+
+// Takes the listed fragments that may be seen on to the queue; returns how many pixels became opaque.
+static int queue_fragments(const RasterParams *s, const Attributes *from, const Layer *l, int n, const Place *place,
+                           const Piece *piece, Drawn *d, Queue *q, Queue *lit, Tile *tile) {
   int opaque = 0;
   for (int first = 0; first < d->count; first += LANES) {
     Points p = points_at(d, first, d->count);
@@ -278,11 +320,13 @@ static int queue_fragments(const RasterParams *s, const Attributes *from, Layer 
                  (own_gather((const float *)tile->colour, p.pixel * 4 + 3) > REAL(OPAQUE));
     if (!some(seen)) continue;
     if (piece) p = of_piece(p, piece);
-    int wanted[LANES], pixel[LANES], slot[LANES];
+    int wanted[LANES], pixel[LANES], v0[LANES], v1[LANES], v2[LANES];
     float w[LANES], b1[LANES], b2[LANES];
     spill_whole(seen ? WHOLE(1) : WHOLE(0), wanted);
     spill_whole(p.pixel, pixel);
-    spill_whole(p.slot, slot);
+    spill_whole(p.v0, v0);
+    spill_whole(p.v1, v1);
+    spill_whole(p.v2, v2);
     spill_real(1.0f / p.iw, w);
     spill_real(p.b1, b1);
     spill_real(p.b2, b2);
@@ -290,12 +334,11 @@ static int queue_fragments(const RasterParams *s, const Attributes *from, Layer 
     for (int k = 0; k < count; ++k) {
       if (!wanted[k]) continue;
       int at = q->count++;
-      int v0 = d->vertex[0][slot[k]], v1 = d->vertex[1][slot[k]], v2 = d->vertex[2][slot[k]];
       q->pixel[at] = pixel[k];
       q->w[at] = w[k];
-      q->record[at] = interpolated(from->records, v0, v1, v2, b1[k], b2[k]);
-      if (s->wet_model) q->surface[at] = interpolated(from->tangents, v0, v1, v2, b1[k], b2[k]);
-      if (q->count == LANES) opaque += shade(s, from, l, n, place, q, tile);
+      q->record[at] = interpolated(from->records, v0[k], v1[k], v2[k], b1[k], b2[k]);
+      if (s->wet_model) q->surface[at] = interpolated(from->tangents, v0[k], v1[k], v2[k], b1[k], b2[k]);
+      if (q->count == LANES) opaque += sift(s, from, l, n, place, q, lit, tile);
     }
   }
   d->count = 0;
@@ -308,13 +351,15 @@ static void base_fragments(const Piece *piece, Drawn *d, Tile *tile) {
   for (int first = 0; first < d->count; first += LANES) {
     Points p = points_at(d, first, d->count);
     float iw[LANES], b1[LANES], b2[LANES];
-    int pixel[LANES], slot[LANES];
+    int pixel[LANES], vertex[3][LANES];
     spill_real(p.iw, iw);
     if (piece) p = of_piece(p, piece);
     spill_real(p.b1, b1);
     spill_real(p.b2, b2);
     spill_whole(p.pixel, pixel);
-    spill_whole(p.slot, slot);
+    spill_whole(p.v0, vertex[0]);
+    spill_whole(p.v1, vertex[1]);
+    spill_whole(p.v2, vertex[2]);
     int count = min(d->count - first, LANES);
     for (int k = 0; k < count; ++k) {
       int at = pixel[k];
@@ -322,7 +367,7 @@ static void base_fragments(const Piece *piece, Drawn *d, Tile *tile) {
       tile->depth[at] = iw[k];
       tile->base_b1[at] = b1[k];
       tile->base_b2[at] = b2[k];
-      for (int c = 0; c < 3; ++c) tile->base_vertex[c][at] = d->vertex[c][slot[k]];
+      for (int c = 0; c < 3; ++c) tile->base_vertex[c][at] = vertex[c][k];
     }
   }
   d->count = 0;
@@ -330,8 +375,8 @@ static void base_fragments(const Piece *piece, Drawn *d, Tile *tile) {
 }
 
 // Everything listed so far, to the base or to the queue; returns how many pixels became opaque.
-static int draw(const RasterParams *s, const Attributes *from, Layer l, int n, const Place *place, const Piece *piece,
-                Drawn *d, Queue *q, Tile *tile, uint *covered) {
+static int draw(const RasterParams *s, const Attributes *from, const Layer *l, int n, const Place *place, const Piece *piece,
+                Drawn *d, Queue *q, Queue *lit, Tile *tile, uint *covered) {
 #ifdef COUNT_FRAGMENTS
   if (n >= 0) {
     *covered += (uint)d->count;
@@ -340,16 +385,16 @@ static int draw(const RasterParams *s, const Attributes *from, Layer l, int n, c
     return 0;
   }
 #endif
-  if (n >= 0) return queue_fragments(s, from, l, n, place, piece, d, q, tile);
+  if (n >= 0) return queue_fragments(s, from, l, n, place, piece, d, q, lit, tile);
   base_fragments(piece, d, tile);
   return 0;
 }
 
 // The fan of the polygon that clipping leaves of a triangle, piece by piece; `d` must be empty.
-static int draw_clipped(const RasterParams *s, Geometry m, const Attributes *from, Layer l, int n, const Place *place,
-                        int v0, int v1, int v2, Batch *batch, Drawn *d, Queue *q, Tile *tile, uint *covered) {
+static int draw_clipped(const RasterParams *s, Geometry m, const Attributes *from, const Layer *l, int n, const Place *place,
+                        int v0, int v1, int v2, Batch *batch, Drawn *d, Queue *q, Queue *lit, Tile *tile, uint *covered) {
   Cut polygon[POLYGON];
-  int corners = clipped_triangle(s, m, l, v0, v1, v2, polygon);
+  int corners = clipped_triangle(s, m, *l, v0, v1, v2, polygon);
   int opaque = 0;
   for (int i = 1; i + 1 < corners; ++i) {
     // One piece on all lanes: rare enough that the others may idle.
@@ -360,14 +405,15 @@ static int draw_clipped(const RasterParams *s, Geometry m, const Attributes *fro
     if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, 0.0f, d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
-      piece.b1[c] = polygon[index[d->vertex[c][0]]].b1;
-      piece.b2[c] = polygon[index[d->vertex[c][0]]].b2;
+      int drawn_corner = index[as_int(d->vertex[1 + c])];
+      piece.b1[c] = polygon[drawn_corner].b1;
+      piece.b2[c] = polygon[drawn_corner].b2;
     }
-    d->vertex[0][0] = v0;
-    d->vertex[1][0] = v1;
-    d->vertex[2][0] = v2;
+    d->vertex[1] = as_float(v0);
+    d->vertex[2] = as_float(v1);
+    d->vertex[3] = as_float(v2);
     list_fragments(batch, 0, 0, d);
-    opaque += draw(s, from, l, n, place, &piece, d, q, tile, covered);
+    opaque += draw(s, from, l, n, place, &piece, d, q, lit, tile, covered);
   }
   return opaque;
 }
@@ -407,11 +453,17 @@ static void resolve(const RasterParams *s, const Attributes *from, Layer base, c
   q->count = 0;
 }
 
+// LANES entries of a bin list, which is padded at its end; those from `count` on repeat the first.
+static inline whole load_entries(TABLE(int) list, int count) {
+  whole entry = load_whole(list, 0);
+  return lane_numbers() < WHOLE(count) ? entry : WHOLE(list[0]);
+}
+
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners, TABLE(float) screen,
+__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
-                          TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+                          TABLE(int) coverage, TABLE(int) shade, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int tile_index = (int)get_global_id(0);
   int tiles = s.tiles_x * s.tiles_y;
   if (tile_index >= tiles) return;
@@ -419,7 +471,8 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
   Attributes from;
   from.records = records;
   from.tangents = tangents;
-  from.textures.fur = fur;
+  from.textures.coverage = coverage;
+  from.textures.shade = shade;
   from.textures.coat = coat;
   from.textures.mask = mask;
   Place place;
@@ -431,12 +484,13 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
   place.height = min(TILE_H, s.height - place.first_y);
 
   Tile tile;
-  Queue queue;
+  Queue queue, lit;
   Batch batch;
   Drawn drawn;
   drawn.used = 0;
   drawn.count = 0;
   queue.count = 0;
+  lit.count = 0;
   for (int i = 0; i < TILE_PIXELS; ++i) {
     tile.depth[i] = 0.0f;
     tile.colour[i] = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
@@ -454,26 +508,26 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
     for (int done = 0; first + done < last && live_pixels > 0; done += LANES) {
       int begin = n < 0 ? first + done : max(last - done - LANES, first);
       int end = n < 0 ? min(first + done + LANES, last) : last - done;
-      whole entry = min(WHOLE(begin) + lane_numbers(), WHOLE(end - 1));
-      whole triangle = gather_whole(list, entry);
+      // Beyond the last entry the first stands in; its fragments are never listed.
+      whole triangle = load_entries(list + begin, end - begin);
       Triangles b = triangles_at(&s, m, n, triangle, place.origin_x, place.origin_y);
       truth outside = needs_clip(b);
       if (some(outside)) {
         // Rare: triangle by triangle, so that the order holds.
-        live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+        live_pixels -= draw(&s, &from, &l, n, &place, 0, &drawn, &queue, &lit, &tile, &fragments);
         int clipped[LANES], corner[3][LANES];
         spill_whole(outside ? WHOLE(1) : WHOLE(0), clipped);
         for (int c = 0; c < 3; ++c) spill_whole(b.vertex[c], corner[c]);
         for (int k = 0; k < end - begin; ++k) {
           int lane = n < 0 ? k : end - begin - 1 - k;
           if (clipped[lane]) {
-            live_pixels -= draw_clipped(&s, m, &from, l, n, &place, corner[0][lane], corner[1][lane], corner[2][lane],
-                                        &batch, &drawn, &queue, &tile, &fragments);
+            live_pixels -= draw_clipped(&s, m, &from, &l, n, &place, corner[0][lane], corner[1][lane], corner[2][lane],
+                                        &batch, &drawn, &queue, &lit, &tile, &fragments);
           } else {
             Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place.width, place.height);
             t.live = t.live && !outside;
             if (keep(t, b, least_iw, &drawn, &batch)) list_fragments(&batch, lane, lane, &drawn);
-            live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+            live_pixels -= draw(&s, &from, &l, n, &place, 0, &drawn, &queue, &lit, &tile, &fragments);
           }
         }
         continue;
@@ -486,14 +540,14 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
         int lane = n < 0 ? k : end - begin - 1 - k;
         if (batch.to_x[lane] < batch.from_x[lane]) continue;
         if (drawn.count + TILE_PIXELS > FRAGMENTS) {
-          live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+          live_pixels -= draw(&s, &from, &l, n, &place, 0, &drawn, &queue, &lit, &tile, &fragments);
           drawn.used = slot + LANES;   // the rest of this batch still stands in its slots
         }
         list_fragments(&batch, lane, slot + lane, &drawn);
       }
-      if (drawn.used + LANES > SLOTS) live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+      if (drawn.used + LANES > SLOTS) live_pixels -= draw(&s, &from, &l, n, &place, 0, &drawn, &queue, &lit, &tile, &fragments);
     }
-    live_pixels -= draw(&s, &from, l, n, &place, 0, &drawn, &queue, &tile, &fragments);
+    live_pixels -= draw(&s, &from, &l, n, &place, 0, &drawn, &queue, &lit, &tile, &fragments);
     if (n < 0) {
       // What lies behind the base everywhere in the tile cannot be seen.
       least_iw = tile.depth[0];
@@ -503,7 +557,8 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(int) corners
       least_iw = 0.0f;
 #endif
     } else {
-      live_pixels -= shade(&s, &from, l, n, &place, &queue, &tile);
+      live_pixels -= sift(&s, &from, &l, n, &place, &queue, &lit, &tile);
+      live_pixels -= light(&s, &from, &l, n, &place, &lit, &tile);
     }
   }
 #ifdef COUNT_FRAGMENTS
