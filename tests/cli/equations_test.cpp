@@ -1,0 +1,100 @@
+// docs/equations.md against the kernels' comments and the tests' names.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An equation and the function that is it.
+using Line = std::pair<std::string, std::string>;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> all(const std::string& text, const std::regex& pattern) {
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) {
+    found.push_back((*match)[1].matched ? (*match)[1].str() : match->str());
+  }
+  return found;
+}
+
+const std::regex numbered("[SW] Eq\\. [0-9]|Algorithm [0-9]");
+
+/// The numbered equations that the comment right above a function names.
+std::set<Line> anchors_of(const std::string& source) {
+  static const std::regex function(R"(^static inline [\w ]+[ *](\w+)\()");
+  std::set<Line> anchors;
+  std::string comment, line;
+  std::smatch match;
+  for (std::istringstream stream(source); std::getline(stream, line);) {
+    if (line.rfind("//", 0) == 0) {
+      comment += line.substr(2) + " ";
+      continue;
+    }
+    if (std::regex_search(line, match, function)) {
+      for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
+    } else {
+      comment.clear();  // one comment may stand above two functions of a line each
+    }
+  }
+  return anchors;
+}
+
+TEST(EquationTable, IsWhatTheKernelsSay) {
+  const fs::path root = PELAGE_SOURCE_DIR;
+  std::set<Line> anchors;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "kernels")) {
+    if (entry.path().extension() == ".clh") anchors.merge(anchors_of(text_of(entry.path())));
+  }
+  std::set<std::string> tests;
+  static const std::regex test(R"(TEST(_P|_F)?\(\s*(\w+),\s*(\w+)\))");
+  for (const auto& entry : fs::recursive_directory_iterator(root / "tests")) {
+    const std::string source = entry.path().extension() == ".cpp" ? text_of(entry.path()) : "";
+    for (std::sregex_iterator match(source.begin(), source.end(), test), end; match != end; ++match) {
+      tests.insert((*match)[2].str() + "." + (*match)[3].str());
+    }
+  }
+
+  std::set<Line> table;
+  static const std::regex quoted("`([^`]+)`");
+  const std::string document = text_of(root / "docs/equations.md");
+  std::string row;
+  for (std::istringstream stream(document); std::getline(stream, row);) {
+    if (row.rfind("| S Eq", 0) != 0 && row.rfind("| W Eq", 0) != 0 && row.rfind("| Algorithm", 0) != 0)
+      continue;
+    const std::string equations = row.substr(0, row.find('|', 1));
+    const std::vector<std::string> names = all(row, quoted);
+    ASSERT_GE(names.size(), 2u) << row << " has no test";
+    for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
+    for (std::size_t i = 1; i < names.size(); ++i)
+      EXPECT_TRUE(tests.contains(names[i])) << "no test " << names[i];
+  }
+  for (const Line& line : anchors)
+    EXPECT_TRUE(table.contains(line)) << line.first << ", " << line.second << ": no row";
+  for (const Line& line : table)
+    EXPECT_TRUE(anchors.contains(line)) << line.first << ", " << line.second << ": not in kernels/";
+  for (const char* equation : {"S Eq. 1", "S Eq. 2", "S Eq. 3", "S Eq. 4", "S Eq. 5", "S Eq. 6", "W Eq. 1",
+                               "W Eq. 2", "W Eq. 3", "W Eq. 4", "W Eq. 5", "Algorithm 1", "Algorithm 2"}) {
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const Line& line) {
+      return line.first == equation;
+    })) << equation;
+  }
+}
+
+}  // namespace
+}  // namespace pelage
