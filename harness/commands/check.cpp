@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <regex>
 #include <set>
 
 #include "harness/commands/frame_dump.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/error.hpp"
 #include "harness/picture/metrics.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -24,7 +26,7 @@ constexpr double most_texel_error = 1e-5;  // UV units and wetness; texels are 4
 
 struct CheckOptions {
   std::vector<std::string> stages;
-  std::string device;
+  std::string device, filter;
   bool full = false;
 };
 
@@ -139,28 +141,41 @@ FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> inp
 std::vector<Finding> check_case(const cl::Device& device, const Case& which,
                                 const std::set<std::string>& stages) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
-  const FrameOutput reference = reference_output(*input, frames, false);
   const FrameOutput tile = draw(device, input, "tile");
   std::vector<Finding> findings;
-  const auto add = [&](const std::string& stage, const std::vector<Finding>& found) {
-    if (stages.contains(stage)) findings.insert(findings.end(), found.begin(), found.end());
+  const auto add = [&](const std::vector<Finding>& found) {
+    findings.insert(findings.end(), found.begin(), found.end());
   };
-  add("simulate", compare_tips(*input, tile, reference));
-  add("mask", compare_masks(tile, reference));
-  add("picture", compare_pictures("tile", tile.image, reference.image));
-  if (stages.contains("picture") || stages.contains("mappings")) {
-    const FrameOutput pixel = draw(device, input, "pixel");
-    add("picture", compare_pictures("pixel", pixel.image, reference.image));
-    add("mappings", compare_mappings(tile.image, pixel.image));
-  }
+  const bool picture = stages.contains("picture"), mappings = stages.contains("mappings");
+  const FrameOutput reference =
+      picture ? reference_output(*input, frames, false) : reference_motion(*input, frames);
+  if (stages.contains("simulate")) add(compare_tips(*input, tile, reference));
+  if (stages.contains("mask")) add(compare_masks(tile, reference));
+  if (picture) add(compare_pictures("tile", tile.image, reference.image));
+  if (!picture && !mappings) return findings;
+  const FrameOutput pixel = draw(device, input, "pixel");
+  if (picture) add(compare_pictures("pixel", pixel.image, reference.image));
+  if (mappings) add(compare_mappings(tile.image, pixel.image));
   return findings;
 }
 
+/// The cases whose name holds a match of the regular expression.
+std::vector<Case> filtered(std::vector<Case> cases, const std::string& filter) {
+  try {
+    const std::regex pattern(filter);
+    std::erase_if(cases, [&](const Case& which) { return !std::regex_search(which.name, pattern); });
+  } catch (const std::regex_error&) {
+    throw InputError(fmt::format("--filter {}: no regular expression", filter));
+  }
+  if (cases.empty()) throw InputError(fmt::format("--filter {}: no case has such a name", filter));
+  return cases;
+}
+
 int run_checks(const CheckOptions& options) {
-  const cl::Device device = cl::choose_device(options.device);
   std::set<std::string> stages(options.stages.begin(), options.stages.end());
   if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings"};
-  const std::vector<Case> cases = make_cases(options.full);
+  const std::vector<Case> cases = filtered(make_cases(options.full), options.filter);
+  const cl::Device device = cl::choose_device(options.device);
   fmt::print("{}\n{:<9} {:<24} {:<34} {:>10} {:>10}\n", device.info().name, "stage", "case", "metric",
              "value", "limit");
   std::size_t failures = 0, done = 0;
@@ -190,6 +205,9 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->type_name("STAGE");
   command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
       ->type_name("DEVICE");
+  command
+      ->add_option("--filter", options->filter, "Only the cases whose name holds a match, for instance torus")
+      ->type_name("REGEX");
   command->add_flag("--full", options->full, "All eight models, 16 and 64 layers, curly, wet and windy");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }

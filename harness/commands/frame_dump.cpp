@@ -99,13 +99,18 @@ void write_layers(Hdf5File& file, const FrameInput& input, int frames) {
 
 }  // namespace
 
-FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit) {
+FrameOutput reference_motion(const FrameInput& input, int frames) {
   FrameOutput output{"reference", frames, {}, {}, {}};
   for (const reference::Strand& strand : reference::simulate(input, frames))
     output.tips.push_back(glm::vec3(strand.tip));
   for (const reference::Clump& clump : reference::wetness_mask(input).texel) {
     output.mask.push_back(glm::vec4(glm::vec2(clump.centre), clump.radius, clump.wetness));
   }
+  return output;
+}
+
+FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit) {
+  FrameOutput output = reference_motion(input, frames);
   reference::Options options;
   options.frames = frames;
   options.eight_bit = eight_bit;

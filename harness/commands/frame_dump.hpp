@@ -19,7 +19,10 @@ struct FrameOutput {
   Picture image;
 };
 
-/// What the double-precision reference makes of it; the same fields.
+/// Tips and mask by the double-precision reference; no image.
+FrameOutput reference_motion(const FrameInput& input, int frames);
+
+/// The same with the image.
 FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit);
 
 /// Writes an HDF5 file: mesh, strand, mask, fur, colour, layer, camera, image; each dataset with units and a
