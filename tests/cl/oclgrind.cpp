@@ -1,0 +1,74 @@
+// The same calls under oclgrind, which knows every rule of the API and every byte of a buffer.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "harness/cl/program.hpp"
+
+namespace fs = std::filesystem;
+using namespace pelage;
+
+namespace {
+
+// What oclgrind has to say about tests of this binary: empty when nothing is wrong. It exits 0 whatever it
+// finds.
+std::string complaints(const std::string& tests) {
+  const fs::path log = fs::temp_directory_path() / fmt::format("pelage-oclgrind-{}", ::getpid());
+  const std::string command = fmt::format(
+      "oclgrind --check-api --data-races --uninitialized --log '{}' '{}' "
+      "--gtest_filter='{}' >/dev/null 2>&1",
+      log.string(), fs::read_symlink("/proc/self/exe").string(), tests);
+  const int status = std::system(command.c_str());
+  std::ifstream stream(log);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  fs::remove(log);
+  return status == 0 ? text : text + "the tests failed under oclgrind";
+}
+
+class Oclgrind : public ::testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "AddressSanitizer and oclgrind both want to be loaded first";
+#endif
+  }
+};
+
+}  // namespace
+
+TEST_F(Oclgrind, HasNothingToSayOfTheHostLayer) {
+  EXPECT_EQ(complaints("Buffers.*:Devices.*:Programs.TakeBuffersAndRecordsInOrder:Written.*-*TooLarge*"), "");
+}
+
+TEST_F(Oclgrind, SeesAPlantedOverrun) {
+  ::setenv("PELAGE_TEST_INDEX", "4", 1);
+  const std::string said = complaints("Written.*");
+  ::unsetenv("PELAGE_TEST_INDEX");
+  EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
+}
+
+// Writes inside its buffer, but for the test above.
+TEST(Written, WhereTheHostSays) {
+  const char* planted = std::getenv("PELAGE_TEST_INDEX");
+  const fs::path before = cl::kernel_folder();
+  const fs::path folder = fs::temp_directory_path() / fmt::format("pelage-written-{}", ::getpid());
+  fs::create_directories(folder);
+  std::ofstream(folder / "write.cl") << "__kernel void write(int i, __global float *out) { out[i] = 1; }\n";
+  cl::set_kernel_folder(folder);
+  const cl::Queue queue(cl::choose_device(""));
+  const std::vector<float> zeros(4);
+  const cl::Buffer<float> out(queue, zeros);
+  cl::Kernel kernel(cl::Program(queue.device(), "write.cl"), "write");
+  kernel.with(planted != nullptr ? std::atoi(planted) : 3, out).enqueue(queue, std::size_t{1});
+  if (planted == nullptr) {
+    EXPECT_EQ(out.read(queue).back(), 1.0f);
+  }
+  queue.finish();
+  cl::set_kernel_folder(before);
+  fs::remove_all(folder);
+}
