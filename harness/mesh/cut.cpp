@@ -64,7 +64,7 @@ using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
 
 // Marks the edges that a shortest-path tree over the faces does not cross, then takes dead ends away. True:
 // cut.
-std::vector<char> cut_graph(const Surface& surface, const Graph& graph) {
+std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];
     return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
@@ -73,7 +73,10 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph) {
   std::vector<double> distance(surface.triangle.size(), far);
   std::vector<std::uint32_t> via(surface.triangle.size(), none);
   Queue queue;
-  queue.push({distance[0] = 0, 0});
+  std::uint32_t seed = 0;
+  for (std::uint32_t f = 1; f < surface.triangle.size(); ++f)
+    if (glm::distance(centroid(f), root) < glm::distance(centroid(seed), root)) seed = f;
+  queue.push({distance[seed] = 0, seed});
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
     queue.pop();
@@ -143,30 +146,49 @@ std::vector<std::uint32_t> points_of(const Graph& graph, const std::vector<char>
   return points;
 }
 
-std::size_t reach_into_limbs(const Graph& graph, std::vector<char>& cut, std::size_t most, double least) {
-  std::size_t paths = 0;
-  for (; paths < most; ++paths) {
-    std::vector<std::uint32_t> sources = points_of(graph, cut);
-    const bool closed = sources.empty();  // a sphere, nothing cut yet: begin at an extremity
-    if (closed) sources.push_back(walk(graph, {0}).farthest);
+std::uint32_t nearest_point(const Surface& surface, glm::dvec3 to) {
+  std::uint32_t nearest = 0;
+  for (std::uint32_t p = 1; p < surface.point.size(); ++p)
+    if (glm::distance(surface.point[p], to) < glm::distance(surface.point[nearest], to)) nearest = p;
+  return nearest;
+}
+
+std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, const CutPlan& plan) {
+  std::vector<char> cut = cut_graph(surface, graph, plan.root);
+  std::vector<std::uint32_t> sources = points_of(graph, cut);
+  for (const glm::dvec3& tip : plan.tips) {
+    std::uint32_t p = nearest_point(surface, tip);
+    if (sources.empty()) {  // a sphere, nothing cut yet: its first tip is where the cut begins
+      sources.push_back(p);
+      continue;
+    }
     const Reach reach = walk(graph, sources);
-    if (!closed && reach.distance[reach.farthest] < least) break;
-    for (std::uint32_t p = reach.farthest; reach.via[p] != none;) {
+    while (reach.via[p] != none) {
       const Edge& edge = graph.edge[reach.via[p]];
       cut[reach.via[p]] = 1;
+      sources.push_back(p);
       p = edge.a == p ? edge.b : edge.a;
     }
   }
-  return paths;
+  return cut;
 }
 
 }  // namespace
 
-Disk cut_open(const Surface& surface, std::size_t most, double reach) {
+Tip farthest_from_cut(const Surface& surface, const CutPlan& plan, const std::vector<glm::dvec3>& avoid) {
   const Graph graph = make_graph(surface);
-  std::vector<char> cut = cut_graph(surface, graph);
+  std::vector<std::uint32_t> sources = points_of(graph, cut_as_planned(surface, graph, plan));
+  for (const glm::dvec3& p : plan.tips) sources.push_back(nearest_point(surface, p));
+  for (const glm::dvec3& p : avoid) sources.push_back(nearest_point(surface, p));
+  if (sources.empty()) sources.push_back(nearest_point(surface, plan.root));
+  const Reach reach = walk(graph, sources);
+  return {surface.point[reach.farthest], reach.distance[reach.farthest]};
+}
+
+Disk cut_open(const Surface& surface, const CutPlan& plan) {
+  const Graph graph = make_graph(surface);
+  const std::vector<char> cut = cut_as_planned(surface, graph, plan);
   Disk disk;
-  disk.extremities = reach_into_limbs(graph, cut, most, reach);
 
   // Corners that meet across an uncut edge are one copy.
   std::vector<std::uint32_t> root(surface.triangle.size() * 3);

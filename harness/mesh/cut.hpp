@@ -10,13 +10,25 @@ namespace pelage {
 struct Disk {
   std::vector<std::uint32_t> point;         ///< per copy, the surface point
   std::vector<Surface::Triangle> triangle;  ///< copies, in the surface's order
-  std::size_t extremities = 0;              ///< paths added to reach into limbs
+};
+
+/// How to cut: the cut graph is grown from the face nearest to `root`; then paths reach from it to `tips`, in
+/// order.
+struct CutPlan {
+  glm::dvec3 root{0};
+  std::vector<glm::dvec3> tips;
 };
 
 /// Cuts a connected manifold of any genus, closed or not: tree-cotree decomposition (Eppstein 2003) leaves a
-/// cut graph whose complement is a disk; shortest paths to the points farthest from the cut open up limbs
-/// (Sheffer and Hart 2002, Seamster), at most `most` of them and none nearer than `reach` (a length on the
-/// surface).
-Disk cut_open(const Surface& surface, std::size_t most, double reach);
+/// cut graph whose complement is a disk; shortest paths open up limbs (Sheffer and Hart 2002, Seamster).
+Disk cut_open(const Surface& surface, const CutPlan& plan);
+
+/// The point farthest along the surface from the cut that `plan` makes and from the points of `avoid`, and
+/// how far it is.
+struct Tip {
+  glm::dvec3 point{0};
+  double distance = 0;
+};
+Tip farthest_from_cut(const Surface& surface, const CutPlan& plan, const std::vector<glm::dvec3>& avoid);
 
 }  // namespace pelage

@@ -50,17 +50,46 @@ std::vector<glm::dvec3> normalised(const Surface& surface, glm::dvec3 rotation) 
   return points;
 }
 
-// Moves a map into the unit square, with a margin of two texels of a 256 mask around it.
-void fit_uv(std::vector<Surface::Corners>& uv, bool keep) {
-  glm::dvec2 low(std::numeric_limits<double>::max()), high(-low);
-  for (const auto& corners : uv)
-    for (const glm::dvec2& p : corners) low = glm::min(low, p), high = glm::max(high, p);
-  if (keep && low.x >= 0 && low.y >= 0 && high.x <= 1 && high.y <= 1) return;
+struct Box {
+  glm::dvec2 low{std::numeric_limits<double>::max()}, high{-std::numeric_limits<double>::max()};
+  double side() const { return std::max(high.x - low.x, high.y - low.y); }
+};
+
+glm::dvec2 turned(glm::dvec2 p, double degrees) {
+  const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
+  Box box;
+  for (const auto& corners : uv) {
+    for (const glm::dvec2& p : corners) {
+      const glm::dvec2 q = turned(p, degrees);
+      box.low = glm::min(box.low, q), box.high = glm::max(box.high, q);
+    }
+  }
+  return box;
+}
+
+// Moves a map into the unit square, turned so that it is as large as can be there, with a margin of two
+// texels of a 256 mask around it.
+void fit_uv(std::vector<Surface::Corners>& uv) {
+  double best = 0, least = std::numeric_limits<double>::max();
+  for (double degrees = 0; degrees < 90; degrees += 2)
+    if (const double side = box_of(uv, degrees).side(); side < least * (1 - 1e-6))
+      least = side, best = degrees;
+  const Box box = box_of(uv, best);
   constexpr double margin = 2.0 / 256;
-  const double scale = (1 - 2 * margin) / std::max(high.x - low.x, high.y - low.y);
-  const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (low + high);
+  const double scale = (1 - 2 * margin) / box.side();
+  const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (box.low + box.high);
   for (auto& corners : uv)
-    for (glm::dvec2& p : corners) p = p * scale + shift;
+    for (glm::dvec2& p : corners) p = turned(p, best) * scale + shift;
+}
+
+// A file's own map may lie within the unit square already: a texture of the user's fits it then.
+bool fits(const std::vector<Surface::Corners>& uv) {
+  const Box box = box_of(uv, 0);
+  return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
 }
 
 // Area-weighted over the UV square for maps that repeat, whose axes differ; sqrt(surface / UV area) for
@@ -101,7 +130,7 @@ std::string content_hash(const Mesh& mesh) {
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation) {
   const std::vector<glm::dvec3> point = normalised(surface, rotation);
   std::vector<Surface::Corners> uv = surface.uv;
-  if (!surface.periodic_uv) fit_uv(uv, surface.keep_uv);
+  if (!surface.periodic_uv && !(surface.keep_uv && fits(uv))) fit_uv(uv);
 
   const std::vector<std::uint32_t> point_order = morton_order(point);
   std::vector<std::uint32_t> rank(point.size());

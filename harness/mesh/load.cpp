@@ -14,12 +14,13 @@
 #include "harness/mesh/procedural.hpp"
 #include "harness/mesh/soup.hpp"
 #include "harness/mesh/steps.hpp"
+#include "harness/mesh/unfold.hpp"
 
 namespace pelage {
 namespace {
 
 // Part of every cache file's name: raise it whenever the same source would give another mesh.
-constexpr int recipe = 1;
+constexpr int recipe = 2;
 
 constexpr std::uint32_t most_faces = 4'000'000;
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
@@ -74,6 +75,18 @@ Surface shape_of(const Source& source, const MeshOptions& options) {
   return repair(soup, source.kind != "file", source.label);
 }
 
+// A coarse version of what `surface` will become, hole of an odd count included, for trying cuts on.
+Surface proxy_of(const Surface& surface, const Model& model) {
+  const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
+  const std::uint32_t coarse = 6000 + wanted % 2;
+  if (wanted <= coarse && surface.triangle.size() == wanted) return surface;
+  try {
+    return with_faces(surface, std::min(wanted, coarse), up_before(model.rotation), model.name);
+  } catch (const InputError&) {
+    return surface;  // it cannot be made so coarse
+  }
+}
+
 Mesh prepare(const Model& model, const Source& source, const MeshOptions& options, const Say& say) {
   Surface surface = shape_of(source, options);
   std::size_t told = 0;
@@ -84,9 +97,10 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   if (surface.uv.empty()) {
     if (model.wrap) surface = wrap(surface);
     tell();
+    const CutPlan plan = plan_cut(proxy_of(surface, model), source.label);
     if (model.faces) surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label);
     tell();
-    surface = unfold(surface, source.label);
+    surface = unfold(surface, plan, source.label);
     tell();
   } else if (model.faces && *model.faces != surface.triangle.size()) {
     throw InputError(fmt::format("{}: has {} faces and a UV map of its own; another count is not to be had",

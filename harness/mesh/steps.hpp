@@ -25,8 +25,4 @@ Surface wrap(const Surface& surface);
 /// lies lowest along `up`. Throws InputError when the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name);
 
-/// Gives the surface a UV map of one chart: cut into a disk, laid flat as rigidly as possible (Liu et al.
-/// 2008, lambda 1000, 10 iterations); where that fails, mean-value coordinates on a circle.
-Surface unfold(const Surface& surface, const std::string& name);
-
 }  // namespace pelage

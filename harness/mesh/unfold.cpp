@@ -1,3 +1,5 @@
+#include "harness/mesh/unfold.hpp"
+
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
@@ -5,14 +7,13 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
-#include "harness/mesh/cut.hpp"
 #include "harness/mesh/geometry.hpp"
-#include "harness/mesh/steps.hpp"
 
 namespace SMP = CGAL::Surface_mesh_parameterization;
 
@@ -81,6 +82,17 @@ Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
   return map;
 }
 
+// A closed manifold of F triangles has 3F / 2 edges, each run through both ways.
+bool is_closed(const std::vector<Surface::Triangle>& triangles) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const auto& [a, b, c] : triangles)
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      sides.emplace_back(std::min(p, q), std::max(p, q));
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
+  return 2 * sides.size() == 3 * triangles.size();
+}
+
 void judge(Map& map, const std::vector<Surface::Triangle>& triangles) {
   double area = 0;
   for (const auto& [a, b, c] : triangles) {
@@ -94,8 +106,10 @@ void judge(Map& map, const std::vector<Surface::Triangle>& triangles) {
 
 }  // namespace
 
-Surface unfold(const Surface& surface, const std::string& name) {
-  const Disk disk = cut_open(surface, 16, 0.25 * bounding_sphere(surface.point).radius);
+Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name) {
+  const Disk disk = cut_open(surface, plan);
+  if (disk.point.size() == surface.point.size() && is_closed(disk.triangle))
+    throw InputError(fmt::format("{}: nothing is cut, so it cannot lie flat", name));
   Polyhedron mesh = flat_mesh(surface, disk);
   Surface result = surface;
   Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
@@ -107,10 +121,9 @@ Surface unfold(const Surface& surface, const std::string& name) {
     method = "mean-value coordinates on a circle";
   }
   if (!map.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
-  result.notes.push_back(fmt::format(
-      "UV map: one chart of {} corners for {} points, {} cuts into limbs, {}; {} of {} faces flipped",
-      disk.point.size(), surface.point.size(), disk.extremities, method, map.flipped,
-      surface.triangle.size()));
+  result.notes.push_back(
+      fmt::format("UV map: one chart, {} points on its seams, {} cuts into limbs, {}, {} faces flipped",
+                  disk.point.size() - surface.point.size(), plan.tips.size(), method, map.flipped));
   result.uv.clear();
   for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({map.uv[a], map.uv[b], map.uv[c]});
   return result;

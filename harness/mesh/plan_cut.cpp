@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/mesh/finish.hpp"
+#include "harness/mesh/geometry.hpp"
+#include "harness/mesh/quality.hpp"
+#include "harness/mesh/unfold.hpp"
+
+namespace pelage {
+namespace {
+
+// Less is better: the logarithm of how much the map's scale varies over the surface, and twenty for a map
+// that lies over itself everywhere, so that 1% of overlap weighs as much as a scale that varies by a fifth
+// more.
+double cost(const Surface& surface, const CutPlan& plan, const std::string& name) {
+  try {
+    const UvQuality quality = uv_quality(finish(unfold(surface, plan, name), name, glm::dvec3(0)), 512);
+    if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
+    return std::log(quality.area_high / quality.area_low) + 20 * (quality.overlapping + quality.flipped);
+  } catch (const InputError&) {
+    return std::numeric_limits<double>::max();
+  }
+}
+
+struct Search {
+  CutPlan plan;
+  double cost = 0;
+};
+
+Search reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::string& name) {
+  constexpr std::size_t most_tries = 20;
+  const double least = 0.15 * bounding_sphere(surface.point).radius;
+  Search best{{root, {}}, std::numeric_limits<double>::max()};
+  best.cost = cost(surface, best.plan, name);
+  std::vector<glm::dvec3> refused;
+  for (std::size_t i = 0; i < most_tries; ++i) {
+    const Tip tip = farthest_from_cut(surface, best.plan, refused);
+    if (tip.distance < least) break;
+    CutPlan longer = best.plan;
+    longer.tips.push_back(tip.point);
+    const double there = cost(surface, longer, name);
+    // Nothing can be judged before there is a map at all.
+    if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
+      best = {longer, there};
+    } else {
+      refused.push_back(tip.point);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+CutPlan plan_cut(const Surface& proxy, const std::string& name) {
+  // On a surface with handles the cut depends on where it is grown from: four places, far from one another.
+  std::vector<glm::dvec3> roots{proxy.point.front()};
+  const long euler =
+      2 * long(proxy.point.size()) - long(proxy.triangle.size());  // 2 V - F = 2 chi, if closed
+  while (euler < 4 && roots.size() < 4) {
+    const auto near = [&](const glm::dvec3& p) {
+      double least = std::numeric_limits<double>::max();
+      for (const glm::dvec3& root : roots) least = std::min(least, glm::dot(p - root, p - root));
+      return least;
+    };
+    roots.push_back(*std::max_element(proxy.point.begin(), proxy.point.end(),
+                                      [&](const auto& a, const auto& b) { return near(a) < near(b); }));
+  }
+  Search best{{}, std::numeric_limits<double>::infinity()};
+  for (const glm::dvec3& root : roots) {
+    Search search = reach_into_limbs(proxy, root, name);
+    if (search.cost < best.cost) best = search;
+  }
+  return best.plan;
+}
+
+}  // namespace pelage

@@ -1,0 +1,184 @@
+// The same octahedron, or a tetrahedron, in every format.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "harness/mesh/mesh.hpp"
+#include "harness/mesh/quality.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+const float corner[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+const int face[8][3] = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                        {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+
+template <class T>
+void put(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string corners(const char* before) {
+  std::string text;
+  for (const auto& p : corner)
+    text += before + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  return text;
+}
+
+std::string faces(const std::string& before, int first) {
+  std::string text;
+  for (const auto& t : face) {
+    text += before;
+    for (const int index : t) text.append(" ").append(std::to_string(index + first));
+    text.push_back('\n');
+  }
+  return text;
+}
+
+std::string ply(bool binary) {
+  std::string bytes = std::string("ply\nformat ") + (binary ? "binary_little_endian" : "ascii") +
+                      " 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+                      "element face 8\nproperty list uchar int vertex_indices\nend_header\n";
+  if (!binary) return bytes + corners("") + faces("3", 0);
+  for (const auto& p : corner)
+    for (const float x : p) put(bytes, x);
+  for (const auto& t : face) {
+    put(bytes, std::uint8_t(3));
+    for (const int index : t) put(bytes, index);
+  }
+  return bytes;
+}
+
+std::string stl(bool binary) {
+  std::string bytes = binary ? std::string(80, ' ') : "solid octahedron\n";
+  if (binary) put(bytes, std::uint32_t(8));
+  for (const auto& t : face) {
+    if (binary) {
+      for (int i = 0; i < 3; ++i) put(bytes, 0.0f);
+      for (const int index : t)
+        for (const float x : corner[index]) put(bytes, x);
+      put(bytes, std::uint16_t(0));
+    } else {
+      bytes += "facet normal 0 0 0\nouter loop\n";
+      for (const int index : t)
+        bytes += "vertex " + std::to_string(corner[index][0]) + " " + std::to_string(corner[index][1]) + " " +
+                 std::to_string(corner[index][2]) + "\n";
+      bytes += "endloop\nendfacet\n";
+    }
+  }
+  return binary ? bytes : bytes + "endsolid octahedron\n";
+}
+
+std::string chunk(std::uint16_t id, const std::string& body) {
+  std::string bytes;
+  put(bytes, id);
+  put(bytes, std::uint32_t(body.size() + 6));
+  return bytes + body;
+}
+
+std::string three_ds() {
+  std::string points, triangles;
+  put(points, std::uint16_t(6));
+  for (const auto& p : corner)
+    for (const float x : p) put(points, x);
+  put(triangles, std::uint16_t(8));
+  for (const auto& t : face) {
+    for (const int index : t) put(triangles, std::uint16_t(index));
+    put(triangles, std::uint16_t(7));
+  }
+  const std::string mesh = chunk(0x4100, chunk(0x4110, points) + chunk(0x4120, triangles));
+  return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("octa\0", 5) + mesh)));
+}
+
+// Buffers beside the file, as exporters write them.
+std::string gltf(const TempFolder& folder) {
+  std::string buffer;
+  for (const auto& p : corner)
+    for (const float x : p) put(buffer, x);
+  for (const auto& t : face)
+    for (const int index : t) put(buffer, std::uint16_t(index));
+  folder.write("octa.bin", buffer);
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+ "buffers": [{"uri": "octa.bin", "byteLength": 120}],
+ "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 72}, {"buffer": 0, "byteOffset": 72, "byteLength": 48}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]},
+               {"bufferView": 1, "componentType": 5123, "count": 24, "type": "SCALAR"}]})";
+}
+
+void expect_octahedron(const std::string& file) {
+  const auto mesh = load_model(file, fresh());
+  const Topology t = topology(*mesh);
+  EXPECT_EQ(t.points, 6u) << file;
+  EXPECT_EQ(t.faces, 8u) << file;
+  EXPECT_EQ(t.edges, 12u) << file;
+  EXPECT_EQ(t.genus, 0) << file;
+  EXPECT_EQ(t.boundary_edges, 0u) << file;
+  EXPECT_TRUE(t.manifold()) << file;
+  for (const glm::vec3& p : mesh->position) EXPECT_NEAR(glm::length(p), 1.0f, 1e-5f) << file;
+  for (const glm::uvec3& f : mesh->triangle) {
+    const glm::vec3 a = mesh->position[f.x], b = mesh->position[f.y], c = mesh->position[f.z];
+    EXPECT_GT(glm::dot(glm::cross(b - a, c - a), a + b + c), 0.0f) << file << ": a face looks inwards";
+  }
+  EXPECT_EQ(uv_quality(*mesh, 256).flipped_faces, 0u) << file;
+}
+
+TEST(Formats, every_one_is_read) {
+  const TempFolder folder;
+  expect_octahedron(folder.write("octa.obj", "# comment\no octa\n" + corners("v ") + faces("f", 1)));
+  expect_octahedron(folder.write("octa.off", "OFF\n6 8 0\n\n" + corners("") + "# comment\n" + faces("3", 0)));
+  expect_octahedron(folder.write("ascii.ply", ply(false)));
+  expect_octahedron(folder.write("binary.ply", ply(true)));
+  expect_octahedron(folder.write("ascii.stl", stl(false)));
+  expect_octahedron(folder.write("binary.stl", stl(true)));
+  expect_octahedron(folder.write("octa.3ds", three_ds()));
+  expect_octahedron(folder.write("octa.gltf", gltf(folder)));
+}
+
+TEST(Formats, the_ending_may_be_upper_case_and_obj_may_hold_what_does_not_matter_here) {
+  const TempFolder folder;
+  expect_octahedron(folder.write("OCTA.OBJ", "mtllib a.mtl\n" + corners("v ") +
+                                                 "vn 0 0 1\nusemtl a\ns off\nl 1 2\n" + "f 1/1/1 3//1 5\n" +
+                                                 faces("f", 1).substr(8)));
+}
+
+TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
+  const TempFolder folder;
+  const std::string file = folder.write("quad.obj",
+                                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt "
+                                        "0.75 0.5\nvt 0.25 0.5\nf 1/1 2/2 3/3 4/4\n");
+  const auto kept = load_model(file, fresh({}, true));
+  ASSERT_EQ(kept->uv.size(), 4u);
+  for (const glm::vec2 wanted :
+       {glm::vec2(0.25f, 0.25f), glm::vec2(0.75f, 0.25f), glm::vec2(0.75f, 0.5f), glm::vec2(0.25f, 0.5f)})
+    EXPECT_EQ(std::count(kept->uv.begin(), kept->uv.end(), wanted), 1);
+  const auto made = load_model(file, fresh());
+  EXPECT_EQ(std::count(made->uv.begin(), made->uv.end(), glm::vec2(0.25f, 0.25f)), 0);
+}
+
+TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
+  const TempFolder folder;
+  // Two pieces, the larger one with a face turned over, one missing, and one given twice.
+  std::string text = corners("v ") + faces("f", 1);
+  text.replace(text.find("f 1 3 5"), 7, "f 3 1 5");
+  text.erase(text.rfind("f "));
+  text += "f 2 4 5\nv 5 5 5\nv 6 5 5\nv 5 6 5\nf 7 8 9\n";
+  std::string said;
+  MeshOptions options = fresh();
+  options.progress = [&](const std::string& line) { said.append(line).push_back('\n'); };
+  const auto mesh = load_model(folder.write("broken.obj", text), options);
+  EXPECT_EQ(mesh->triangle.size(), 7u);
+  const Topology t = topology(*mesh);
+  EXPECT_TRUE(t.manifold());
+  EXPECT_EQ(t.components, 1u);
+  EXPECT_NE(said.find("dropped 1 degenerate or doubled face"), std::string::npos) << said;
+  EXPECT_NE(said.find("kept the largest of 2 pieces"), std::string::npos) << said;
+  EXPECT_NE(said.find("left 1 border open"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace pelage

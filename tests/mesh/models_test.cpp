@@ -1,0 +1,94 @@
+#include "harness/mesh/models.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/mesh/quality.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+// What every prepared mesh keeps to, whatever its shape.
+void expect_well_made(const Mesh& mesh) {
+  float farthest = 0;
+  for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));
+  EXPECT_NEAR(farthest, 1.0f, 1e-5f) << mesh.name;
+  for (const glm::vec2& uv : mesh.uv)
+    EXPECT_TRUE(uv.x >= 0 && uv.x <= 1 && uv.y >= 0 && uv.y <= 1) << mesh.name;
+  const Topology t = topology(mesh);
+  EXPECT_TRUE(t.manifold()) << mesh.name;
+  EXPECT_EQ(t.components, 1u) << mesh.name;
+  const UvQuality q = uv_quality(mesh, 1024);
+  EXPECT_EQ(q.charts, 1u) << mesh.name;
+  EXPECT_LT(q.flipped, 0.002) << mesh.name;
+  EXPECT_LT(q.overlapping, 0.02) << mesh.name;
+  EXPECT_GT(q.area_low, 0.2) << mesh.name;
+  EXPECT_LT(q.area_high, 1.8) << mesh.name;
+}
+
+// Minutes when nothing is cached yet, a second afterwards.
+TEST(Models, of_table_1_have_the_papers_face_counts) {
+  const std::pair<const char*, std::size_t> table[] = {
+      {"torus", 9360},  {"pear", 20845},   {"hippo", 44452},     {"cow", 92689},
+      {"horse", 95533}, {"bunny", 142307}, {"elephant", 154789}, {"lion", 365118}};
+  for (const auto& [name, faces] : table) {
+    const auto mesh = load_model(name);
+    EXPECT_EQ(mesh->triangle.size(), faces) << name;
+    expect_well_made(*mesh);
+  }
+}
+
+TEST(Models, of_the_grass_paper_have_its_face_counts) {
+  const std::pair<const char*, std::size_t> table[] = {
+      {"banisch-elephant", 1148}, {"banisch-dog", 3220}, {"banisch-grass", 16}};
+  for (const auto& [name, faces] : table) EXPECT_EQ(load_model(name)->triangle.size(), faces) << name;
+}
+
+TEST(Models, are_prepared_to_the_same_bits_every_time) {
+  for (const char* name : {"pear", "banisch-dog", "banisch-elephant"}) {
+    const auto once = load_model(name, fresh()), again = load_model(name, fresh());
+    EXPECT_EQ(once->hash, again->hash) << name;
+    EXPECT_EQ(once->notes, again->notes) << name;
+  }
+}
+
+TEST(Models, can_be_had_at_another_face_count) {
+  for (const std::uint32_t faces : {500u, 501u, 3000u})
+    EXPECT_EQ(load_model("banisch-elephant", fresh(faces))->triangle.size(), faces);
+}
+
+TEST(Models, all_say_where_they_come_from) {
+  for (const Model& model : models()) {
+    EXPECT_FALSE(model.licence.empty()) << model.name;
+    EXPECT_FALSE(model.footnote.empty()) << model.name;
+  }
+}
+
+TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
+  const TempFolder folder;
+  const auto message = [&](const std::string& text) {
+    try {
+      read_models(folder.write("models.toml", text));
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(folder.path().string().size() + 1);
+    }
+    return std::string("accepted");
+  };
+  const std::string head =
+      "[[model]]\nname = \"a\"\nsource = \"cgal:a.off\"\nlicence = \"x\"\nfootnote = \"y\"\n";
+  EXPECT_EQ(message(head), "accepted");
+  EXPECT_EQ(message(head + "faces = \"many\"\n"), "models.toml:6: faces must be a whole number");
+  EXPECT_EQ(message(head + "faces = 0\n"), "models.toml:6: faces must be 1 to 100000000");
+  EXPECT_EQ(message(head + "rotation = [1, 2]\n"), "models.toml:6: rotation must be three numbers");
+  EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be left out: unknown key");
+  EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be a text; it is missing");
+  EXPECT_EQ(message("x = 1\n"), "models.toml: no [[model]] in it");
+}
+
+}  // namespace
+}  // namespace pelage
