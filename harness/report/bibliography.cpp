@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <optional>
 #include <set>
 
 #include "harness/report/report.hpp"
@@ -34,14 +35,24 @@ const std::map<std::string, std::string>& papers() {
   return entries;
 }
 
-/// An experiment is named after its paper: "silva2010-table1" does not say which, the experiment's file does.
-std::string paper_of(const std::string& experiment) {
+/// The shipped experiment of that name.
+std::optional<Experiment> shipped(const std::string& name) {
   for (const auto& file : experiment_files())
-    if (file.stem() == experiment) return read_experiment(file).paper;
+    if (file.stem() == name) return read_experiment(file);
   return {};
 }
 
 }  // namespace
+
+void add_titles(std::vector<PaperTable>& tables) {
+  for (PaperTable& table : tables) {
+    const auto experiment = shipped(table.experiment);
+    if (!experiment) continue;
+    table.title = experiment->title;
+    table.source = fmt::format("{} of {}", experiment->table, experiment->paper);
+    table.hardware = experiment->hardware;
+  }
+}
 
 std::string bibliography_of(const std::vector<FoundRow>& rows) {
   const BuildInfo& build = build_info();
@@ -52,7 +63,8 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
       build.version, build.revision);
   std::set<std::string> experiments, keys;
   for (const FoundRow& found : rows) experiments.insert(found.row.experiment);
-  for (const std::string& experiment : experiments) keys.insert(paper_of(experiment));
+  for (const std::string& name : experiments)
+    if (const auto experiment = shipped(name)) keys.insert(experiment->paper);
   for (const std::string& key : keys)
     if (const auto found = papers().find(key); found != papers().end()) text += "\n" + found->second;
   return text;

@@ -29,6 +29,8 @@ thead tr:first-child th { border-top: 2px solid var(--text); }
 thead tr:last-child th { border-bottom: 1px solid var(--text); }
 tbody tr:last-child td { border-bottom: 2px solid var(--text); }
 thead th { font-weight: 600; } thead th.group { text-align: center; }
+tbody td:nth-child(3n), thead tr:last-child th:nth-child(3n) { padding-left: 2.2rem; }
+th:first-child { min-width: 7.5rem; } td.ours, td.bad { min-width: 7rem; }
 td.ours { font-weight: 600; } td.bad { color: #b3261e; font-weight: 400; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
 figure { margin: 0; } figure img, figure svg { max-width: 100%; height: auto; display: block; }
@@ -97,19 +99,30 @@ std::string table_html(const PaperTable& table) {
     }
     html += "</tbody></table></div>\n";
   }
-  html +=
-      "<p class=\"soft\">Frames per second: 1000 over the median wall time of a warm frame in ms, first "
-      "enqueue to "
-      "finish. Ratio: ours over the paper's. * marks a median whose 95% interval is wider than the preset "
-      "asks "
-      "for. Point at a figure for its time and interval.</p>\n<ol class=\"notes\">";
+  html += fmt::format(
+      "<p class=\"soft\">{}Frames per second: 1000 over the median wall time of a warm frame in ms, "
+      "first enqueue to finish. Ratio: ours over the paper's. * marks a median whose 95% interval is "
+      "wider than the preset asks for. Point at a figure for its time.</p>\n<ol class=\"notes\">",
+      table.hardware.empty()
+          ? std::string{}
+          : fmt::format("The paper's figures: {}, on {}. ", escaped(table.source), escaped(table.hardware)));
   for (const std::string& note : table.footnotes)
     html += fmt::format("<li><sup>{}</sup> {}</li>", escaped(note.substr(0, 1)), escaped(note.substr(2)));
   return html + "</ol>\n";
 }
 
 std::string heading(const PaperTable& table) {
-  return table.experiment + (table.reading == "default" ? "" : ", " + table.reading + " reading");
+  return (table.title.empty() ? table.experiment : table.title) +
+         (table.reading == "default" ? "" : ", " + table.reading + " reading");
+}
+
+std::string failures_html(const Report& report) {
+  std::string items;
+  for (const Cell& c : report.cells)
+    if (c.status != Status::ok)
+      items += fmt::format("<li>{} {}: {}: {}</li>\n", escaped(c.experiment), escaped(c.case_name),
+                           to_text(c.status), escaped(c.reason));
+  return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
 }  // namespace
@@ -130,12 +143,14 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
   for (std::size_t i = 0; i < report.tables.size(); ++i) {
     const std::string& stem = report.table_stems[i];
     body += fmt::format(
-        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a href=\"tables/{}.csv\">CSV</a> "
+        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; {} &middot; <a "
+        "href=\"tables/{}.csv\">CSV</a> "
         "&middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n",
-        escaped(heading(report.tables[i])), escaped(report.tables[i].device),
-        escaped(report.tables[i].variant), stem, stem);
+        escaped(heading(report.tables[i])), escaped(report.tables[i].experiment),
+        escaped(report.tables[i].device), escaped(report.tables[i].variant), stem, stem);
     body += table_html(report.tables[i]);
   }
+  body += failures_html(report);
   for (const ReportPlot& plot : report.plots)
     body += fmt::format(
         "<h2>{}</h2>\n<figure class=\"plot\">{}<figcaption><a href=\"plots/{}.svg\">SVG</a> &middot; "

@@ -161,6 +161,7 @@ std::string text_of(const PaperTable& table) {
   text +=
       "\nFrames per second: 1000 over the median wall time of a warm frame, ms. Ratio: ours over the "
       "paper's.\n";
+  if (!table.hardware.empty()) text += fmt::format("The paper's: {}, on {}.\n", table.source, table.hardware);
   if (any_unconverged(table)) text += "* the interval of the median is wider than the preset asks for\n";
   for (const std::string& note : table.footnotes) text += note + "\n";
   return text;
@@ -217,8 +218,9 @@ std::string latex_of(const PaperTable& table) {
     }
   }
   text += "\\bottomrule\n\\end{tabular}\n\\begin{tablenotes}\\footnotesize\n";
-  text += fmt::format("\\item Frames per second on {}; ratio: ours over the paper's.\n",
-                      latex_text(table.device));
+  text += fmt::format("\\item Frames per second on {}; ratio: ours over the paper's{}.\n",
+                      latex_text(table.device),
+                      table.hardware.empty() ? "" : " (" + latex_text(table.hardware) + ")");
   if (any_unconverged(table))
     text += "\\item[*] The interval of the median is wider than the preset asks for.\n";
   for (const std::string& note : table.footnotes)

@@ -22,6 +22,7 @@ struct PaperTable {
     std::vector<Row> rows;
   };
   std::string experiment, variant, device, host, reading;
+  std::string title, source, hardware;  ///< what the paper's table is, and what its figures were taken on
   std::vector<std::string> sizes;
   std::vector<Block> blocks;
   std::vector<std::string> footnotes;  ///< "a: stand-in ..."

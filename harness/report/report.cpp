@@ -100,6 +100,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   Report report;
   report.cells = cells_of(rows);
   report.tables = paper_tables(report.cells, note);
+  add_titles(report.tables);
   std::set<std::pair<std::string, std::string>> devices;
   for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
   write_tables(report, folder, devices.size() > 1);

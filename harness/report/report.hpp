@@ -26,6 +26,9 @@ struct Report {
   std::vector<std::string> notes;  ///< what is missing and why
 };
 
+/// Fills in what the experiment's own file says of it; a file of the user's is not looked for.
+void add_titles(std::vector<PaperTable>& tables);
+
 /// Writes everything into `folder` (made when missing) and returns what it holds. Throws InputError for a
 /// place that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,

@@ -65,7 +65,9 @@ std::set<std::string> said(const std::string& folder) {
 struct Sweep : ::testing::Test {
   void SetUp() override {
     if (!fs::exists(PELAGE_BINARY)) GTEST_SKIP() << "the program is not built";
+    const auto started = std::chrono::steady_clock::now();
     ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
+    whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     expected = said(whole);
     ASSERT_EQ(expected.size(), 4u);
   }
@@ -75,28 +77,26 @@ struct Sweep : ::testing::Test {
   }
   test::Folder folder;
   std::string whole = (folder.path / "whole").string();
+  double whole_s = 0;
   std::set<std::string> expected;
 };
 
 TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
   std::mt19937_64 random(1123);
   int kills = 0, sweeps = 0;
-  const auto started = std::chrono::steady_clock::now();
-  ASSERT_EQ(pelage(run({"-o", (folder.path / "timed").string()})), 0);
-  const double whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
   while (kills < 20) {
     const std::string out = (folder.path / ("killed" + std::to_string(sweeps++))).string();
     fs::create_directories(out);
-    // Five kills at moments anywhere in a sweep, each going on where the last one left off.
-    for (int i = 0; i < 5; ++i)
-      kills += WIFSIGNALED(pelage(run({"--resume", out}), whole_s * double(random() % 1000) / 1000));
+    // Kills at random moments, each run going on where the last one was cut off; then one that is left alone.
+    for (int i = 0; i < 10; ++i)
+      kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
     ASSERT_EQ(pelage(run({"--resume", out})), 0);
     EXPECT_EQ(said(out), expected) << "sweep " << sweeps;
-    ASSERT_LT(sweeps, 40) << "the sweep ends before it can be killed";
+    ASSERT_LT(sweeps, 20) << "the sweep ends before it can be killed";
   }
 }
 
-TEST_F(Sweep, ShardsMakeUpTheWhole) {
+TEST_F(Sweep, ShardsRepeatsAndRefusals) {
   const std::string out = (folder.path / "shards").string();
   for (const char* shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(pelage(run({"-o", out, "--shard", shard})), 0);
   EXPECT_EQ(said(out), expected);
@@ -104,23 +104,21 @@ TEST_F(Sweep, ShardsMakeUpTheWhole) {
   for (const auto& entry : fs::recursive_directory_iterator(out))
     journals += entry.path().string().ends_with("-of-3.jsonl");
   EXPECT_EQ(journals, 3);
-}
 
-TEST_F(Sweep, AnExistingKeyIsRefusedWithoutResume) {
+  // An existing key is refused without --resume, and kept with it.
   EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
   EXPECT_EQ(said(whole), expected);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
   EXPECT_EQ(said(whole), expected);
   // What was run with one preset is not gone on with by another.
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
-}
 
-TEST_F(Sweep, RepeatsAreProcessesOfTheirOwn) {
-  const std::string out = (folder.path / "repeats").string();
-  ASSERT_EQ(pelage(run({"-o", out, "--repeat", "2", "--filter", "torus-16"})), 0);
+  // Repeats are processes of their own.
+  const std::string repeated = (folder.path / "repeats").string();
+  ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;
   std::set<int> repeats;
-  for (const FoundRow& found : read_results({out})) {
+  for (const FoundRow& found : read_results({repeated})) {
     runs.insert(found.row.run_id);
     repeats.insert(found.row.repeat);
   }

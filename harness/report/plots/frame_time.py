@@ -37,6 +37,8 @@ def main(table, outputs):
     figure, axes = plt.subplots(1, max(1, len(layers)), figsize=(3.6 * max(1, len(layers)) + 1.2, 4.2),
                                 sharex=True, sharey=True, squeeze=False, constrained_layout=True)
     drawn = {}
+    top = max([number(r["median_ms_high"]) or 0 for r in rows] +
+              [2200 for r in rows if r["paper_relation"] == "<"], default=0)
     for axis, layer in zip(axes[0], layers):
         for i, size in enumerate(sizes):
             colour, marker = COLOURS[i % 4], MARKERS[i % 4]
@@ -70,7 +72,6 @@ def main(table, outputs):
             if bounds:
                 axis.annotate("paper: < 1 fps", (float(bounds[0]["triangles"]), 1000), xytext=(-8, 0),
                               textcoords="offset points", ha="right", va="center", fontsize=8, color="0.35")
-                axis.set_ylim(top=max(axis.get_ylim()[1], 2500))
         axis.set_xscale("log")
         axis.set_yscale("log")
         axis.set_title(layer + " layers", fontsize=10)
@@ -79,6 +80,8 @@ def main(table, outputs):
         axis.grid(True, which="minor", color="0.93", linewidth=0.4)
         for side in ("top", "right"):
             axis.spines[side].set_visible(False)
+    if top > axes[0][0].get_ylim()[1]:
+        axes[0][0].set_ylim(top=1.3 * top)
     axes[0][0].set_ylabel("frame time, ms")
     if drawn:
         figure.legend(drawn.values(), drawn.keys(), loc="lower center",
