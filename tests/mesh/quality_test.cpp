@@ -1,0 +1,102 @@
+#include "harness/mesh/quality.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+// Triangles in the plane z = 0 whose UV is (x, y), every corner a copy of its own; `weld` joins equal places.
+Mesh flat(const std::vector<std::array<glm::vec2, 3>>& triangles) {
+  Mesh mesh;
+  std::vector<glm::vec2> points;
+  for (const auto& triangle : triangles) {
+    const auto first = std::uint32_t(mesh.position.size());
+    for (const glm::vec2& p : triangle) {
+      std::uint32_t point = 0;
+      while (point < points.size() && points[point] != p) ++point;
+      if (point == points.size()) points.push_back(p);
+      mesh.position.emplace_back(p, 0);
+      mesh.uv.push_back(p);
+      mesh.weld.push_back(point);
+    }
+    mesh.triangle.emplace_back(first, first + 1, first + 2);
+  }
+  mesh.welded = std::uint32_t(points.size());
+  return mesh;
+}
+
+const glm::vec2 o(0, 0), x(1, 0), y(0, 1), xy(1, 1);
+
+TEST(Quality, of_two_triangles_that_make_the_square) {
+  const Mesh mesh = flat({{o, x, xy}, {o, xy, y}});
+  const Topology t = topology(mesh);
+  EXPECT_EQ(t.points, 4u);
+  EXPECT_EQ(t.edges, 5u);
+  EXPECT_EQ(t.boundary_edges, 4u);
+  EXPECT_EQ(t.borders, 1u);
+  EXPECT_EQ(t.components, 1u);
+  EXPECT_EQ(t.genus, 0);
+  EXPECT_TRUE(t.manifold());
+  const UvQuality q = uv_quality(mesh, 100);
+  EXPECT_EQ(q.charts, 2u);  // they share no copies
+  EXPECT_EQ(q.flipped_faces, 0u);
+  EXPECT_EQ(q.overlapping, 0.0);  // not even along their common edge
+  EXPECT_NEAR(q.covered, 1.0, 1e-9);
+  EXPECT_NEAR(q.area_low, 1.0, 1e-6);
+  EXPECT_NEAR(q.area_high, 1.0, 1e-6);
+}
+
+TEST(Quality, knows_overlaps_and_faces_turned_over) {
+  const Mesh mesh = flat({{o, x, xy}, {o, xy, x}});  // the same half of the square, once from each side
+  const UvQuality q = uv_quality(mesh, 100);
+  EXPECT_EQ(q.flipped_faces, 1u);
+  EXPECT_NEAR(q.flipped, 0.5, 1e-6);
+  EXPECT_NEAR(q.overlapping, 1.0, 1e-9);
+  EXPECT_NEAR(q.covered, 0.5, 0.01);
+}
+
+TEST(Quality, knows_what_is_no_manifold) {
+  const glm::vec2 far(2, 0.5f);
+  EXPECT_EQ(topology(flat({{o, x, y}, {o, x, xy}})).bad_edges, 1u);                  // both run o to x
+  EXPECT_EQ(topology(flat({{o, x, y}, {x, o, xy}, {x, o, far}})).bad_edges, 1u);     // three faces
+  EXPECT_EQ(topology(flat({{o, x, y}, {x, far, glm::vec2(2, 0)}})).bad_points, 1u);  // they touch in x only
+}
+
+TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
+  Mesh mesh = flat({{o, x, xy}, {o, xy, y}});
+  for (int k = 3; k < 6; ++k)
+    mesh.uv[std::size_t(k)] *= 0.5f;  // a quarter of its area: 0.25 and 1 of a mean of 0.625
+  const UvQuality q = uv_quality(mesh, 100);
+  EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);
+  EXPECT_NEAR(q.area_high, 1 / 0.625, 1e-6);
+}
+
+TEST(WritePly, what_is_written_is_a_mesh_with_its_map) {
+  const TempFolder folder;
+  const auto mesh = load_model("square", fresh());
+  const std::string file = (folder.path() / "square.ply").string();
+  write_ply(file, *mesh);
+  const auto back = load_model(file, fresh({}, true));
+  EXPECT_EQ(back->triangle, mesh->triangle);
+  EXPECT_EQ(back->uv, mesh->uv);
+  for (std::size_t i = 0; i < mesh->position.size(); ++i)
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(back->position[i][k], mesh->position[i][k], 1e-6f);
+}
+
+TEST(WritePly, a_place_that_cannot_be_written_is_named) {
+  const TempFolder folder;
+  const std::string file = (folder.path() / "none" / "a.ply").string();
+  try {
+    write_ply(file, Mesh{});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), file + ": cannot be written: No such file or directory");
+  }
+}
+
+}  // namespace
+}  // namespace pelage
