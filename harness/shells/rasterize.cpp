@@ -16,21 +16,20 @@ int default_group(int layers) {
   return std::max(2, (layers + 7) / 8);
 }
 
-// One channel of the fur, the four taps of a bilinear lookup in one word.
-std::vector<std::int32_t> packed_fur(const FurTexture& fur, std::size_t channel) {
+// Coverage and shade of (x, y) and (x, y + 1) in one word; each row ends with its first texel again.
+std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   std::vector<std::int32_t> words;
   for (std::size_t l = 0; l < fur.level.size(); ++l) {
     const auto side = std::size_t(fur.size >> l);
     for (std::size_t n = 0; n < std::size_t(fur.layers); ++n) {
       const auto* slice = &fur.level[l][n * side * side];
       for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x) {
-          const std::size_t right = (x + 1) % side, below = (y + 1) % side;
-          const auto tap = [&](std::size_t i, std::size_t j) {
-            return std::uint32_t(slice[j * side + i][channel]);
-          };
-          words.push_back(static_cast<std::int32_t>(tap(x, y) | tap(right, y) << 8 | tap(x, below) << 16 |
-                                                    tap(right, below) << 24));
+        for (std::size_t x = 0; x <= side; ++x) {
+          const auto& here = slice[y * side + x % side];
+          const auto& below = slice[(y + 1) % side * side + x % side];
+          words.push_back(static_cast<std::int32_t>(std::uint32_t(here[0]) | std::uint32_t(below[0]) << 8 |
+                                                    std::uint32_t(here[1]) << 16 |
+                                                    std::uint32_t(below[1]) << 24));
         }
     }
   }
@@ -91,8 +90,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       corner_(upload(queue, g.corner)),
       slice_(upload(queue, g.slice)),
       strand_(upload(queue, g.strand)),
-      fur_coverage_(upload(queue, packed_fur(input.fur, 0))),
-      fur_shade_(upload(queue, packed_fur(input.fur, 1))),
+      fur_(upload(queue, packed_fur(input.fur))),
       coat_(upload(queue, packed_coat(input.coat))),
       mask_(&wet.mask()) {
   const cl::Device& device = queue.device();
@@ -148,7 +146,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
   cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
   kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
-              fur_coverage_, fur_shade_, coat_, *mask_, image_, covered_);
+              fur_, coat_, *mask_, image_, covered_);
   if (per_pixel_) return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   return kernel.enqueue(queue, std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y), 1);
 }

@@ -73,7 +73,7 @@ class RasterStage {
   cl::Buffer<float> table_, vertex_, uv_, tangent_, weight_, dry_, tip_, record_, screen_;
   cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_;
   cl::Buffer<std::int16_t> box_;
-  cl::Buffer<std::int32_t> fur_coverage_, fur_shade_, coat_;
+  cl::Buffer<std::int32_t> fur_, coat_;
   const cl::Buffer<float>* mask_;
   cl::Buffer<glm::vec4> image_;
   cl::Buffer<std::uint32_t> covered_;

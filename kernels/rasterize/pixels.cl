@@ -77,11 +77,11 @@ static Surface surface_at(const RasterParams *s, TABLE(float) records, TABLE(flo
 __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
                            TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                            TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
-                           TABLE(int) coverage, TABLE(int) shade, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+                           TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
   Geometry m = {corners, screen, vertex, tip, dry, table};
-  Textures textures = {coverage, shade, coat, mask};
+  Textures textures = {fur, coat, mask};
   int tiles = s.tiles_x * s.tiles_y, tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
   int origin_x = SUBPIXEL * i + 128 - 128 * s.width, origin_y = SUBPIXEL * j + 128 - 128 * s.height;
   float x = (float)i + (0.5f - 0.5f * (float)s.width), y = (float)j + (0.5f - 0.5f * (float)s.height);

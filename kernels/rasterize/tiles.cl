@@ -463,7 +463,7 @@ static inline whole load_entries(TABLE(int) list, int count) {
 __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
-                          TABLE(int) coverage, TABLE(int) shade, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+                          TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int tile_index = (int)get_global_id(0);
   int tiles = s.tiles_x * s.tiles_y;
   if (tile_index >= tiles) return;
@@ -471,8 +471,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   Attributes from;
   from.records = records;
   from.tangents = tangents;
-  from.textures.coverage = coverage;
-  from.textures.shade = shade;
+  from.textures.fur = fur;
   from.textures.coat = coat;
   from.textures.mask = mask;
   Place place;
