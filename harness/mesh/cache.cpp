@@ -1,7 +1,7 @@
 #include "harness/mesh/cache.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -151,10 +151,10 @@ std::optional<Mesh> read_cached(const std::filesystem::path& file) {
 bool write_cached(const std::filesystem::path& file, const Mesh& mesh) {
   std::error_code ignored;
   std::filesystem::create_directories(file.parent_path(), ignored);
-  const std::string beside = fmt::format("{}.{}", file.string(), ::getpid());
-  const int out = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  std::string beside = file.string() + ".XXXXXX";
+  const int out = ::mkostemp(beside.data(), O_CLOEXEC);
   if (out < 0) return false;
-  const bool written = write_all(out, encode(mesh)) && ::fsync(out) == 0;
+  const bool written = write_all(out, encode(mesh)) && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
   if (::close(out) != 0 || !written || ::rename(beside.c_str(), file.c_str()) != 0) {
     ::unlink(beside.c_str());
     return false;

@@ -121,6 +121,14 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
   return hash.hex();
 }
 
+// Several times what the named models take on a slow machine; what needs more has run away.
+Limits limits_for(const Model& model, const Source& source) {
+  const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
+  const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;
+  return {(std::uint64_t(4) << 30) + 400 * bytes,
+          std::chrono::seconds(std::min<std::uint64_t>(seconds, 7200))};
+}
+
 Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   const std::vector<Model> known = models();
   const auto named =
@@ -159,11 +167,10 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
       return std::make_shared<Mesh>(std::move(*mesh));
     }
   }
-  // A gigabyte and an hour would suffice the largest named model several times over.
-  const Limits limits{std::uint64_t(12) << 30, std::chrono::hours(1)};
+  say(fmt::format("{}: preparing the mesh; this is done once", source.label));
   const std::string bytes = isolated(
-      source.label, limits, [&](const Say& tell) { return encode(prepare(model, source, options, tell)); },
-      say);
+      source.label, limits_for(model, source),
+      [&](const Say& tell) { return encode(prepare(model, source, options, tell)); }, say);
   auto mesh = decode(bytes);
   if (!mesh) throw std::runtime_error(fmt::format("{}: the prepared mesh came back damaged", model.name));
   if (options.cache && !write_cached(cached, *mesh))
