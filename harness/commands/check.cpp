@@ -150,7 +150,8 @@ std::vector<Finding> check_case(const cl::Device& device, const Case& which,
   const FrameOutput reference =
       picture ? reference_output(*input, frames, false) : reference_motion(*input, frames);
   if (stages.contains("simulate")) add(compare_tips(*input, tile, reference));
-  if (stages.contains("mask")) add(compare_masks(tile, reference));
+  // Two dry masks agree whatever the kernel does.
+  if (stages.contains("mask") && !input->droplets.empty()) add(compare_masks(tile, reference));
   if (picture) add(compare_pictures("tile", tile.image, reference.image));
   if (!picture && !mappings) return findings;
   const FrameOutput pixel = draw(device, input, "pixel");
@@ -182,8 +183,9 @@ int run_checks(const CheckOptions& options) {
   for (const Case& which : cases) {
     fmt::print(stderr, "{}/{} {}\n", ++done, cases.size(), which.name);
     for (const Finding& finding : check_case(device, which, stages)) {
-      fmt::print("{:<9} {:<24} {:<34} {:>10.4g} {} {:>8.4g}  {}\n", finding.stage, which.name, finding.metric,
-                 finding.value, finding.at_least ? ">" : "<", finding.limit, finding.ok() ? "ok" : "FAILED");
+      fmt::print("{:<9} {:<24} {:<34} {:>10.4g} {} {:>7.4g}  {}\n", finding.stage, which.name, finding.metric,
+                 finding.value, finding.at_least ? ">=" : "<=", finding.limit,
+                 finding.ok() ? "ok" : "FAILED");
       failures += !finding.ok();
     }
     std::fflush(stdout);
