@@ -23,7 +23,7 @@ struct RenderOptions {
 };
 
 FrameOutput shells_output(const RenderOptions& options, const cl::Device& device,
-                          std::shared_ptr<const FrameInput> input) {
+                          const std::shared_ptr<const FrameInput>& input) {
   ShellOptions shell_options;
   shell_options.mapping = options.mapping;
   Shells shells(device, input, shell_options);

@@ -64,7 +64,7 @@ void fill_gutters(Grid& grid) {
             y = (y + grid.size) % grid.size;
           }
           if (x < 0 || y < 0 || x >= grid.size || y >= grid.size) continue;
-          const int other = before[std::size_t(y * grid.size + x)];
+          const int other = before[std::size_t(y) * std::size_t(grid.size) + std::size_t(x)];
           if (other == nowhere) continue;
           if (best == nowhere || square_distance(grid, here, other) < square_distance(grid, here, best))
             best = other;

@@ -173,8 +173,8 @@ std::vector<Entry> read_list(const Source& source, const toml::node& node, std::
     Entry& entry = entries.emplace_back();
     const std::vector<Key> keys = keys_of(entry);
     for (const auto& [word, value] : *table) {
-      const auto key =
-          std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == word.str(); });
+      const auto key = std::find_if(keys.begin(), keys.end(),
+                                    [wanted = word.str()](const Key& k) { return k.name == wanted; });
       const std::string full = fmt::format("{}.{}", here, word.str());
       if (key == keys.end()) refuse(source, &value, full, unknown(word.str(), keys, false));
       assign(source, value, *key, full);
