@@ -20,7 +20,7 @@ namespace pelage {
 namespace {
 
 // Part of every cache file's name: raise it whenever the same source would give another mesh.
-constexpr int recipe = 2;
+constexpr int recipe = 3;
 
 constexpr std::uint32_t most_faces = 4'000'000;
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
@@ -97,10 +97,10 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   if (surface.uv.empty()) {
     if (model.wrap) surface = wrap(surface);
     tell();
-    const CutPlan plan = plan_cut(proxy_of(surface, model), source.label);
+    const std::vector<CutPlan> plans = plan_cuts(proxy_of(surface, model), source.label);
     if (model.faces) surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label);
     tell();
-    surface = unfold(surface, plan, source.label);
+    surface = unfold_best(surface, plans, source.label);
     tell();
   } else if (model.faces && *model.faces != surface.triangle.size()) {
     throw InputError(fmt::format("{}: has {} faces and a UV map of its own; another count is not to be had",

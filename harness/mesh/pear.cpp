@@ -20,7 +20,7 @@ double pear(const Traits::Point_3& p) {
   const double x = p.x(), y = p.y(), z = p.z(), across = x * x + z * z;
   const double low = std::sqrt(across + (y + 0.3) * (y + 0.3)) - 0.68;
   const double high = std::sqrt(across + (y - 0.62) * (y - 0.62)) - 0.27;
-  const double blend = 0.9, h = std::max(blend - std::abs(low - high), 0.0) / blend;
+  const double blend = 0.6, h = std::max(blend - std::abs(low - high), 0.0) / blend;
   const double body = std::min(low, high) - h * h * blend / 4;
   const double dimple = 0.09 * std::exp(-(across + (y - 0.92) * (y - 0.92)) / 0.02);
   return body + dimple;

@@ -11,10 +11,14 @@ namespace pelage {
 /// that fails too.
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
 
-/// Chooses a plan by trying: limbs are cut into one after another, farthest first, and a cut stays when the
-/// map gets better by it (less squeezed and stretched, without overlapping itself). A hundred maps and more
-/// are made, so `proxy` should be a coarse version (some 6000 faces) of the surface that is meant: a plan
-/// holds points, which carry over.
-CutPlan plan_cut(const Surface& proxy, const std::string& name);
+/// Chooses plans by trying: limbs are cut into one after another, farthest first, and a cut stays when the
+/// map gets better by it (less squeezed and stretched, without overlapping itself). Dozens of maps are made,
+/// so `proxy` should be a coarse version (some 6000 faces) of the surface that is meant: a plan holds points,
+/// which carry over. One plan for a surface without handles; several where the cut depends on where it is
+/// grown from.
+std::vector<CutPlan> plan_cuts(const Surface& proxy, const std::string& name);
+
+/// The best of the maps that the plans give.
+Surface unfold_best(const Surface& surface, const std::vector<CutPlan>& plans, const std::string& name);
 
 }  // namespace pelage

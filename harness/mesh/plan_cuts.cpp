@@ -15,11 +15,15 @@ namespace {
 // Less is better: the logarithm of how much the map's scale varies over the surface, and twenty for a map
 // that lies over itself everywhere, so that 1% of overlap weighs as much as a scale that varies by a fifth
 // more.
+double cost(const Surface& unfolded, const std::string& name) {
+  const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
+  if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
+  return std::log(quality.area_high / quality.area_low) + 20 * (quality.overlapping + quality.flipped);
+}
+
 double cost(const Surface& surface, const CutPlan& plan, const std::string& name) {
   try {
-    const UvQuality quality = uv_quality(finish(unfold(surface, plan, name), name, glm::dvec3(0)), 512);
-    if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
-    return std::log(quality.area_high / quality.area_low) + 20 * (quality.overlapping + quality.flipped);
+    return cost(unfold(surface, plan, name), name);
   } catch (const InputError&) {
     return std::numeric_limits<double>::max();
   }
@@ -54,7 +58,7 @@ Search reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::stri
 
 }  // namespace
 
-CutPlan plan_cut(const Surface& proxy, const std::string& name) {
+std::vector<CutPlan> plan_cuts(const Surface& proxy, const std::string& name) {
   // On a surface with handles the cut depends on where it is grown from: four places, far from one another.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   const long euler =
@@ -68,12 +72,24 @@ CutPlan plan_cut(const Surface& proxy, const std::string& name) {
     roots.push_back(*std::max_element(proxy.point.begin(), proxy.point.end(),
                                       [&](const auto& a, const auto& b) { return near(a) < near(b); }));
   }
-  Search best{{}, std::numeric_limits<double>::infinity()};
-  for (const glm::dvec3& root : roots) {
-    Search search = reach_into_limbs(proxy, root, name);
-    if (search.cost < best.cost) best = search;
+  std::vector<CutPlan> plans;
+  for (const glm::dvec3& root : roots) plans.push_back(reach_into_limbs(proxy, root, name).plan);
+  return plans;
+}
+
+Surface unfold_best(const Surface& surface, const std::vector<CutPlan>& plans, const std::string& name) {
+  Surface best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const CutPlan& plan : plans) {
+    try {
+      Surface unfolded = unfold(surface, plan, name);
+      const double there = plans.size() == 1 ? 0 : cost(unfolded, name);
+      if (there < least) least = there, best = std::move(unfolded);
+    } catch (const InputError&) {
+      if (&plan == &plans.back() && best.uv.empty()) throw;
+    }
   }
-  return best.plan;
+  return best;
 }
 
 }  // namespace pelage
