@@ -1,0 +1,43 @@
+#!/bin/sh
+# Draws the seven looks of examples/ at 800 x 600 with 64 layers and with 16, and puts them together as
+# docs/look/contact_sheet.jpg: straight, wavy, large and small curls, 64 layers above 16; then dry, wet and grass.
+# Usage: scripts/contact_sheet.sh [options of pelage render]; $PELAGE names another binary.
+set -eu
+cd "$(dirname "$0")/.."
+pelage=${PELAGE:-build/release/pelage}
+pictures=$(mktemp -d)
+trap 'rm -rf "$pictures"' EXIT
+
+looks="straight wavy large-curls small-curls dry wet grass"
+for layers in 64 16; do
+  for look in $looks; do
+    set_few=
+    # With 16 layers a wide curl moves too far from one layer to the next; the scene says so.
+    [ "$layers $look" = "16 large-curls" ] && set_few="--set curl.radius=0.032 --set curl.turns=1.1"
+    # shellcheck disable=SC2086
+    "$pelage" render "examples/$look.toml" --size 800x600 --set fur.layers=$layers $set_few \
+      -o "$pictures/$layers-$look.png" "$@"
+  done
+done
+
+# 500 pixels around each bunny; dry and wet get 600 and the meadow its whole width: 2000 in each band.
+cut() { oiiotool "$pictures/$1.png" --cut "$2" -o "$pictures/$1-cut.png"; }
+place() { oiiotool "$pictures/$1-cut.png" "$pictures/sheet.png" --paste "$2" -o "$pictures/sheet.png"; }
+oiiotool --create 2000x2320 3 -d uint8 -o "$pictures/sheet.png"
+y=0
+for layers in 64 16; do
+  x=0
+  for look in straight wavy large-curls small-curls; do
+    cut $layers-$look 500x580+150+10
+    place $layers-$look +$x+$y
+    x=$((x + 500))
+  done
+  cut $layers-dry 600x580+100+10
+  cut $layers-wet 600x580+100+10
+  cut $layers-grass 800x580+0+10
+  place $layers-dry +0+$((y + 1160))
+  place $layers-wet +600+$((y + 1160))
+  place $layers-grass +1200+$((y + 1160))
+  y=$((y + 580))
+done
+oiiotool "$pictures/sheet.png" --compression jpeg:88 -o docs/look/contact_sheet.jpg
