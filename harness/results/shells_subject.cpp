@@ -10,7 +10,6 @@
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/hash.hpp"
-#include "harness/picture/metrics.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/scene/scene_keys.hpp"
@@ -38,7 +37,9 @@ class ShellsSubject : public Subject {
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {
-    return check_against_reference(*input_, shells_.frames_simulated(), timed, seed_);
+    const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_);
+    agreement_ = result.agreement;
+    return result.checks;
   }
   void describe(Row& row) override {
     row.build_ms = shells_.build_ms();
@@ -49,6 +50,10 @@ class ShellsSubject : public Subject {
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};
     row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
     row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
+    // Where to look when a check fails.
+    row.metrics["worst_difference"] = {agreement_.worst, "1"};
+    row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
+    row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
     row.provenance["mesh_hash"] = input_->mesh->hash;
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
@@ -58,24 +63,26 @@ class ShellsSubject : public Subject {
   std::shared_ptr<const FrameInput> input_;
   ShellOptions options_;
   std::uint32_t seed_;
+  Agreement agreement_;
   Shells shells_;
 };
 
 }  // namespace
 
-std::vector<Check> check_against_reference(const FrameInput& input, int frames, const Picture& timed,
-                                           std::uint32_t seed) {
+WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
+                                    std::uint32_t seed) {
   reference::Options options;
   options.frames = frames;
   options.windows = fur_windows(timed, kCheckWindows, kCheckSide, seed);
-  const auto count = double(options.windows.size());
-  const AgreementLimits limits;
-  if (options.windows.empty()) return {{"reference", "windows", 0, double(kCheckWindows), true}};
+  const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
+  if (options.windows.empty()) return {{windows}, {}};
   const Agreement agreement = compare(timed, reference::render(input, options), options.windows);
-  return {{"reference", "windows", count, double(kCheckWindows), true},
-          {"reference", "fur pixels", double(agreement.pixels), 1, true},
-          {"reference", "psnr", agreement.psnr, limits.psnr, true},
-          {"reference", "p99.9", agreement.p999, limits.p999, false}};
+  const AgreementLimits limits;
+  return {{windows,
+           {"reference", "fur pixels", double(agreement.pixels), 1, true},
+           {"reference", "psnr", agreement.psnr, limits.psnr, true},
+           {"reference", "p99.9", agreement.p999, limits.p999, false}},
+          agreement};
 }
 
 double model_height(const Picture& picture) {

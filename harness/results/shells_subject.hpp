@@ -4,6 +4,7 @@
 #include <string>
 
 #include "harness/cl/device.hpp"
+#include "harness/picture/metrics.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/results/subject.hpp"
 
@@ -22,9 +23,14 @@ MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
 /// Hash of every file under kernels/: which text was compiled.
 std::string kernel_hash();
 
-/// The timed picture against the double-precision reference, in kCheckWindows seeded windows over fur pixels.
-std::vector<Check> check_against_reference(const FrameInput& input, int frames, const Picture& timed,
-                                           std::uint32_t seed);
+/// The timed picture compared with the double-precision reference in kCheckWindows seeded windows over fur
+/// pixels.
+struct WindowCheck {
+  std::vector<Check> checks;
+  Agreement agreement;
+};
+WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
+                                    std::uint32_t seed);
 
 /// Share of the picture's rows that hold fur, 0..1.
 double model_height(const Picture& picture);
