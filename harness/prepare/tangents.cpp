@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr int smooth_iterations = 60;
-constexpr double phase_size = 0.25;  // R, over which the curl's phase varies
+constexpr double phase_size = 0.4;  // R, over which the curl's phase varies
 
 glm::dvec3 unit_tangent(glm::dvec3 v, glm::dvec3 n) {
   const glm::dvec3 flat = tangential(v, n);

@@ -185,6 +185,48 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
   }
 }
 
+/// A blade is an ellipse across its bend: its area grows with the width, and it is long the way it should be.
+TEST(FurTexture, BladesAreWideAcrossTheirBend) {
+  FurScene fur;
+  fur.layers = 16;
+  fur.strands = 1;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  fur.radius = 12;
+  fur.width = 3;
+  fur.least_length = 1;
+  fur.tip_radius = 1;
+  const FurStrand blade = grow_strands(fur).front();
+  EXPECT_NEAR(glm::length(blade.across), 1.0, 1e-12);
+  const FurTexture t = make_fur_texture(fur);
+  double area = 0, along = 0, across = 0;
+  for (int y = 0; y < t.size; ++y)
+    for (int x = 0; x < t.size; ++x) {
+      const double a = coverage(t, 0, 0, x, y);
+      const glm::dvec2 from_root = (glm::dvec2(x, y) + 0.5) / double(t.size) - blade.root;
+      const glm::dvec2 d = (from_root - glm::round(from_root)) * double(t.size);
+      area += a;
+      across += a * glm::dot(d, blade.across) * glm::dot(d, blade.across);
+      along +=
+          a * (d.x * blade.across.y - d.y * blade.across.x) * (d.x * blade.across.y - d.y * blade.across.x);
+    }
+  const double r = strand_radius(blade, fur, 1.0 / 16) * t.size;
+  EXPECT_NEAR(area, 3 * std::numbers::pi * r * r, 0.01 * area);
+  EXPECT_NEAR(std::sqrt(across / along), 3.0, 0.03);
+}
+
+TEST(FurStrands, SweepWidensStrandsOnlyWhereLayersAreFew) {
+  FurScene fur;
+  fur.sweep = 0;
+  const FurStrand strand = grow_strands(fur).front();
+  const double plain = strand_radius(strand, fur, 0.3);
+  fur.sweep = 0.18f;
+  fur.layers = 512;
+  EXPECT_NEAR(strand_radius(strand, fur, 0.3) / plain, 1.0, 0.01);
+  fur.layers = 16;
+  EXPECT_GT(strand_radius(strand, fur, 0.3) / plain, 1.05);
+}
+
 TEST(FurTexture, ThinsOutFromRootToTip) {
   FurScene fur;
   const FurTexture t = make_fur_texture(fur);

@@ -92,6 +92,24 @@ TEST(CurlFrame, TorusHasNoJump) {
   EXPECT_LT(worst_edge(skin, frame), 8.0);  // one of 65 steps around the tube turns by 5.5 degrees
 }
 
+TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
+  const auto mesh = load_model("torus");
+  const Skin skin = weld(*mesh);
+  const SurfaceTangents s = surface_tangents(*mesh, skin);
+  CurlScene curl;
+  const CurlFrame still = curl_frame(*mesh, skin, s, curl);
+  curl.variation = 0.25f;
+  const CurlFrame varied = curl_frame(*mesh, skin, s, curl);
+  expect_orthonormal(skin, varied);
+  double most = 0;
+  for (std::size_t w = 0; w < still.u.size(); ++w) {
+    most = std::max(most, degrees(still.u[w], varied.u[w]));
+    EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
+  }
+  EXPECT_GT(most, 45.0);
+  EXPECT_LT(worst_edge(skin, varied), 90.0);  // 0.1 R of an edge, 0.4 R of the noise: 84 at its steepest
+}
+
 TEST(CurlFrame, SamplesTheMaskAtTheFirstCopy) {
   const auto mesh = test::two_charts();
   const Skin skin = weld(*mesh);
