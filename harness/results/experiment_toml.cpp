@@ -91,6 +91,7 @@ std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
     return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
   });
   std::vector<Axis> axes;
+  axes.reserve(found.size());
   for (auto& [position, axis] : found) axes.push_back(std::move(axis));
   return axes;
 }

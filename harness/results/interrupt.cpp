@@ -1,9 +1,9 @@
 #include "harness/results/interrupt.hpp"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 
 namespace pelage {
 namespace {

@@ -97,7 +97,7 @@ nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, boo
         word = std::filesystem::path(word).filename().string();
   json["argv"] = words;
   utsname system{};
-  if (uname(&system) == 0) json["kernel"] = std::string(system.sysname) + " " + system.release;
+  if (uname(&system) == 0) json["os_kernel"] = std::string(system.sysname) + " " + system.release;
   json["os"] = os_name();
   json["cpu"] = cpu_model();
   json["cpus"] = sysconf(_SC_NPROCESSORS_ONLN);

@@ -29,7 +29,9 @@ class ShellsSubject : public Subject {
  public:
   ShellsSubject(const cl::Device& device, std::shared_ptr<const FrameInput> input,
                 const ShellOptions& options, std::uint32_t seed)
-      : input_(std::move(input)), options_(options), seed_(seed), shells_(device, input_, options) {}
+      : input_(std::move(input)), options_(options), seed_(seed), shells_(device, input_, options) {
+    shells_.advance(frames_before(input_->scene.dynamics));
+  }
 
   FrameSample frame() override {
     const FrameTiming timing = shells_.frame();
