@@ -109,6 +109,14 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   return finish(surface, model.name, model.rotation);
 }
 
+void need_source(const Source& source) {
+  if (source.kind != "cgal" && source.kind != "glmark2") return;
+  if (!std::filesystem::exists(source.file()))
+    throw InputError(fmt::format("{}: needs {}; install Debian's package {}", source.label,
+                                 source.file().string(),
+                                 source.kind == "cgal" ? "libcgal-demo" : "glmark2-data"));
+}
+
 std::string key_of(const Model& model, const Source& source, const MeshOptions& options) {
   Hash hash;
   hash.number(recipe)
@@ -158,6 +166,7 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options) {
   const Model model = model_of(name_or_file, options);
   const Source source = source_of(model);
+  need_source(source);
   const Say say = options.progress ? options.progress : [](const std::string&) {};
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
