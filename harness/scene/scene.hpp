@@ -30,22 +30,22 @@ struct FurScene {
   float lock_pull = 0.45f;         ///< how far a strand's tip moves to its lock's centre, 0..1
   float lock_power = 1.0f;         ///< exponent of h in that pull
   float bend = 0.0f;               ///< exponential bend of a blade at its tip, texels (grass: 18)
-  float sweep = 0.18f;             ///< how obliquely strands are seen (tangent): widens them where layers are few
-  float shade = 0.28f;             ///< variation of shade from strand to strand, +-
-  float comb = 0.6f;               ///< tangential lean of the spring's rest tip, 0: the paper's upright fur
-  float comb_noise = 0.0f;         ///< lean in random, smooth directions, added to comb
+  float sweep = 0.18f;      ///< how obliquely strands are seen (tangent): widens them where layers are few
+  float shade = 0.28f;      ///< variation of shade from strand to strand, +-
+  float comb = 0.6f;        ///< tangential lean of the spring's rest tip, 0: the paper's upright fur
+  float comb_noise = 0.0f;  ///< lean in random, smooth directions, added to comb
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< where the comb points before it is made tangential
-  float lod_bias = -1.0f;          ///< added to the level of detail of the fur lookup
+  float lod_bias = -1.0f;                         ///< added to the level of detail of the fur lookup
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< "paper" | "uniform"
   std::string binding = "shared";       ///< "shared" | "separate"
 };
 
 struct CurlScene {
-  float radius = 0.0f;            ///< K_alpha, R
-  float turns = 0.0f;             ///< omega / 2 pi, turns from root to tip
-  float variation = 0.0f;         ///< turns by which the curl's phase varies over the body, +-; "smooth" frame only
-  std::string frame = "smooth";   ///< "smooth" | "uv"
+  float radius = 0.0f;     ///< K_alpha, R
+  float turns = 0.0f;      ///< omega / 2 pi, turns from root to tip
+  float variation = 0.0f;  ///< turns by which the curl's phase varies over the body, +-; "smooth" frame only
+  std::string frame = "smooth";  ///< "smooth" | "uv"
 };
 
 /// A droplet on the surface; exactly one of uv and point is given (point: nearest surface point, R).
@@ -57,22 +57,22 @@ struct DropletScene {
 };
 
 struct WetnessScene {
-  int size = 256;                       ///< texels per side of the mask
-  std::vector<DropletScene> droplets;   ///< explicit ones, blended first, in this order
-  int random = 0;                       ///< most random droplets to place
+  int size = 256;                      ///< texels per side of the mask
+  std::vector<DropletScene> droplets;  ///< explicit ones, blended first, in this order
+  int random = 0;                      ///< most random droplets to place
   std::uint32_t seed = 1;
-  float radius = 0.012f;                ///< mean radius of random droplets, UV units
-  float radius_spread = 0.3f;           ///< +- fraction of radius
-  float wetness = 0.9f;                 ///< mean wetness of random droplets
-  float wetness_spread = 0.1f;          ///< +-
-  float spacing = 1.0f;                 ///< least distance of random centres, in radii
-  float patch_cover = 1.0f;             ///< fraction of the surface in which random droplets fall, 1: all
-  float patch_size = 0.6f;              ///< size of those contiguous areas, R; wetness fades at their borders
-  std::filesystem::path image;          ///< droplets fall only where this picture (in UV) is bright
+  float radius = 0.012f;        ///< mean radius of random droplets, UV units
+  float radius_spread = 0.3f;   ///< +- fraction of radius
+  float wetness = 0.9f;         ///< mean wetness of random droplets
+  float wetness_spread = 0.1f;  ///< +-
+  float spacing = 1.0f;         ///< least distance of random centres, in radii
+  float patch_cover = 1.0f;     ///< fraction of the surface in which random droplets fall, 1: all
+  float patch_size = 0.6f;      ///< size of those contiguous areas, R; wetness fades at their borders
+  std::filesystem::path image;  ///< droplets fall only where this picture (in UV) is bright
 };
 
 struct ClumpScene {
-  float shape = 0.0f;             ///< w of S Eq. 5: 0 straight, 1 logarithmic
+  float shape = 0.0f;  ///< w of S Eq. 5: 0 straight, 1 logarithmic
   float gain = 3.5f;
   std::string scale = "relative";  ///< "relative" (gain) | "literal" (r_mask)
   std::string cells = "separate";  ///< "separate" | "literal"
@@ -87,13 +87,13 @@ struct WindScene {
 };
 
 struct DynamicsScene {
-  float mass = 0.001f;                    ///< kg
-  float stiffness = 0.4f;                 ///< k, N/m, with 1 R = 1 m
-  float drag = 0.01f;                     ///< c, N s/m
-  float step = 1.0f / 240.0f;             ///< dt of a substep, s
-  int substeps = 4;                       ///< per frame
-  float time = 0.0f;                      ///< simulated before the first picture, s
-  glm::vec3 gravity{0.0f, 0.0f, 0.0f};    ///< R/s^2
+  float mass = 0.001f;                  ///< kg
+  float stiffness = 0.4f;               ///< k, N/m, with 1 R = 1 m
+  float drag = 0.01f;                   ///< c, N s/m
+  float step = 1.0f / 240.0f;           ///< dt of a substep, s
+  int substeps = 4;                     ///< per frame
+  float time = 0.0f;                    ///< simulated before the first picture, s
+  glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
   WindScene wind;
 };
 
@@ -108,38 +108,38 @@ struct LightScene {
 };
 
 struct ShadingScene {
-  std::string model = "curling";     ///< "curling" (S Eq. 6) | "wet" (W Eq. 2-5)
-  float shadow = 1.12f;              ///< K_shadow >= 1
-  glm::vec3 specular{0.2f};          ///< K_s
-  float exponent = 24.0f;            ///< p
+  std::string model = "curling";  ///< "curling" (S Eq. 6) | "wet" (W Eq. 2-5)
+  float shadow = 1.12f;           ///< K_shadow >= 1
+  glm::vec3 specular{0.2f};       ///< K_s
+  float exponent = 24.0f;         ///< p
   float ambient = 0.2f;
-  float wrap = 0.75f;                ///< weight of (n.l+.4)/1.4 on each light, 0: the literal equation
-  float occlusion = 0.85f;           ///< sigma_occ
-  float darkening = 0.3f;            ///< sigma_wet
-  float wet_specular = 0.5f;         ///< sigma_spec, < 1
-  std::string tangent = "paper";     ///< wet.tangent: "paper" | "drawn"
+  float wrap = 0.75f;             ///< weight of (n.l+.4)/1.4 on each light, 0: the literal equation
+  float occlusion = 0.85f;        ///< sigma_occ
+  float darkening = 0.3f;         ///< sigma_wet
+  float wet_specular = 0.5f;      ///< sigma_spec, < 1
+  std::string tangent = "paper";  ///< wet.tangent: "paper" | "drawn"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two
 };
 
 struct CoatScene {
-  std::filesystem::path image;         ///< colour texture in UV; empty: procedural
-  std::string pattern = "patches";     ///< "plain" | "patches" | "stripes" | "spots" | "grass"
+  std::filesystem::path image;      ///< colour texture in UV; empty: procedural
+  std::string pattern = "patches";  ///< "plain" | "patches" | "stripes" | "spots" | "grass"
   glm::vec3 colour{0.86f, 0.70f, 0.50f};
   glm::vec3 second{0.62f, 0.44f, 0.27f};
-  float scale = 0.5f;                  ///< size of the pattern, R
-  glm::vec3 skin{0.5f};                ///< colour of the base surface, times the coat's
+  float scale = 0.5f;    ///< size of the pattern, R
+  glm::vec3 skin{0.5f};  ///< colour of the base surface, times the coat's
   std::uint32_t seed = 1;
-  int texture = 512;                   ///< texels per side of a procedural coat
+  int texture = 512;  ///< texels per side of a procedural coat
 };
 
 struct CameraScene {
-  bool framed = true;                  ///< true: placed on `direction`, the furred model filling 80-90% of the height
+  bool framed = true;  ///< true: placed on `direction`, the furred model filling 80-90% of the height
   glm::vec3 direction{1.3f, 1.15f, 2.35f};  ///< from the target to the eye
-  glm::vec3 eye{1.3f, 1.15f, 2.35f};   ///< R, used when not framed
-  glm::vec3 target{0.0f};              ///< R
+  glm::vec3 eye{1.3f, 1.15f, 2.35f};        ///< R, used when not framed
+  glm::vec3 target{0.0f};                   ///< R
   glm::vec3 up{0.0f, 1.0f, 0.0f};
-  float fov = 37.0f;                   ///< vertical, degrees
-  float near = 0.01f;                  ///< near plane, R
+  float fov = 37.0f;   ///< vertical, degrees
+  float near = 0.01f;  ///< near plane, R
 };
 
 struct ImageScene {
@@ -149,7 +149,7 @@ struct ImageScene {
 };
 
 struct Scene {
-  std::string model = "bunny";   ///< a name of models.toml, or a mesh file
+  std::string model = "bunny";  ///< a name of models.toml, or a mesh file
   FurScene fur;
   CurlScene curl;
   WetnessScene wetness;

@@ -12,7 +12,8 @@ struct BuildInfo {
   std::string flags;     ///< what the harness was compiled with
 };
 
-/// Taken from git at build time; a copy without .git has the revision that `git archive` wrote into revision.txt.
+/// Taken from git at build time; a copy without .git has the revision that `git archive` wrote into
+/// revision.txt.
 const BuildInfo& build_info();
 
 }  // namespace pelage
