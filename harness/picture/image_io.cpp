@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with room
+
 std::string extension(const fs::path& path) {
   std::string name = path.extension().string();
   std::transform(name.begin(), name.end(), name.begin(),
@@ -132,6 +134,11 @@ Picture read_picture(const fs::path& path) {
     throw InputError(
         fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
                     path.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
+  }
+  // A few bytes of header must not claim gigabytes: deflate, the densest of these codecs, reaches 1 to 1032.
+  if (spec.image_bytes() / densest_codec > fs::file_size(path, error)) {
+    throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
+                                 path.string(), spec.width, spec.height));
   }
   require_end(path);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);

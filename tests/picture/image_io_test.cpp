@@ -1,0 +1,147 @@
+// Pictures on disk are the pictures in memory, as far as the format holds them, and whole or absent.
+#include "harness/picture/image_io.hpp"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "harness/atomic_file.hpp"
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ImageIo : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "pelage-picture-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+  }
+  fs::path folder;
+};
+
+Picture gradient(int width, int height) {
+  Picture picture{width, height, {}};
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      picture.pixel.emplace_back(float(x) / float(width), float(y) / float(height), float(x * y % 7) / 7.0f,
+                                 float(x + y) / float(width + height));
+    }
+  }
+  return picture;
+}
+
+TEST_F(ImageIo, FloatFormatsKeepEveryBit) {
+  Picture picture = gradient(37, 23);
+  picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // neither clamped nor premultiplied
+  for (const char* name : {"a.exr", "a.tif", "a.TIFF"}) {
+    write_picture(folder / name, picture);
+    const Picture again = read_picture(folder / name);
+    ASSERT_EQ(again.width, 37);
+    ASSERT_EQ(again.height, 23);
+    EXPECT_EQ(again.pixel, picture.pixel) << name;
+  }
+}
+
+TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
+  Picture picture = gradient(256, 2);
+  picture.at(0, 1) = {-1.0f, 2.0f, std::numeric_limits<float>::quiet_NaN(), 1.0f};
+  picture.at(1, 1) = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), 0.5f,
+                      1.0f};
+  write_picture(folder / "a.png", picture);
+  const Picture again = read_picture(folder / "a.png");
+  for (int x = 0; x < 256; ++x) {
+    EXPECT_LE(std::abs(again.at(x, 0).x - picture.at(x, 0).x), 0.5f / 255.0f + 1e-6f);
+    EXPECT_EQ(again.at(x, 0).w, 1.0f);
+  }
+  EXPECT_EQ(again.at(0, 1), glm::vec4(0, 1, 0, 1));
+  EXPECT_EQ(again.at(1, 1), glm::vec4(1, 0, 128.0f / 255.0f, 1));
+}
+
+TEST_F(ImageIo, TopRowIsFirst) {
+  Picture picture{2, 2, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}}};
+  for (const char* name : {"a.png", "a.exr", "a.tif"}) {
+    write_picture(folder / name, picture);
+    EXPECT_EQ(read_picture(folder / name).pixel, picture.pixel) << name;
+  }
+}
+
+TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
+  const fs::path file = folder / "kept.txt";
+  std::ofstream(file) << "before";
+  EXPECT_THROW(write_atomically(file,
+                                [](const fs::path& temporary) {
+                                  std::ofstream(temporary) << "half";
+                                  throw InputError("the disk is full");
+                                }),
+               InputError);
+  std::ifstream stream(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "before");
+  EXPECT_EQ(files(), 1u);
+  EXPECT_THROW(write_picture("/dev/full/a.png", gradient(2, 2)), InputError);
+  EXPECT_THROW(write_picture(folder / "none/a.png", gradient(2, 2)), InputError);
+  EXPECT_THROW(write_picture(folder / "a.gif", gradient(2, 2)), InputError);
+  EXPECT_THROW(write_picture(folder / "a.png", Picture{}), InputError);
+  EXPECT_THROW(write_picture(folder / "a.png", Picture{2, 2, {}}), InputError);
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
+  const Picture picture = gradient(20, 20);
+  for (const char* name : {"a.png", "a.exr", "a.tif"}) {
+    write_picture(folder / name, picture);
+    std::ifstream stream(folder / name, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    for (std::size_t size = 0; size + 1 < bytes.size(); size += 1 + size / 16) {
+      const fs::path cut = folder / (std::string("cut") + name);
+      std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
+      try {
+        // What the format holds behind the pixels may be lost unseen; a pixel may not.
+        EXPECT_EQ(read_picture(cut).pixel, read_picture(folder / name).pixel) << name << " cut at " << size;
+      } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
+TEST_F(ImageIo, DamagedBytesNeverCrash) {
+  const Picture picture = gradient(20, 20);
+  unsigned state = 1;
+  int refused = 0;
+  for (const char* name : {"a.png", "a.exr", "a.tif"}) {
+    write_picture(folder / name, picture);
+    std::ifstream stream(folder / name, std::ios::binary);
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      std::string damaged = bytes;
+      for (int hit = 0; hit < 4; ++hit) {
+        state = state * 1664525u + 1013904223u;
+        damaged[(state >> 8) % damaged.size()] = static_cast<char>(state >> 24);
+      }
+      const fs::path file = folder / (std::string("bad") + name);
+      std::ofstream(file, std::ios::binary) << damaged;
+      try {
+        const Picture read = read_picture(file);
+        EXPECT_EQ(read.pixel.size(), std::size_t(read.width) * std::size_t(read.height));
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 0);
+}
+
+}  // namespace
+}  // namespace pelage
