@@ -14,7 +14,7 @@ namespace pelage {
 namespace {
 
 // What every prepared mesh keeps to, whatever its shape.
-void expect_well_made(const Mesh& mesh) {
+void expect_well_made(const Mesh& mesh, double overlapping) {
   float farthest = 0;
   for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));
   EXPECT_NEAR(farthest, 1.0f, 1e-5f) << mesh.name;
@@ -25,8 +25,8 @@ void expect_well_made(const Mesh& mesh) {
   EXPECT_EQ(t.components, 1u) << mesh.name;
   const UvQuality q = uv_quality(mesh, 1024);
   EXPECT_EQ(q.charts, 1u) << mesh.name;
-  EXPECT_LT(q.flipped, 0.002) << mesh.name;
-  EXPECT_LT(q.overlapping, 0.02) << mesh.name;
+  EXPECT_LT(q.flipped, 0.0005) << mesh.name;
+  EXPECT_LE(q.overlapping, overlapping) << mesh.name;
   EXPECT_GT(q.area_low, 0.2) << mesh.name;
   EXPECT_LT(q.area_high, 1.8) << mesh.name;
 }
@@ -39,7 +39,9 @@ TEST(Models, of_table_1_have_the_papers_face_counts) {
   for (const auto& [name, faces] : table) {
     const auto mesh = load_model(name);
     EXPECT_EQ(mesh->triangle.size(), faces) << name;
-    expect_well_made(*mesh);
+    // The elephant's three handles leave saddles where one chart cannot but overlap; docs/models.md says how
+    // much.
+    expect_well_made(*mesh, std::string_view(name) == "elephant" ? 0.035 : 0.015);
   }
 }
 
