@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <unordered_map>
 
+#include "harness/error.hpp"
+#include "harness/mesh/search.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
@@ -28,56 +31,45 @@ Spot spot(const Mesh& mesh, std::size_t face, glm::dvec3 bary) {
   return s;
 }
 
-/// Barycentrics of the point of triangle abc nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-template <class V>
-glm::dvec3 nearest_in_triangle(V p, V a, V b, V c) {
-  const V ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
+/// The places that explicit droplets ask for. Each tree is built for the first droplet that needs it.
+class Places {
+ public:
+  explicit Places(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
 
-template <class V, class Corner>
-Spot nearest_spot(const Mesh& mesh, V p, Corner corner) {
-  double least = 1e300;
-  std::size_t best = 0;
-  glm::dvec3 where(1, 0, 0);
-  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
-    const glm::uvec3 t = mesh.triangle[f];
-    const V a = corner(t.x), b = corner(t.y), c = corner(t.z);
-    const glm::dvec3 bary = nearest_in_triangle(p, a, b, c);
-    if (!std::isfinite(bary.x + bary.y + bary.z)) continue;  // a triangle without area
-    const V d = bary.x * a + bary.y * b + bary.z * c - p;
-    if (glm::dot(d, d) < least) {
-      least = glm::dot(d, d);
-      best = f;
-      where = bary;
+  Spot find(const DropletScene& given) {
+    if (given.point) {
+      if (!in_space_) in_space_.emplace(mesh_);
+      const SurfacePlace place = in_space_->closest(*given.point);
+      return spot(*mesh_, place.triangle, glm::dvec3(place.weight));
     }
+    if (!in_atlas_) lay_out();
+    const SurfacePlace place = in_atlas_->closest(glm::vec3(given.uv.value_or(glm::vec2(0)), 0.0f));
+    return spot(*mesh_, face_[place.triangle], glm::dvec3(place.weight));
   }
-  return spot(mesh, best, where);
-}
 
-Spot place(const Mesh& mesh, const DropletScene& given) {
-  if (given.point)
-    return nearest_spot(mesh, glm::dvec3(*given.point),
-                        [&](std::uint32_t v) { return glm::dvec3(mesh.position[v]); });
-  return nearest_spot(mesh, glm::dvec2(given.uv.value_or(glm::vec2(0))),
-                      [&](std::uint32_t v) { return glm::dvec2(mesh.uv[v]); });
-}
+ private:
+  /// The atlas as a mesh in the plane z = 0, without the triangles that have no area there.
+  void lay_out() {
+    auto flat = std::make_shared<Mesh>();
+    flat->uv = mesh_->uv;
+    for (const glm::vec2& uv : mesh_->uv) flat->position.push_back({uv, 0.0f});
+    for (std::size_t f = 0; f < mesh_->triangle.size(); ++f) {
+      const glm::uvec3 t = mesh_->triangle[f];
+      const glm::dvec2 o(mesh_->uv[t.x]), a = glm::dvec2(mesh_->uv[t.y]) - o,
+                                          b = glm::dvec2(mesh_->uv[t.z]) - o;
+      if (a.x * b.y == a.y * b.x) continue;
+      flat->triangle.push_back(t);
+      face_.push_back(f);
+    }
+    if (face_.empty())
+      throw InputError("wetness.droplet: the mesh has no UV map to place a droplet by uv; give its point");
+    in_atlas_.emplace(std::move(flat));
+  }
+
+  std::shared_ptr<const Mesh> mesh_;
+  std::optional<SurfaceSearch> in_space_, in_atlas_;
+  std::vector<std::size_t> face_;  ///< of the mesh, per triangle of the atlas
+};
 
 /// A texel of the disc lies at most this far from its centre, in R: the disc's radius on the surface, and as
 /// much again for where the atlas is stretched.
@@ -210,14 +202,16 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
 
 }  // namespace
 
-std::vector<Droplet> make_droplets(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness) {
+std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,
+                                   const WetnessScene& wetness) {
   std::vector<Droplet> droplets;
+  Places places(mesh);
   for (const DropletScene& given : wetness.droplets) {
-    const Spot here = place(mesh, given);
+    const Spot here = places.find(given);
     droplets.push_back({glm::vec2(here.uv), given.radius, given.wetness, glm::vec3(here.point),
-                        reach(mesh, double(given.radius))});
+                        reach(*mesh, double(given.radius))});
   }
-  scatter(mesh, skin, wetness, droplets);
+  scatter(*mesh, skin, wetness, droplets);
   return droplets;
 }
 

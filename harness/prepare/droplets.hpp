@@ -8,6 +8,7 @@ namespace pelage {
 /// The scene's explicit droplets in their order, then the random ones. A droplet given by a point of space
 /// lands on the nearest surface point; one given by uv outside every chart, on the nearest chart. Random
 /// centres fall evenly over the surface, no two closer than `spacing` radii, in UV or across the surface.
-std::vector<Droplet> make_droplets(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness);
+std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,
+                                   const WetnessScene& wetness);
 
 }  // namespace pelage

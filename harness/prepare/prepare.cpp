@@ -35,7 +35,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   input->curl = curl_frame(*mesh, skin, input->tangents, scene.curl);
   input->fur = make_fur_texture(scene.fur);
   input->coat = make_coat(*mesh, scene.coat);
-  input->droplets = make_droplets(*mesh, skin, scene.wetness);
+  input->droplets = make_droplets(mesh, skin, scene.wetness);
   input->mask_surface = surface_map(*mesh, scene.wetness.size);
   input->fur_scale = fur_scale(*mesh, scene.fur);
 

@@ -29,7 +29,7 @@ WetnessScene rain() {
 
 std::vector<Droplet> droplets_of(const WetnessScene& wetness) {
   const auto mesh = test::two_charts();
-  return make_droplets(*mesh, weld(*mesh), wetness);
+  return make_droplets(mesh, weld(*mesh), wetness);
 }
 
 TEST(Droplets, NoneByDefault) {
@@ -95,6 +95,24 @@ TEST(Droplets, ExplicitOnesComeFirstAndLandOnTheSurface) {
   EXPECT_LT(glm::distance(drops[1].point, glm::vec3(0.31f, 0, -0.17f)), 1e-5f);
   EXPECT_NEAR(drops[2].point.x, -test::half_side, 1e-5f);
   EXPECT_NEAR(drops[2].centre.y, 0.2f, 1e-5f);
+}
+
+TEST(Droplets, PlacedByUvNeedAUvMap) {
+  auto mesh = std::make_shared<Mesh>(*test::two_charts());
+  std::fill(mesh->uv.begin(), mesh->uv.end(), glm::vec2(0.5f));
+  WetnessScene wetness;
+  wetness.droplets.push_back({.uv = glm::vec2(0.5f), .point = {}, .radius = 0.01f, .wetness = 1.0f});
+  EXPECT_THROW(make_droplets(mesh, weld(*mesh), wetness), InputError);
+}
+
+TEST(Droplets, ManyExplicitOnesAreQuick) {
+  WetnessScene wetness;
+  for (int i = 0; i < 50000; ++i)
+    wetness.droplets.push_back(
+        {.uv = glm::vec2(0.1f + 1e-6f * float(i), 0.3f), .point = {}, .radius = 0.01f, .wetness = 1.0f});
+  const auto drops = droplets_of(wetness);
+  ASSERT_EQ(drops.size(), 50000u);
+  EXPECT_NEAR(drops[49999].centre.x, 0.15f, 1e-5f);
 }
 
 TEST(Droplets, PatchesCoverTheirShareAndFadeAtTheirBorders) {
