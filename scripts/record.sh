@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Records Table 1 as this machine runs it: the rows under results/, and what the README shows of them (docs/table1/ and
+# the lines between its markers). Usage: scripts/record.sh [options of pelage run]; replaces an earlier recording.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+pelage=${PELAGE:-build/release/pelage}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+"$pelage" run silva2010-table1 --anonymous -o "$work/run" "$@" >"$work/folder"
+mkdir -p results/silva2010-table1
+cp "$work"/run/silva2010-table1/*.jsonl results/silva2010-table1/
+"$pelage" report "$work/run" -o "$work/report" >"$work/table"
+rm -rf docs/table1
+mkdir -p docs/table1
+cp "$work"/report/tables/silva2010-table1.{csv,tex} "$work"/report/plots/silva2010-table1-frame-time.{svg,pdf,py,csv} \
+   "$work/report/provenance.txt" docs/table1/
+
+# The eight models in two rows of four.
+models="torus pear hippo cow horse bunny elephant lion"
+oiiotool --create 1600x600 3 -d uint8 -o "$work/sheet.png"
+i=0
+for model in $models; do
+  oiiotool "$work/run/silva2010-table1/images/$model-64-800x600.png" --resize 400x300 -o "$work/one.png"
+  oiiotool "$work/one.png" "$work/sheet.png" --paste "+$((i % 4 * 400))+$((i / 4 * 300))" -o "$work/sheet.png"
+  i=$((i + 1))
+done
+oiiotool "$work/sheet.png" --compression jpeg:88 -o docs/table1/models.jpg
+
+# Covered fragments per second of every cell, from the same rows.
+awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
+         $at["status"] == "ok" && $at["median_ms"] > 0 {
+           rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6
+           if (!n || rate < low) low = rate; if (rate > high) high = rate; sum += log(rate); ++n }
+         END { printf "%d cells; covered fragments per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
+  docs/table1/silva2010-table1.csv >"$work/rate"
+
+awk -v table="$work/table" -v rate="$work/rate" '
+  /<!-- table1 begins/ { print; print "```"; while ((getline line < table) > 0) print line; print "```"; print ""
+                         while ((getline line < rate) > 0) print line; skipping = 1; next }
+  /<!-- table1 ends/ { skipping = 0 }
+  !skipping { print }' README.md >"$work/README.md"
+cp "$work/README.md" README.md
