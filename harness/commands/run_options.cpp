@@ -145,6 +145,7 @@ int run_repeats(const RunOptions& options, const fs::path& folder) {
     if (child == 0) {
       prctl(PR_SET_PDEATHSIG, SIGTERM);  // whoever ends the parent ends the sweep
       std::vector<char*> argv;
+      argv.reserve(words.size() + 1);
       for (std::string& word : words) argv.push_back(word.data());
       argv.push_back(nullptr);
       execv("/proc/self/exe", argv.data());

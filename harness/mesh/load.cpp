@@ -21,6 +21,7 @@ namespace {
 
 // Part of every cache file's name: raise it whenever the same source would give another mesh.
 constexpr int recipe = 3;
+constexpr int procedural_recipe = 3;  // the same for procedural shapes alone
 
 constexpr std::uint32_t most_faces = 4'000'000;
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
@@ -52,7 +53,7 @@ glm::dvec3 up_before(glm::dvec3 rotation) {
 Surface shape_of(const Source& source, const MeshOptions& options) {
   if (source.kind == "procedural") {
     if (source.item == "torus") return make_torus(72, 65, 0.4);
-    if (source.item == "pear") return make_pear(0.02);
+    if (source.item == "pear") return make_pear(6);
     if (source.item.starts_with("square-"))
       return make_square(std::clamp(std::atoi(source.item.c_str() + 7), 1, 1000));
     throw InputError(fmt::format("{}: no procedural shape {}; there are torus, pear and square-N",
@@ -125,7 +126,10 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
       .number(model.wrap)
       .number(options.keep_uv);
   hash.bytes(&model.rotation, sizeof model.rotation);
-  if (source.kind != "procedural") hash.text(read_bytes(source.file(), std::uint64_t(1) << 30));
+  if (source.kind == "procedural")
+    hash.number(procedural_recipe);
+  else
+    hash.text(read_bytes(source.file(), std::uint64_t(1) << 30));
   return hash.hex();
 }
 

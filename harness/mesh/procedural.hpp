@@ -12,8 +12,9 @@ Surface make_torus(int around, int across, double minor_radius);
 /// UV is the square itself.
 Surface make_square(int quads);
 
-/// A pear about the y axis: an implicit surface of revolution, meshed by CGAL at about the edge length `edge`
-/// (the pear is 2 high), closed, without UV.
-Surface make_pear(double edge);
+/// A pear about the y axis: an implicit surface of revolution, 2 high, closed, without UV; an icosahedron
+/// whose 20 triangles are cut in four `halvings` times and drawn onto it. The same bits every time, which
+/// CGAL's own mesher of implicit surfaces does not give: it inserts points in the order of addresses.
+Surface make_pear(int halvings);
 
 }  // namespace pelage

@@ -22,6 +22,7 @@ bool by_number(const std::string& a, const std::string& b) {
 
 std::vector<std::string> sorted_values(const std::vector<Cell>& cells, const std::string& key) {
   std::vector<std::string> values;
+  values.reserve(cells.size());
   for (const Cell& c : cells) values.push_back(c.axis(key));
   std::sort(values.begin(), values.end(), by_number);
   values.erase(std::unique(values.begin(), values.end()), values.end());
@@ -49,6 +50,7 @@ std::vector<std::string> models_of(const std::vector<Cell>& cells) {
   std::stable_sort(models.begin(), models.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> names;
+  names.reserve(models.size());
   for (auto& [count, name] : models) names.push_back(std::move(name));
   return names;
 }
@@ -133,6 +135,7 @@ std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const Model
         c.axes.contains("size"))
       groups[{c.experiment, c.device, c.host, c.reading(), c.variant}].push_back(c);
   std::vector<PaperTable> tables;
+  tables.reserve(groups.size());
   for (const auto& [key, group] : groups) tables.push_back(build(group, note));
   return tables;
 }

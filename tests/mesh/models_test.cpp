@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string_view>
 
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
+#include "harness/mesh/procedural.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"
 
@@ -57,6 +60,19 @@ TEST(Models, are_prepared_to_the_same_bits_every_time) {
     EXPECT_EQ(once->hash, again->hash) << name;
     EXPECT_EQ(once->notes, again->notes) << name;
   }
+}
+
+TEST(Models, the_pear_is_closed_and_smooth) {
+  const Surface pear = make_pear(4);
+  EXPECT_EQ(pear.triangle.size(), 20u * 256);
+  EXPECT_EQ(pear.point.size(), 2u + 10 * 256);  // Euler: V - E + F = 2 with E = 3F/2
+  double lowest = 0, highest = 0;
+  for (const glm::dvec3& p : pear.point) {
+    lowest = std::min(lowest, p.y);
+    highest = std::max(highest, p.y);
+  }
+  EXPECT_NEAR(lowest, -0.98, 0.03);
+  EXPECT_NEAR(highest, 0.9, 0.1);
 }
 
 TEST(Models, can_be_had_at_another_face_count) {
