@@ -40,4 +40,4 @@ for layers in 64 16; do
   place $layers-grass +1200+$((y + 1160))
   y=$((y + 580))
 done
-oiiotool "$pictures/sheet.png" --compression jpeg:88 -o docs/look/contact_sheet.jpg
+oiiotool "$pictures/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/contact_sheet.jpg

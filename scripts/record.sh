@@ -25,7 +25,7 @@ for model in $models; do
   oiiotool "$work/one.png" "$work/sheet.png" --paste "+$((i % 4 * 400))+$((i / 4 * 300))" -o "$work/sheet.png"
   i=$((i + 1))
 done
-oiiotool "$work/sheet.png" --compression jpeg:88 -o docs/table1/models.jpg
+oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/table1/models.jpg
 
 # Covered fragments per second of every cell, from the same rows.
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
