@@ -24,16 +24,21 @@ constexpr int edge = size / 2 * 256;  // of the picture, in 1/256 pixel from its
 struct Mapping {
   const char* name;
   ShellOptions options;
-  int pictures;   ///< of random triangles ...
-  int triangles;  ///< ... and so many in each: a million in all for the default mapping
+  int pictures;    ///< of random triangles ...
+  int triangles;   ///< ... and so many in each: a million in all for the default mapping
+  int repeats;     ///< of the meshes with shared edges ...
+  int coarser;     ///< ... their cells so many times as large ...
+  int spokes;      ///< ... their stars of so many triangles
+  double samples;  ///< of shared edges, at least
 };
 void PrintTo(const Mapping& mapping, std::ostream* out) {
   *out << mapping.name;
 }
 
-const Mapping mappings[] = {{"tile", {"tile", {}}, 20, 50000},
-                            {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000},
-                            {"pixel", {"pixel", {}}, 1, 5000}};  // slow where a tile holds many triangles
+const Mapping mappings[] = {
+    {"tile", {"tile", {}}, 20, 50000, 3, 1, 1500, 1e7},
+    {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000, 1, 1, 300, 3e6},
+    {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // slow where a tile holds many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};
 INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(mappings),
@@ -73,7 +78,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
 }
 
 TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
-  const auto [name, options, pictures, triangles] = GetParam();
+  const auto& [name, options, pictures, triangles, repeats, coarser, spokes, least] = GetParam();
   std::size_t wrong = 0, hits = 0;
   for (int p = 0; p < pictures; ++p) {
     std::mt19937 random{std::uint32_t(p)};
@@ -181,15 +186,17 @@ Flat star(int spokes, double radius, std::mt19937& random) {
 TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
   std::mt19937 random(11);
   std::vector<Flat> meshes;
-  const bool thorough = std::string(GetParam().name) == "tile";
-  for (int repeat = 0; repeat < (thorough ? 3 : 1); ++repeat) {
-    meshes.push_back(grid(cells(342, 342, .45, 1.0 / 256, random), random));  // cells of 3 pixels
-    meshes.push_back(grid(cells(342, 342, .3, .5, random), random));          // through pixel centres
+  const int coarser = GetParam().coarser;
+  for (int repeat = 0; repeat < GetParam().repeats; ++repeat) {
     meshes.push_back(
-        grid(cells(3000, 20, .3, 1.0 / 256, random), random));  // slivers a third of a pixel wide
-    meshes.push_back(grid(cells(12, 3000, .3, 1.0 / 256, random), random));
-    meshes.push_back(star(1500, 12000, random));   // corners far off the picture
-    meshes.push_back(star(1500, 900000, random));  // and beyond the guard: clipped
+        grid(cells(342 / coarser, 342 / coarser, .45, 1.0 / 256, random), random));  // cells of 3 pixels
+    meshes.push_back(
+        grid(cells(342 / coarser, 342 / coarser, .3, .5, random), random));  // through pixel centres
+    meshes.push_back(
+        grid(cells(3000 / coarser, 20, .3, 1.0 / 256, random), random));  // slivers a third of a pixel wide
+    meshes.push_back(grid(cells(12, 3000 / coarser, .3, 1.0 / 256, random), random));
+    meshes.push_back(star(GetParam().spokes, 12000, random));   // corners far off the picture
+    meshes.push_back(star(GetParam().spokes, 900000, random));  // and beyond the guard: clipped
   }
   double edge_samples = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -198,9 +205,7 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
     EXPECT_EQ(std::count(counts.begin(), counts.end(), 1), std::ptrdiff_t(counts.size()))
         << "mesh " << m << ": " << std::count(counts.begin(), counts.end(), 0) << " gaps";
   }
-  if (thorough) {
-    EXPECT_GE(edge_samples, 1e7);
-  }
+  EXPECT_GE(edge_samples, GetParam().samples);
 }
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
@@ -208,11 +213,12 @@ TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
   // picture below its horizon at 1000 pixels.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
-  for (int j = 0; j <= 150; ++j) {
+  const int n = 80 / GetParam().coarser;
+  for (int j = 0; j <= n; ++j) {
     v.emplace_back();
-    for (int i = 0; i <= 150; ++i) {
+    for (int i = 0; i <= n; ++i) {
       const auto jitter = [&] { return .4 * (2.0 * double(random()) / 4294967295.0 - 1); };
-      v.back().emplace_back((i - 75 + jitter()) * 110, (j - 30 + jitter()) * 90);
+      v.back().emplace_back(((i + jitter()) / n - .5) * 18000, ((j + jitter()) / n - .25) * 16000);
     }
   }
   Flat flat = grid(v, random);
