@@ -10,11 +10,12 @@ trap 'rm -rf "$work"' EXIT
 "$pelage" run silva2010-table1 --anonymous -o "$work/run" "$@" >"$work/folder"
 mkdir -p results/silva2010-table1
 cp "$work"/run/silva2010-table1/*.jsonl results/silva2010-table1/
-"$pelage" report "$work/run" -o "$work/report" >"$work/table"
+"$pelage" report "$work/run" -o "$work/report" | sed 's/[[:blank:]]*$//' >"$work/table"
 rm -rf docs/table1
 mkdir -p docs/table1
 cp "$work"/report/tables/silva2010-table1.{csv,tex} "$work"/report/plots/silva2010-table1-frame-time.{svg,pdf,py,csv} \
-   "$work/report/provenance.txt" docs/table1/
+   docs/table1/
+sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >docs/table1/provenance.txt
 
 # The eight models in two rows of four.
 models="torus pear hippo cow horse bunny elephant lion"
