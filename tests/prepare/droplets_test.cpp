@@ -127,9 +127,8 @@ TEST(Droplets, PatchesCoverTheirShareAndFadeAtTheirBorders) {
   const auto drops = droplets_of(wetness);
   // Cells of a 14 x 14 grid on the surface that got a droplet at all.
   std::vector<char> wet(196, 0);
-  for (const Droplet& d : drops)
-    wet[std::size_t(std::clamp(int((d.point.z + 0.7f) * 10), 0, 13) * 14 +
-                    std::clamp(int((d.point.x + 0.7f) * 10), 0, 13))] = 1;
+  const auto cell = [](float x) { return std::size_t(std::clamp(int((x + 0.7f) * 10), 0, 13)); };
+  for (const Droplet& d : drops) wet[cell(d.point.z) * 14 + cell(d.point.x)] = 1;
   const double share = double(std::count(wet.begin(), wet.end(), 1)) / 196;
   EXPECT_GT(share, 0.3);
   EXPECT_LT(share, 0.62);  // cells on a border count whole
