@@ -65,7 +65,7 @@ std::set<std::string> said(const std::string& folder) {
 
 struct Sweep : ::testing::Test {
   void SetUp() override {
-    if (!fs::exists(PELAGE_BINARY)) GTEST_SKIP() << "the program is not built";
+    ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
     const auto started = std::chrono::steady_clock::now();
     ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
     whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
@@ -135,7 +135,7 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
 }
 
 TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
-  if (!fs::exists(PELAGE_BINARY)) GTEST_SKIP() << "the program is not built";
+  ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
   const test::Folder folder;
   const std::string out = (folder.path / "out").string();
   for (const std::vector<std::string>& rest :

@@ -256,7 +256,7 @@ TEST(SceneRoundTrip, EveryExampleReads) {
       EXPECT_NO_THROW(read_scene(entry.path())) << entry.path();
     }
   }
-  if (count == 0) GTEST_SKIP() << "no examples yet";
+  EXPECT_GT(count, 0);
 }
 
 }  // namespace
