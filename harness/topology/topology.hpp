@@ -1,0 +1,69 @@
+// Masses and springs over a surface: the four topologies of Banisch and Wuethrich 2006, section 4.
+#pragma once
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/mesh/mesh.hpp"
+
+namespace pelage::topology {
+
+enum class Kind {
+  sticks,            ///< at each vertex a mass on the skin, one on the outermost layer, a spring between them
+  prisms,            ///< and springs along the outermost layer's edges
+  separable_sticks,  ///< sticks at every triangle's own three corners: layers part between triangles
+  separable_prisms   ///< and springs along every triangle's own three edges
+};
+
+inline constexpr Kind kinds[] = {Kind::sticks, Kind::prisms, Kind::separable_sticks, Kind::separable_prisms};
+
+/// "sticks", "prisms", "separable-sticks", "separable-prisms".
+std::string_view name(Kind kind);
+/// Throws InputError naming the four.
+Kind kind_of(const std::string& name);
+
+constexpr bool separable(Kind kind) {
+  return kind == Kind::separable_sticks || kind == Kind::separable_prisms;
+}
+constexpr bool has_prisms(Kind kind) {
+  return kind == Kind::prisms || kind == Kind::separable_prisms;
+}
+
+/// What a vertex of the paper is. On surface points a shared topology is one piece; on vertex copies, which
+/// the paper's own counts are, it also parts along the seams of the UV map. Separable ones are the same on
+/// both.
+enum class Vertices { points, copies };
+
+/// Stick i runs from mass i, fixed to the skin, to mass i + sticks(), on the outermost layer. The first
+/// sticks() springs are the sticks; the others lie between tops, each once. Stick 3f + c of a separable
+/// topology stands on corner c of triangle f, and its springs between tops are (c, c + 1) in that order.
+struct Topology {
+  Kind kind = Kind::sticks;
+  std::vector<glm::vec3> mass;      ///< M, rest positions, R
+  std::vector<glm::vec3> normal;    ///< M / 2, unit: the direction in which the stick rests
+  std::vector<std::uint32_t> copy;  ///< M / 2, the vertex copy of the mesh that the stick stands on
+  std::vector<glm::uvec2> spring;   ///< masses
+
+  std::size_t sticks() const { return normal.size(); }
+  std::size_t top(std::size_t stick) const { return sticks() + stick; }
+  std::span<const glm::uvec2> edges() const { return std::span(spring).subspan(sticks()); }
+};
+
+/// The topology of sticks `length` long (R, above 0) along the surface's area-weighted vertex normals: all
+/// sticks at a surface point rest in the same place, so that separable layers are closed at rest. Edges whose
+/// ends are one point carry no spring in a shared topology. Throws InputError for a mesh without a triangle
+/// and for a length that is not above 0.
+Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
+
+/// How many springs hang on each top.
+struct Degrees {
+  int least = 0, most = 0;
+  double mean = 0;
+};
+Degrees degrees(const Topology& topology);
+
+}  // namespace pelage::topology
