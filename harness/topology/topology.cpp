@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "harness/error.hpp"
 #include "harness/prepare/skin.hpp"
@@ -36,6 +38,10 @@ std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
   for (const glm::uvec3& t : corners)
     for (int c = 0; c < 3; ++c) edges.push_back({t[c], t[(c + 1) % 3]});
   return edges;
+}
+
+glm::dvec3 rest_top(const Topology& topology, std::uint32_t stick) {
+  return glm::dvec3(topology.mass[stick]) + glm::dvec3(topology.length * topology.normal[stick]);
 }
 
 }  // namespace
@@ -93,10 +99,47 @@ Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
     topology.mass[i] = base;
     topology.mass[sticks + i] = base + length * normal;
     topology.spring.push_back({std::uint32_t(i), std::uint32_t(sticks + i)});
+    topology.rest.push_back(length);
   }
+  topology.length = length;
   const auto shift = std::uint32_t(sticks);
-  for (const glm::uvec2 edge : edges_of(kind, corners)) topology.spring.push_back(edge + shift);
+  for (const glm::uvec2 edge : edges_of(kind, corners)) {
+    topology.spring.push_back(edge + shift);
+    topology.rest.push_back(float(glm::distance(rest_top(topology, edge.x), rest_top(topology, edge.y))));
+  }
+  topology.corner = std::move(corners);
   return topology;
+}
+
+std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
+  std::optional<std::size_t> found;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {  // Moeller and Trumbore 1997
+    const glm::uvec3 t = mesh.triangle[f];
+    const glm::dvec3 a(mesh.position[t.x]), u = glm::dvec3(mesh.position[t.y]) - a,
+                                            v = glm::dvec3(mesh.position[t.z]) - a;
+    const glm::dvec3 across = glm::cross(direction, v), from = origin - a, turned = glm::cross(from, u);
+    const double volume = glm::dot(u, across);
+    if (volume == 0) continue;
+    const double x = glm::dot(from, across) / volume, y = glm::dot(direction, turned) / volume,
+                 distance = glm::dot(v, turned) / volume;
+    if (x < 0 || y < 0 || x + y > 1 || distance < 0 || distance >= nearest) continue;
+    nearest = distance;
+    found = f;
+  }
+  return found;
+}
+
+std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec3 force) {
+  if (face >= topology.corner.size())
+    throw InputError(fmt::format("poke: triangle {} of {}", face, topology.corner.size()));
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(force[c]))
+      throw InputError(fmt::format("poke: force ({}, {}, {}) N; all three have to be finite numbers", force.x,
+                                   force.y, force.z));
+  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
+  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
+  return push;
 }
 
 Degrees degrees(const Topology& topology) {

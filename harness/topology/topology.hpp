@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,6 +48,9 @@ struct Topology {
   std::vector<glm::vec3> normal;    ///< M / 2, unit: the direction in which the stick rests
   std::vector<std::uint32_t> copy;  ///< M / 2, the vertex copy of the mesh that the stick stands on
   std::vector<glm::uvec2> spring;   ///< masses
+  std::vector<float> rest;          ///< per spring, its rest length, R
+  std::vector<glm::uvec3> corner;   ///< F, the sticks at the corners of each triangle of the mesh
+  float length = 0;                 ///< L0, R: the rest length of the sticks
 
   std::size_t sticks() const { return normal.size(); }
   std::size_t top(std::size_t stick) const { return sticks() + stick; }
@@ -58,6 +62,13 @@ struct Topology {
 /// ends are one point carry no spring in a shared topology. Throws InputError for a mesh without a triangle
 /// and for a length that is not above 0.
 Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
+
+/// The triangle of `mesh` that the ray from `origin` along `direction` (R) meets first, from either side;
+/// empty when it meets none.
+std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction);
+
+/// A local poke: `force` (N) on each of the sticks at the corners of triangle `face`, none on the others.
+std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec3 force);
 
 /// How many springs hang on each top.
 struct Degrees {

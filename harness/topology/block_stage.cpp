@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/topology/stages.hpp"
+
+namespace pelage::topology {
+namespace {
+
+const char* frame_kernel(Solver solver) {
+  switch (solver) {
+    case Solver::explicit_euler:
+      return "explicit_euler_frame";
+    case Solver::backward_euler:
+      return "backward_euler_frame";
+    case Solver::semi_implicit_euler:
+      return "semi_implicit_euler_frame";
+    case Solver::rk4:
+      break;
+  }
+  return "rk4_frame";
+}
+
+// A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
+// GPU's takes one stick or triangle.
+int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
+  if (wanted > 0) return wanted * (16 / lanes);
+  if (lanes == 1) return 1;
+  const int items = 8 * std::max(1, int(device.compute_units));
+  return std::clamp((units + items - 1) / items, 1, 64);
+}
+
+}  // namespace
+
+std::string build_options(int lanes) {
+  return fmt::format("-D LANES={}", lanes);
+}
+
+BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
+                       const MassSpringOptions& options)
+    : program_(queue.device(), "topology/blocks.cl",
+               fmt::format("{} -D CORNERS={}", build_options(lanes), layout.corners)),
+      frame_(program_, frame_kernel(solver)),
+      side_(queue, std::span<const glm::vec4>(layout.side)),
+      group_(options.group),
+      blocks_(layout.blocks),
+      units_(layout.blocks * (16 / lanes)),
+      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+
+void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers) {
+  params.blocks = blocks_;
+  params.blocks_per_item = per_item_;
+  std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
+  if (group_ > 0) items = (items + group_ - 1) / group_ * group_;
+  frame_
+      .with(params, buffers.moments, buffers.root, buffers.normal, buffers.push, side_, buffers.offset,
+            buffers.speed, buffers.diverged_at, buffers.first)
+      .enqueue(queue, items, group_);
+}
+
+}  // namespace pelage::topology

@@ -1,0 +1,160 @@
+#include "harness/topology/mass_springs.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "harness/error.hpp"
+#include "harness/topology/stages.hpp"
+
+namespace pelage::topology {
+namespace {
+
+constexpr std::int32_t never = std::numeric_limits<std::int32_t>::max();
+
+template <class T>
+std::size_t bytes_of(const cl::Buffer<T>& buffer) {
+  return buffer.size() * sizeof(T);
+}
+
+}  // namespace
+
+Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
+    : std::runtime_error(fmt::format(
+          "diverged: mass {} was out of bounds after step {} ({:.6g} s) of {} with dt = {} s and k = {} "
+          "N/m; a shorter step, more damping or a softer spring would be stable",
+          mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver), d.step,
+          d.stiffness)),
+      step(step_number),
+      mass(mass_number) {}
+
+struct MassSprings::State {
+  Dynamics dynamics;
+  Layout layout;
+  int lanes;
+  TopologyParams params;
+  Buffers buffers;
+  std::optional<BlockStage> blocks;
+  long steps = 0;
+
+  std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<glm::vec4>& rows) const {
+    const std::vector<glm::vec4> row = rows.read(queue);
+    std::vector<glm::vec3> values;
+    values.reserve(layout.place.size());
+    for (const std::uint32_t place : layout.place) values.emplace_back(row[place]);
+    return values;
+  }
+};
+
+MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const Dynamics& dynamics,
+                         const MassSpringOptions& options) {
+  topology::check(dynamics);
+  if (options.lanes != 0 && options.lanes != 1 && options.lanes != 16)
+    throw InputError(fmt::format("lanes: {}; 1 or 16", options.lanes));
+  const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
+  Layout layout = lay_out(topology, dynamics.wind);
+  const std::size_t rows = layout.rows();
+  const auto uploaded = [&](const std::vector<glm::vec4>& values) {
+    return cl::Buffer<glm::vec4>(queue, std::span<const glm::vec4>(values));
+  };
+  const std::vector<glm::vec4> zero(rows, glm::vec4(0));
+  const std::vector<std::int32_t> all_never(rows, never);
+  Buffers buffers{{},
+                  uploaded(layout.root),
+                  uploaded(layout.normal),
+                  uploaded(zero),
+                  uploaded(layout.offset),
+                  uploaded(zero),
+                  cl::Buffer<std::int32_t>(queue, std::span(all_never)),
+                  cl::Buffer<std::int32_t>(queue, std::span(all_never).first(1))};
+  state_ = std::make_unique<State>(State{dynamics,
+                                         std::move(layout),
+                                         lanes,
+                                         topology::params(dynamics, topology.length),
+                                         std::move(buffers),
+                                         {},
+                                         0});
+  state_->blocks.emplace(queue, state_->layout, dynamics.solver, lanes, options);
+}
+MassSprings::~MassSprings() = default;
+MassSprings::MassSprings(MassSprings&&) noexcept = default;
+MassSprings& MassSprings::operator=(MassSprings&&) noexcept = default;
+
+void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& force) {
+  State& s = *state_;
+  s.params.pushed = 0;
+  if (force.empty()) return;
+  if (force.size() != s.layout.place.size())
+    throw InputError(fmt::format("local forces: {} for {} sticks", force.size(), s.layout.place.size()));
+  std::vector<glm::vec4> rows(s.layout.rows(), glm::vec4(0));
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const glm::vec3 f = force[i];
+    if (!std::isfinite(f.x) || !std::isfinite(f.y) || !std::isfinite(f.z))
+      throw InputError(fmt::format(
+          "local force on stick {}: ({}, {}, {}) N; all three have to be finite numbers", i, f.x, f.y, f.z));
+    rows[s.layout.place[i]] = glm::vec4(f, 0);
+  }
+  s.buffers.push.write(queue, std::span<const glm::vec4>(rows));
+  s.params.pushed = 1;
+}
+
+void MassSprings::enqueue(const cl::Queue& queue, int substeps) {
+  State& s = *state_;
+  if (substeps <= 0) throw InputError(fmt::format("substeps: {}; at least one", substeps));
+  if (s.steps > never - 1 - substeps) throw InputError("substeps: 2^31 steps are the most of one run");
+  const std::vector<Moment> table = moments(s.dynamics, s.steps, substeps);
+  if (s.buffers.moments.size() != table.size())
+    s.buffers.moments = cl::Buffer<Moment>(queue, std::span<const Moment>(table));
+  else
+    s.buffers.moments.write(queue, std::span<const Moment>(table));
+  TopologyParams params = s.params;
+  params.substeps = substeps;
+  params.first_step = int(s.steps);
+  s.blocks->enqueue(queue, params, s.buffers);
+  s.steps += substeps;
+}
+
+void MassSprings::check(const cl::Queue& queue) const {
+  const State& s = *state_;
+  std::int32_t first = never;
+  s.buffers.first.read(queue, std::span(&first, 1));
+  if (first == never) return;
+  const std::vector<std::int32_t> at = s.buffers.diverged_at.read(queue);
+  std::int32_t step = never;
+  std::size_t stick = 0;
+  for (std::size_t i = 0; i < s.layout.place.size(); ++i)
+    if (at[s.layout.place[i]] < step) step = at[s.layout.place[i]], stick = i;
+  if (step == never) return;  // only rows past the last stick
+  throw Diverged(step, s.layout.place.size() + stick, s.dynamics);
+}
+
+void MassSprings::advance(const cl::Queue& queue, int substeps) {
+  enqueue(queue, substeps);
+  check(queue);
+}
+
+std::vector<glm::vec3> MassSprings::offsets(const cl::Queue& queue) const {
+  return state_->by_stick(queue, state_->buffers.offset);
+}
+
+std::vector<glm::vec3> MassSprings::speeds(const cl::Queue& queue) const {
+  return state_->by_stick(queue, state_->buffers.speed);
+}
+
+long MassSprings::steps() const {
+  return state_->steps;
+}
+
+std::size_t MassSprings::bytes() const {
+  const Buffers& b = state_->buffers;
+  return bytes_of(b.root) + bytes_of(b.normal) + bytes_of(b.push) + bytes_of(b.offset) + bytes_of(b.speed) +
+         bytes_of(b.diverged_at) + bytes_of(b.first) + state_->blocks->bytes();
+}
+
+double MassSprings::build_ms() const {
+  return state_->blocks->build_ms();
+}
+
+}  // namespace pelage::topology

@@ -1,0 +1,58 @@
+// A topology in motion on an OpenCL device.
+#pragma once
+#include <memory>
+#include <stdexcept>
+
+#include "harness/cl/program.hpp"
+#include "harness/topology/dynamics.hpp"
+#include "harness/topology/topology.hpp"
+
+namespace pelage::topology {
+
+/// The masses flew apart: dt is too long for the stiffness, or the forces are absurd.
+struct Diverged : std::runtime_error {
+  Diverged(long step_number, std::size_t mass_number, const Dynamics& dynamics);
+  long step;         ///< the first step after which a mass was out of bounds or not a number, from 0
+  std::size_t mass;  ///< the lowest such mass of the topology
+};
+
+struct MassSpringOptions {
+  int lanes = 0;            ///< sticks or triangles at a time, 1 or 16; 0: as suits the device
+  std::size_t group = 0;    ///< work-items of a work-group; 0: left to the device
+  int blocks_per_item = 0;  ///< slices that a work-item goes through; 0: as suits the device
+};
+
+class MassSprings {
+ public:
+  /// At rest. Throws InputError where check(dynamics) does.
+  MassSprings(const cl::Queue& queue, const Topology& topology, const Dynamics& dynamics,
+              const MassSpringOptions& options = {});
+  ~MassSprings();
+  MassSprings(MassSprings&&) noexcept;
+  MassSprings& operator=(MassSprings&&) noexcept;
+
+  /// Local forces on the tops from now on, N, one per stick, in the object's frame; empty: none. Throws
+  /// InputError for another count, or a force that is not finite.
+  void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
+
+  /// Enqueues that many steps; nothing is waited for but the host's own tables.
+  void enqueue(const cl::Queue& queue, int substeps);
+
+  /// Throws Diverged when a step enqueued so far went wrong; waits for the queue.
+  void check(const cl::Queue& queue) const;
+
+  /// enqueue, then check.
+  void advance(const cl::Queue& queue, int substeps);
+
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< per stick, top less base, R
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< per stick, of the top, R/s
+  long steps() const;                                            ///< done or enqueued
+  std::size_t bytes() const;                                     ///< of device memory
+  double build_ms() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pelage::topology

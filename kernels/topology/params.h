@@ -1,0 +1,36 @@
+// What the host tells the mass-spring kernels; read by OpenCL C and by C++. Four-byte members only.
+#ifndef PELAGE_TOPOLOGY_PARAMS_H
+#define PELAGE_TOPOLOGY_PARAMS_H
+
+typedef struct {
+  float length;          // L0, R
+  float mass;            // m of a top, kg
+  float inverse_mass;    // 1/m, 1/kg
+  float stiffness;       // k of a stick, N/m
+  float damping;         // of a stick along itself, N s/m
+  float edge_stiffness;  // k of a spring between tops, N/m
+  float edge_damping;    // of it along itself, N s/m
+  float drag;            // c against the air, N s/m
+  float return_weight;   // w of Eq. 5, N
+  float gust;            // fraction of the wind
+  float step;            // dt, s
+  float most_square;     // a stick whose squared length is beyond this has diverged, R^2
+  int substeps;          // of this launch
+  int first_step;        // number of its first substep
+  int moving;            // 1: the object turns, the frame is not an inertial one
+  int pushed;            // 1: the array of local forces is not all zero
+  int blocks;            // slices of 16 sticks, or of 16 triangles on separable prisms
+  int blocks_per_item;   // that one work-item goes through, in units of LANES / 16
+} TopologyParams;
+
+// The outside world at an instant, in the object's own frame.
+typedef struct {
+  float gravity_x, gravity_y, gravity_z;     // gravity less the object's own acceleration, m/s^2
+  float wind_x, wind_y, wind_z;              // mean velocity of the air, m/s
+  float speed_x, speed_y, speed_z;           // of the object, m/s
+  float turn_x, turn_y, turn_z;              // its angular velocity, rad/s
+  float turn_up_x, turn_up_y, turn_up_z;     // the derivative of that, rad/s^2
+  float gust_sin, gust_cos;                  // of 2 pi f t
+} Moment;
+
+#endif

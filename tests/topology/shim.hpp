@@ -1,0 +1,41 @@
+// Mass-springs on no device: the kernels' text in double, driven as MassSprings drives them.
+#pragma once
+#include <vector>
+
+#include "harness/topology/layout.hpp"
+
+namespace pelage::topology::test {
+
+/// What the kernels of one layout are handed, the state in double.
+struct Memory {
+  TopologyParams params{};
+  std::vector<Moment> moments;
+  const Layout* layout = nullptr;
+  std::vector<glm::vec4> push;
+  std::vector<double> offset, speed;  ///< rows of four
+  std::vector<int> diverged_at, first;
+};
+
+/// One launch of the block kernel of `solver` over all blocks.
+void launch_sticks(Solver solver, Memory& memory);
+void launch_triangles(Solver solver, Memory& memory);
+
+class Shim {
+ public:
+  Shim(const Topology& topology, const Dynamics& dynamics);
+  void push(const std::vector<glm::vec3>& force);
+  void advance(int substeps);
+  std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset); }
+  std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed); }
+  void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
+
+ private:
+  std::vector<glm::dvec3> by_stick(const std::vector<double>& rows) const;
+  Dynamics dynamics_;
+  Kind kind_;
+  Layout layout_;
+  Memory memory_;
+  long steps_ = 0;
+};
+
+}  // namespace pelage::topology::test

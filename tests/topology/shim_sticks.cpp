@@ -1,0 +1,35 @@
+#include "tests/topology/shim.hpp"
+// clang-format off: it defines words that no header after it would survive
+#include "tests/topology/in_double.hpp"
+// clang-format on
+
+#define CORNERS 1
+namespace pelage::sticks_in_double {
+namespace {
+using namespace in_double;
+// clang-format off
+#include "topology/blocks.cl"
+// clang-format on
+}  // namespace
+}  // namespace pelage::sticks_in_double
+
+namespace pelage::topology::test {
+
+void launch_sticks(Solver solver, Memory& m) {
+  namespace kernels = sticks_in_double;
+  TopologyParams params = m.params;
+  params.blocks = m.layout->blocks;
+  params.blocks_per_item = 1;
+  const auto floats = [](const std::vector<glm::vec4>& rows) {
+    return reinterpret_cast<const float*>(rows.data());
+  };
+  const auto kernel = solver == Solver::explicit_euler        ? kernels::explicit_euler_frame
+                      : solver == Solver::semi_implicit_euler ? kernels::semi_implicit_euler_frame
+                      : solver == Solver::rk4                 ? kernels::rk4_frame
+                                                              : kernels::backward_euler_frame;
+  for (in_double::work_item = 0; in_double::work_item < 16 * m.layout->blocks; ++in_double::work_item)
+    kernel(params, m.moments.data(), floats(m.layout->root), floats(m.layout->normal), floats(m.push),
+           floats(m.layout->side), m.offset.data(), m.speed.data(), m.diverged_at.data(), m.first.data());
+}
+
+}  // namespace pelage::topology::test
