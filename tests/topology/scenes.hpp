@@ -1,10 +1,14 @@
 // Dynamics for the tests.
 #pragma once
 #include "harness/topology/dynamics.hpp"
+#include "harness/topology/topology.hpp"
 
 namespace pelage::topology::test {
 
 inline constexpr float fur_length = 0.05f;
+
+/// Those that move on a device.
+inline constexpr Kind tested_kinds[] = {Kind::sticks, Kind::separable_sticks, Kind::separable_prisms};
 
 /// Everything at once: gravity, gusts, an object that travels, shakes and swings.
 inline Dynamics lively(Solver solver) {

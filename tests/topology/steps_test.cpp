@@ -2,10 +2,9 @@
 // agree to the records' rounding, and the device, which must agree to 1e-4 of the fur's length.
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
-
 #include "harness/topology/mass_springs.hpp"
 #include "harness/topology/reference.hpp"
+#include "tests/topology/device.hpp"
 #include "tests/topology/meshes.hpp"
 #include "tests/topology/scenes.hpp"
 #include "tests/topology/shim.hpp"
@@ -14,22 +13,6 @@ namespace pelage::topology {
 namespace {
 
 using namespace test;
-
-const cl::Queue& queue() {
-  static const cl::Queue shared(cl::choose_device(""));
-  return shared;
-}
-
-template <class V>
-double largest_difference(const std::vector<V>& a, const std::vector<glm::dvec3>& b) {
-  EXPECT_EQ(a.size(), b.size());
-  double worst = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double d = glm::distance(glm::dvec3(a[i]), b[i]);
-    worst = d < 1e9 ? std::max(worst, d) : 1e9;  // and not a number
-  }
-  return worst;
-}
 
 reference::State run(const reference::System& system, int steps) {
   reference::State state = reference::rest(system.topology);
@@ -81,7 +64,6 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
     device.push(queue(), force);
     for (int done = 0; done < steps; done += 50) device.advance(queue(), std::min(50, steps - done));
     EXPECT_LT(largest_difference(device.offsets(queue()), offsets), 1e-4 * double(fur_length));
-    RecordProperty("shim", std::to_string(largest_difference(shim.offsets(), offsets) / double(fur_length)));
     std::printf("%zu sticks: kernels in double %.2g, device %.2g of the fur's length\n", topology.sticks(),
                 largest_difference(shim.offsets(), offsets) / double(fur_length),
                 largest_difference(device.offsets(queue()), offsets) / double(fur_length));

@@ -1,0 +1,30 @@
+// The device that the tests of this room run on, and how far two sets of vectors are apart.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "harness/cl/program.hpp"
+
+namespace pelage::topology::test {
+
+/// Of $PELAGE_DEVICE, else the first.
+inline const cl::Queue& queue() {
+  static const cl::Queue shared(cl::choose_device(""));
+  return shared;
+}
+
+/// Largest distance of entries; something enormous where one is no number.
+template <class A, class B>
+double largest_difference(const std::vector<A>& a, const std::vector<B>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
+    const double d = glm::distance(glm::dvec3(a[i]), glm::dvec3(b[i]));
+    worst = d < 1e9 ? std::max(worst, d) : 1e9;
+  }
+  return worst;
+}
+
+}  // namespace pelage::topology::test

@@ -1,0 +1,194 @@
+// What only a device can show: one set of bits for every cut of the work, pokes that stay where they were
+// made, and explosions that are reported.
+#include "tests/topology/device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/topology/mass_springs.hpp"
+#include "tests/topology/meshes.hpp"
+#include "tests/topology/scenes.hpp"
+
+namespace pelage::topology {
+namespace {
+
+using namespace test;
+
+using Offsets = std::vector<glm::vec3>;
+
+Offsets after(const Topology& topology, const Dynamics& dynamics, int steps,
+              const MassSpringOptions& options = {}, const Offsets& push = {}, int launch = 60) {
+  MassSprings springs(queue(), topology, dynamics, options);
+  springs.push(queue(), push);
+  for (int done = 0; done < steps; done += launch) springs.advance(queue(), std::min(launch, steps - done));
+  return springs.offsets(queue());
+}
+
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+bool same_bits(const Offsets& a, const Offsets& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
+  const Mesh mesh = sphere(2);  // 162 points: no multiple of 16
+  for (const Kind kind : tested_kinds) {
+    const Topology topology = build(kind, mesh, fur_length);
+    for (const Solver solver : solvers) {
+      const Dynamics d = lively(solver);
+      const Offsets once = after(topology, d, 120);
+      for (const MassSpringOptions& options :
+           {MassSpringOptions{0, 1, 0}, MassSpringOptions{0, 7, 0}, MassSpringOptions{0, 64, 0},
+            MassSpringOptions{0, 0, 1}, MassSpringOptions{0, 2, 3}, MassSpringOptions{1, 0, 0},
+            MassSpringOptions{1, 16, 2}})
+        EXPECT_TRUE(same_bits(once, after(topology, d, 120, options)))
+            << name(kind) << ' ' << name(solver) << " lanes " << options.lanes << " group " << options.group
+            << " per item " << options.blocks_per_item;
+      EXPECT_TRUE(same_bits(once, after(topology, d, 120, {}, {}, 7))) << "launches of 7 steps";
+      EXPECT_FALSE(same_bits(once, after(topology, d, 121)));
+    }
+  }
+}
+
+TEST(TopologyDevice, APokeOfOneTriangleOfASeparableTopologyStaysThere) {
+  const Mesh mesh = sphere(1);
+  const auto face = hit(mesh, {0.1, 3, 0.05}, {0, -1, 0});
+  ASSERT_TRUE(face.has_value());
+  for (const Kind kind : tested_kinds) {
+    const Topology topology = build(kind, mesh, fur_length);
+    const Offsets push = poke(topology, *face, {0.02f, -0.01f, 0});
+    for (const Solver solver : solvers) {
+      const Dynamics d = lively(solver);
+      const Offsets calm = after(topology, d, 60), poked = after(topology, d, 60, {}, push);
+      std::size_t changed = 0;
+      for (std::size_t i = 0; i < calm.size(); ++i) {
+        const bool aimed = push[i] != glm::vec3(0);
+        EXPECT_TRUE(!aimed || !same_bits(calm[i], poked[i])) << i;
+        if (kind != Kind::prisms) {
+          EXPECT_TRUE(aimed || same_bits(calm[i], poked[i])) << name(kind) << ' ' << i;
+        }
+        changed += !same_bits(calm[i], poked[i]);
+      }
+      if (kind == Kind::prisms) {
+        EXPECT_GT(changed, 10u) << "the wave travels";
+      } else {
+        EXPECT_EQ(changed, 3u);
+      }
+    }
+  }
+}
+
+TEST(TopologyDevice, ARayHitsTheNearestTriangle) {
+  const Mesh mesh = sphere(1);
+  const auto above = hit(mesh, {0.1, 3, 0.05}, {0, -1, 0}), below = hit(mesh, {0.1, -3, 0.05}, {0, 1, 0});
+  ASSERT_TRUE(above && below);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_GT(mesh.position[mesh.triangle[*above][c]].y, 0);
+    EXPECT_LT(mesh.position[mesh.triangle[*below][c]].y, 0);
+  }
+  EXPECT_FALSE(hit(mesh, {0, 3, 0}, {0, 1, 0}));
+  EXPECT_FALSE(hit(mesh, {2, 3, 0}, {0, -1, 0}));
+}
+
+TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
+  for (const Kind kind : tested_kinds) {
+    const Topology topology = build(kind, sphere(1), fur_length);
+    Dynamics d = lively(Solver::explicit_euler);
+    d.stiffness = 1e5f;  // stable below dt = 2 c / k = 0.4 us at that damping
+    MassSprings springs(queue(), topology, d);
+    try {
+      for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
+      ADD_FAILURE() << name(kind) << " did not explode";
+    } catch (const Diverged& said) {
+      EXPECT_LT(said.step, 1000);
+      EXPECT_GE(said.mass, topology.sticks());
+      EXPECT_LT(said.mass, 2 * topology.sticks());
+      const std::string text = said.what();
+      EXPECT_NE(text.find("mass " + std::to_string(said.mass)), std::string::npos) << text;
+      EXPECT_NE(text.find("step " + std::to_string(said.step)), std::string::npos) << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+      // The step is the first: a launch of so many steps is sound, one more is not.
+      MassSprings again(queue(), topology, d);
+      EXPECT_NO_THROW(again.advance(queue(), int(said.step)));
+      EXPECT_THROW(again.advance(queue(), 1), Diverged);
+      EXPECT_THROW(again.advance(queue(), 1), Diverged) << "and stays so";
+    }
+  }
+}
+
+TEST(TopologyDevice, AForceThatOneMassCannotBearNamesThatMass) {
+  const Topology topology = build(Kind::separable_sticks, sphere(1), fur_length);
+  Offsets push(topology.sticks(), glm::vec3(0));
+  push[77] = {1e30f, 0, 0};
+  MassSprings springs(queue(), topology, lively(Solver::semi_implicit_euler));
+  springs.push(queue(), push);
+  try {
+    springs.advance(queue(), 5);
+    ADD_FAILURE();
+  } catch (const Diverged& said) {
+    EXPECT_EQ(said.step, 0);
+    EXPECT_EQ(said.mass, topology.top(77));
+  }
+}
+
+// Each absurd value is refused with one line that names it.
+TEST(TopologyDevice, RefusesAbsurdDynamics) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const auto refused = [&](const char* what, const auto& spoil) {
+    Dynamics d = lively(Solver::rk4);
+    spoil(d);
+    try {
+      MassSprings springs(queue(), topology, d);
+      ADD_FAILURE() << what << " was taken";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(what), std::string::npos) << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+  };
+  for (const float bad : {0.0f, -1.0f, nan, infinite}) {
+    refused("time step", [&](Dynamics& d) { d.step = bad; });
+    refused("mass", [&](Dynamics& d) { d.mass = bad; });
+    refused("wavelength", [&](Dynamics& d) { d.wind.wavelength = bad; });
+  }
+  for (const float bad : {-1.0f, nan, infinite}) {
+    refused("stiffness of the sticks", [&](Dynamics& d) { d.stiffness = bad; });
+    refused("damping of the sticks", [&](Dynamics& d) { d.damping = bad; });
+    refused("stiffness between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
+    refused("damping between tops", [&](Dynamics& d) { d.edge_damping = bad; });
+    refused("drag", [&](Dynamics& d) { d.drag = bad; });
+    refused("return force", [&](Dynamics& d) { d.return_weight = bad; });
+    refused("frequency of the gusts", [&](Dynamics& d) { d.wind.frequency = bad; });
+  }
+  for (const float bad : {nan, infinite}) {
+    refused("gravity", [&](Dynamics& d) { d.gravity.y = bad; });
+    refused("speed of the wind", [&](Dynamics& d) { d.wind.speed = bad; });
+    refused("direction of the wind", [&](Dynamics& d) { d.wind.direction.z = bad; });
+    refused("gust of the wind", [&](Dynamics& d) { d.wind.gust = bad; });
+    refused("velocity of the object", [&](Dynamics& d) { d.motion.velocity.x = bad; });
+    refused("shake of the object", [&](Dynamics& d) { d.motion.shake.x = bad; });
+    refused("spin of the object", [&](Dynamics& d) { d.motion.spin = bad; });
+    refused("swing of the object", [&](Dynamics& d) { d.motion.swing = bad; });
+  }
+  refused("direction of the wind", [](Dynamics& d) { d.wind.direction = {0, 0, 0}; });
+  refused("axis", [](Dynamics& d) { d.motion.axis = {0, 0, 0}; });
+
+  MassSprings springs(queue(), topology, lively(Solver::rk4));
+  EXPECT_THROW(springs.push(queue(), Offsets(3)), InputError);
+  EXPECT_THROW(springs.push(queue(), Offsets(topology.sticks(), glm::vec3(nan))), InputError);
+  EXPECT_THROW(springs.enqueue(queue(), 0), InputError);
+  EXPECT_THROW(MassSprings(queue(), topology, lively(Solver::rk4), {3, 0, 0}), InputError);
+  EXPECT_THROW(poke(topology, 99, {1, 0, 0}), InputError);
+  EXPECT_THROW(poke(topology, 0, {nan, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace pelage::topology
