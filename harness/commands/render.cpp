@@ -10,6 +10,7 @@
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/rivals/opengl.hpp"
 #include "harness/shells/shells.hpp"
 
 namespace pelage {
@@ -18,7 +19,7 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   std::string output, dump, device;
-  std::string pipeline = "shells", mapping = "tile";
+  std::string pipeline = "shells", mapping = "tile", opengl;
   int bits = 32;
 };
 
@@ -35,9 +36,23 @@ FrameOutput shells_output(const RenderOptions& options, const cl::Device& device
           shells.mask(), shells.read()};
 }
 
+FrameOutput opengl_output(const OpenGlOptions& options, const std::string& renderer,
+                          const std::shared_ptr<const FrameInput>& input) {
+  FrameOutput output = reference_motion(*input, frames_before(input->scene.dynamics) + 1);
+  OpenGl opengl(input, output.mask, options);
+  opengl.bend(output.tips);
+  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold\n", renderer, opengl.frame());
+  output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
+  output.image = opengl.read();
+  return output;
+}
+
 int render(const RenderOptions& options) {
   if (options.bits == 8 && options.pipeline != "reference") {
     throw InputError("--reference-bits 8: only the reference rounds; add --pipeline reference");
+  }
+  if (!options.opengl.empty() && options.pipeline != "opengl") {
+    throw InputError("--opengl: only the OpenGL rival reads it; add --pipeline opengl");
   }
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
@@ -46,10 +61,14 @@ int render(const RenderOptions& options) {
   // Before the mesh, which may take minutes.
   std::optional<cl::Device> device;
   if (shells) device = cl::choose_device(options.device);
+  const bool opengl = options.pipeline == "opengl";
+  const std::string renderer = opengl ? opengl_renderer() : "";
+  const OpenGlOptions opengl_choice = opengl ? opengl_options(options.opengl) : OpenGlOptions{};
   const auto input = prepare(scene, load_scene_mesh(scene));
   const FrameOutput output =
-      shells ? shells_output(options, *device, input)
-             : reference_output(*input, frames_before(scene.dynamics) + 1, options.bits == 8);
+      shells   ? shells_output(options, *device, input)
+      : opengl ? opengl_output(opengl_choice, renderer, input)
+               : reference_output(*input, frames_before(scene.dynamics) + 1, options.bits == 8);
   write_picture(options.output, output.image);
   if (!options.dump.empty()) dump_frame(options.dump, *input, output);
   return 0;
@@ -65,10 +84,16 @@ void add_render(CLI::App& app, Chosen& chosen) {
       ->required()
       ->type_name("IMAGE");
   command
-      ->add_option("--pipeline", options->pipeline,
-                   "shells: tiles on an OpenCL device; reference: naive double precision on the host")
-      ->check(CLI::IsMember({"shells", "reference"}))
+      ->add_option(
+          "--pipeline", options->pipeline,
+          "shells: tiles on an OpenCL device; reference: naive double precision on the host; opengl: "
+          "the paper's own N passes, by whatever OpenGL there is")
+      ->check(CLI::IsMember({"shells", "reference", "opengl"}))
       ->capture_default_str();
+  command
+      ->add_option("--opengl", options->opengl,
+                   "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
+      ->type_name("OPTIONS");
   command->add_option("--mapping", options->mapping, "A work-item of the shells draws a tile, or a pixel")
       ->check(CLI::IsMember({"tile", "pixel"}))
       ->capture_default_str();

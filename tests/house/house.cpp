@@ -21,10 +21,11 @@ std::string read(const fs::path& file) {
 
 // Sources and documents of the checkout, relative to its root; results/ and pictures are data.
 std::vector<std::string> written_files() {
-  const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake",
-                                    ".txt", ".sh",  ".py", ".md", ".toml", ".1"};
+  const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
+                                    ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};
   std::vector<std::string> files;
-  for (const char* folder : {"harness", "kernels", "tests", "experiments", "examples", "docs", ".ci"}) {
+  for (const char* folder :
+       {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs", ".ci"}) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file() &&
@@ -95,6 +96,7 @@ TEST(House, PlantedInclusionsAreFound) {
       {"harness/scene/scene_read.cpp", "<CGAL/Surface_mesh.h>"},
       {"harness/commands/mesh.cpp", "<assimp/Importer.hpp>"},
       {"harness/report/images.cpp", "<OpenImageIO/imageio.h>"},
+      {"harness/commands/render.cpp", "<epoxy/gl.h>"},
       {"harness/scene/scene_read.cpp", "\"harness/shells/shells.hpp\""},
       {"harness/mesh/load.cpp", "\"harness/scene/scene.hpp\""},
       {"harness/shells/shells.cpp", "\"harness/reference/reference.hpp\""},

@@ -1,0 +1,113 @@
+// A fragment of layer n (S 3.3 and 4, "fragment shader"; docs/frame.md, 6). After the constants, shaders/layers.glsl and
+// shaders/light.glsl. S and W as in shell.vert.
+in vec2 uv;
+in vec3 normal, rise;
+#ifdef WET_MODEL
+in vec3 along_u, along_v;
+#endif
+#ifdef INSTANCED
+flat in vec4 look;
+#else
+#define look LAYER_LOOK
+#endif
+layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage, green: shade / 2
+layout(binding = 1) uniform sampler2D coat;
+layout(binding = 2) uniform sampler2D mask;   // c_u, c_v, r, rho; NEAREST
+layout(location = 0) out vec4 colour;
+
+#if defined(FUR_ARRAY)
+#define FUR_AT(p) vec3(p, look.w)
+#elif defined(FUR_VOLUME)
+#define FUR_AT(p) vec3(p, (look.w + 0.5) / float(LAYERS))
+#else
+#define FUR_AT(p) p
+#endif
+
+vec2 fur_texel(vec2 p, float level) {
+#ifdef TWO_LEVELS
+  // Trilinear by hand: drivers may round the weight between levels.
+  float fine = clamp(level, 0.0, float(FUR_LEVELS - 1));
+  float base = floor(fine);
+  return mix(textureLod(fur, FUR_AT(p), base).rg, textureLod(fur, FUR_AT(p), base + 1.0).rg, fine - base);
+#else
+  return textureLod(fur, FUR_AT(p), level).rg;
+#endif
+}
+
+// x^EXPONENT, x >= 0
+float power(float x, float exponent) {
+#if defined(WHOLE_EXPONENT) && !defined(WET_MODEL)
+  float y = 1.0;
+  for (int n = WHOLE_EXPONENT; n > 0; n >>= 1) {
+    if ((n & 1) != 0) y *= x;
+    x *= x;
+  }
+  return y;
+#else
+  return pow(max(x, 1e-30), exponent);
+#endif
+}
+
+// S Eq. 6 and W Eq. 3: diffuse and specular of one light. t, nu, e and light are unit vectors.
+void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float exponent, inout vec2 sum) {
+  float n_l = dot(nu, light), t_l = dot(t, light), t_e = dot(t, e);
+  float sine_l = sqrt(max(0.0, 1.0 - t_l * t_l)), sine_e = sqrt(max(0.0, 1.0 - t_e * t_e));
+  float g = intensity * dimmed(n_l);
+#ifdef WET_MODEL
+  sum.x += intensity * lambert(n_l);
+#else
+  sum.x += g * sine_l;
+#endif
+  sum.y += g * power(max(0.0, t_l * t_e + sine_l * sine_e), exponent);
+}
+
+void main() {
+  vec2 at = uv;
+  float rho = 0.0;
+  vec2 pull = vec2(0.0);  // the clump's shift per unit of f(h)
+#ifdef CLUMPS
+  // S Eq. 5 and Algorithm 2. Where the texel is dry rho = 0, so that nothing moves.
+  vec4 here = textureLod(mask, uv, 0.0);
+  vec2 from = uv - here.xy;
+  rho = here.w;
+#ifdef LITERAL_CLUMPS
+  pull = rho * here.z * from;
+#else
+  pull = rho * CLUMP_GAIN * from;
+#endif
+  at = uv + look.x * pull;
+  vec4 there = textureLod(mask, at, 0.0);
+  bool other = dot(from, from) > here.z * here.z || there.w == 0.0;
+#ifdef SEPARATE_CELLS
+  other = other || there.x != here.x || there.y != here.y;
+#endif
+  if (rho > 0.0 && other) discard;
+#endif
+
+  vec3 nu = unit(normal), e = view();
+  // A pixel's footprint on the surface in texels of level 0; gl_FragCoord.w is 1/w.
+  float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
+  vec2 texel = fur_texel(at * FUR_SCALE, level);
+  if (texel.r == 0.0) discard;
+
+  vec3 t = rise;
+  float exponent = EXPONENT;
+#ifdef WET_MODEL
+  vec2 drift = TANGENT_SIGN * look.y * pull;  // W Eq. 4
+  t += drift.x * along_u + drift.y * along_v;
+  exponent *= 1.0 + WET_SPECULAR * (rho - 1.0);
+#endif
+  t = unit(t);
+  vec2 light = vec2(AMBIENT, 0.0);
+  add_light(LIGHT_0, INTENSITY_0, t, nu, e, exponent, light);
+#if LIGHTS > 1
+  add_light(LIGHT_1, INTENSITY_1, t, nu, e, exponent, light);
+#endif
+  float gamma = look.z;
+#ifdef WET_MODEL
+  gamma *= 1.0 - DARKENING * rho;  // W Eq. 5
+#endif
+  vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // byte / 127.5
+  // Multiplied by coverage here, so that all four channels blend alike.
+  colour = texel.r * vec4(gamma * (light.x * hair + light.y * SPECULAR), 1.0);
+}

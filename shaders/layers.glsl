@@ -1,0 +1,14 @@
+// What a layer's vertices and fragments share: three rows of numbers that the host computes (harness/rivals/layers.cpp).
+//   bend: factors of A, B and of the curl's u, v      step: factors of A, B in dB(n)
+//   look: f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n), n
+#ifdef INSTANCED
+layout(std140, binding = 0) uniform Layers { vec4 layers[3 * LAYERS]; };
+#define LAYER_BEND layers[3 * gl_InstanceID]
+#define LAYER_STEP layers[3 * gl_InstanceID + 1]
+#define LAYER_LOOK layers[3 * gl_InstanceID + 2]
+#else
+uniform vec4 layer[3];
+#define LAYER_BEND layer[0]
+#define LAYER_STEP layer[1]
+#define LAYER_LOOK layer[2]
+#endif

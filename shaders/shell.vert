@@ -1,0 +1,52 @@
+// A vertex of a layer, or of the base surface (S 4, "vertex shader"; docs/frame.md, 3 and 4).
+// S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Real-Time Rendering of Wet Fur.
+// After harness/rivals/program.cpp's constants and shaders/layers.glsl.
+layout(location = 0) in vec3 position;  // R
+layout(location = 1) in vec2 surface_uv;
+layout(location = 2) in vec3 a;         // A: root to p0, the direction of the normal
+layout(location = 3) in vec3 b;         // B: root to p
+layout(location = 4) in vec3 curl_u;    // (1 - rho) K_alpha u, R
+layout(location = 5) in vec3 curl_v;
+layout(location = 6) in vec3 dx_du;     // R per UV unit
+layout(location = 7) in vec3 dx_dv;
+
+out vec2 uv;
+out vec3 normal;
+#ifndef SKIN
+out vec3 rise;  // dB(n): the strand's step from the layer below
+#ifdef INSTANCED
+flat out vec4 look;
+#endif
+#ifdef WET_MODEL
+out vec3 along_u, along_v;
+#endif
+#endif
+
+void main() {
+  vec3 p = position;
+  uv = surface_uv;
+  normal = a;
+#ifndef SKIN
+  vec4 bend = LAYER_BEND, step = LAYER_STEP;
+  p += bend.x * a + bend.y * b;  // S Eq. 1
+#ifdef CURLS
+  p += bend.z * curl_u + bend.w * curl_v;  // S Eq. 4
+#endif
+  rise = step.x * a + step.y * b;
+#ifdef INSTANCED
+  look = LAYER_LOOK;
+#endif
+#ifdef WET_MODEL
+  along_u = dx_du;
+  along_v = dx_dv;
+#endif
+#endif
+  vec4 at = vec4(p, 1.0);
+  vec3 eye = vec3(dot(CAMERA_X, at), dot(CAMERA_Y, at), dot(CAMERA_W, at));
+#ifdef SNAP
+  // To 1/256 pixel from the picture's centre: drivers do so for coverage, yet interpolate from unrounded positions.
+  if (eye.z >= NEAR) eye.xy = roundEven(eye.xy / eye.z * GRID) / GRID * eye.z;
+#endif
+  // z = near: after the division near / w, so that the depth test compares 1/w. y points down, as rows are stored.
+  gl_Position = vec4(eye.xy, NEAR, eye.z);
+}

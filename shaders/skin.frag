@@ -1,0 +1,20 @@
+// The base surface (docs/frame.md, 7). After the constants and shaders/light.glsl.
+in vec2 uv;
+in vec3 normal;
+layout(binding = 1) uniform sampler2D coat;
+layout(binding = 2) uniform sampler2D mask;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  vec3 nu = unit(normal);
+  float light = AMBIENT + INTENSITY_0 * lambert(dot(nu, LIGHT_0));
+#if LIGHTS > 1
+  light += INTENSITY_1 * lambert(dot(nu, LIGHT_1));
+#endif
+#ifdef WET_MODEL
+  float gamma = (1.0 - OCCLUSION) * (1.0 - DARKENING * textureLod(mask, uv, 0.0).w);
+#else
+  float gamma = (SHADOW - 1.0) / SHADOW;
+#endif
+  colour = vec4(gamma * light * textureLod(coat, uv, 0.0).rgb * SKIN_COLOUR, 1.0);
+}
