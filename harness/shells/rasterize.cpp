@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
+#include "harness/error.hpp"
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
@@ -13,7 +16,15 @@ int tuned(const ShellOptions& options, const std::string& name, int otherwise) {
 
 // Layers that share a bin list: long lists cost set-ups, many lists cost binning.
 int default_group(int layers) {
-  return std::max(2, (layers + 7) / 8);
+  return std::max(4, (layers + 7) / 8);
+}
+
+// Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in rasterize/coverage.clh).
+int tile_side(const ShellOptions& options, const std::string& axis, int otherwise) {
+  const int side = tuned(options, axis, otherwise);
+  if (side < 4 || side > 32 || side % 4 != 0)
+    throw InputError(fmt::format("tuning: {} is {}: a multiple of 4 from 4 to 32", axis, side));
+  return side;
 }
 
 // Coverage and shade of (x, y) and (x, y + 1) in one word; each row ends with its first texel again.
@@ -36,11 +47,16 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   return words;
 }
 
+// RGB of a texel in one word; each row ends with its first texel again.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat) {
+  const auto side = std::size_t(coat.size);
   std::vector<std::int32_t> words;
-  for (const auto& t : coat.texel)
-    words.push_back(static_cast<std::int32_t>(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 |
-                                              std::uint32_t(t[2]) << 16));
+  for (std::size_t y = 0; y < side; ++y)
+    for (std::size_t x = 0; x <= side; ++x) {
+      const auto& t = coat.texel[y * side + x % side];
+      words.push_back(static_cast<std::int32_t>(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 |
+                                                std::uint32_t(t[2]) << 16));
+    }
   return words;
 }
 
@@ -54,7 +70,7 @@ constexpr std::int32_t triangles_per_chunk = 1024;
 RasterParams tiled(RasterParams p, const ShellOptions& options, const cl::Device& device) {
   p.group = std::clamp(tuned(options, "GROUP", default_group(p.layers)), 1, p.layers);
   p.groups = 1 + (p.layers + p.group - 1) / p.group;
-  const int tile_w = tuned(options, "TILE_W", 16), tile_h = tuned(options, "TILE_H", 32);
+  const int tile_w = tile_side(options, "TILE_W", TILE_W), tile_h = tile_side(options, "TILE_H", TILE_H);
   p.tiles_x = (p.width + tile_w - 1) / tile_w;
   p.tiles_y = (p.height + tile_h - 1) / tile_h;
   const int wanted = int(4 * device.info().compute_units);
@@ -128,7 +144,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), std::size_t(params_.groups)};
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
   count_.with(params_, corner_, box_, chunk_count_);
-  keep(count_.enqueue(queue, chunks));
+  keep(count_.enqueue(queue, chunks, {1, 1}));
   sum_.with(params_, chunk_count_, length_);
   keep(sum_.enqueue(queue, {tiles, std::size_t(params_.groups)}));
   start_.with(params_, length_, list_start_);
@@ -140,7 +156,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   if (std::size_t(total[0]) + 16 > list_.size())
     list_ = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4 + 16);
   fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
-  keep(fill_.enqueue(queue, chunks));
+  keep(fill_.enqueue(queue, chunks, {1, 1}));
 }
 
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {

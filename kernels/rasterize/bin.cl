@@ -3,13 +3,6 @@
 #include "rasterize/params.h"
 #include "opencl.clh"
 
-#ifndef TILE_W
-#define TILE_W 16
-#endif
-#ifndef TILE_H
-#define TILE_H 32
-#endif
-
 // Tiles that a block of LANES triangles may touch in group g; right < left when they cover no pixel centre.
 typedef struct { int left[LANES], top[LANES], right[LANES], bottom[LANES]; } Touched;
 
@@ -19,11 +12,11 @@ static inline bool touched(const RasterParams *s, TABLE(float) corners, TABLE(in
   for (int k = 0; k < 3; ++k) {
     whole i = bits_as_whole(k == 0 ? row.x : k == 1 ? row.y : row.z) * 2;
     TABLE(int) of_group = box + (size_t)g * s->vertices * 2;
-    whole low = gather_whole(of_group, i), high = gather_whole(of_group, i + 1);
-    left = min(left, (low << 16) >> 16);
-    top = min(top, low >> 16);
-    right = max(right, (high << 16) >> 16);
-    bottom = max(bottom, high >> 16);
+    whole2 corner = gather_pairs(of_group, i);
+    left = min(left, (corner.first << 16) >> 16);
+    top = min(top, corner.first >> 16);
+    right = max(right, (corner.second << 16) >> 16);
+    bottom = max(bottom, corner.second >> 16);
   }
   left = max(left, WHOLE(0));
   top = max(top, WHOLE(0));

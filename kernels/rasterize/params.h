@@ -59,6 +59,14 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 // One attribute record per vertex: u, v, A, B; and, for the wet model, dX/du and dX/dv.
 #define RECORD 8
 
+// A tile's pixels: multiples of 4, at most 32 (tuning axes).
+#ifndef TILE_W
+#define TILE_W 16
+#endif
+#ifndef TILE_H
+#define TILE_H 32
+#endif
+
 #define SUBPIXEL 256            // screen coordinates are rounded to 1/256 pixel
 #define GUARD 16384.0f          // pixels from the image centre; beyond it triangles are clipped
 #define OPAQUE 0.001953125f     // a pixel stops once its transmittance is at most 1/512

@@ -3,13 +3,6 @@
 #include "rasterize/fan.clh"
 #include "rasterize/fragment.clh"
 
-#ifndef TILE_W
-#define TILE_W 16
-#endif
-#ifndef TILE_H
-#define TILE_H 32
-#endif
-
 typedef struct { bool covered; float iw, b1, b2; } Hit;
 
 // The centre of the pixel at the origin of the setup's coordinates.
@@ -111,7 +104,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       Surface p = surface_at(&s, records, tangents, h, vertices, x, y);
       Fur f = fur_fragment(&s, textures, l, n, p);
       if (f.coverage <= 0.0f) continue;
-      real3 c = fur_colour(&s, textures, l, n, p, f);
+      real3 c = fur_colour(&s, textures, l, p, f);
       float weight = front.w * f.coverage;
       front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
     }

@@ -7,7 +7,7 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
-  store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) + 3), dry, block);
+  store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
 }
 
 // B = sum weight q over the vertex's strands. Rows are padded per block of LANES: entry e of lane i of a block stands
