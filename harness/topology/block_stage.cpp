@@ -21,6 +21,8 @@ const char* frame_kernel(Solver solver) {
   return "rk4_frame";
 }
 
+}  // namespace
+
 // A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
 // GPU's takes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
@@ -29,8 +31,6 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
   const int items = 8 * std::max(1, int(device.compute_units));
   return std::clamp((units + items - 1) / items, 1, 64);
 }
-
-}  // namespace
 
 std::string build_options(int lanes) {
   return fmt::format("-D LANES={}", lanes);

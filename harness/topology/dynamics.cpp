@@ -111,6 +111,9 @@ void check(const Dynamics& d) {
   not_negative("damping between tops, N s/m", d.edge_damping);
   not_negative("drag, N s/m", d.drag);
   not_negative("weight of the return force, N", d.return_weight);
+  above_0("residual of conjugate gradients", d.residual);
+  if (d.most_iterations < 1)
+    throw InputError(fmt::format("iterations of conjugate gradients: {}; at least one", d.most_iterations));
   finite("gravity, m/s^2", d.gravity);
   direction("direction of the wind", d.wind.direction);
   finite("speed of the wind, m/s", d.wind.speed);

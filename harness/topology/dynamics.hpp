@@ -57,6 +57,8 @@ struct Dynamics {
   float edge_damping = 0.004f;  ///< of those, N s/m
   float drag = 0.004f;          ///< against the air, N s/m
   float return_weight = 0.2f;   ///< w of Eq. 5, N
+  float residual = 1e-5f;       ///< |r| / |b| at which conjugate gradients stop
+  int most_iterations = 500;    ///< of them, per step
   glm::vec3 gravity{0, -9.81f, 0};
   Wind wind;
   Motion motion;

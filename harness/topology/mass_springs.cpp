@@ -37,6 +37,7 @@ struct MassSprings::State {
   TopologyParams params;
   Buffers buffers;
   std::optional<BlockStage> blocks;
+  std::optional<PrismStage> prisms;
   long steps = 0;
 
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<glm::vec4>& rows) const {
@@ -75,8 +76,14 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
                                          topology::params(dynamics, topology.length),
                                          std::move(buffers),
                                          {},
+                                         {},
                                          0});
-  state_->blocks.emplace(queue, state_->layout, dynamics.solver, lanes, options);
+  State& s = *state_;
+  s.params.sticks = int(topology.sticks());
+  if (topology.kind == Kind::prisms)
+    s.prisms.emplace(queue, s.layout, dynamics, lanes, options);
+  else
+    s.blocks.emplace(queue, s.layout, dynamics.solver, lanes, options);
 }
 MassSprings::~MassSprings() = default;
 MassSprings::MassSprings(MassSprings&&) noexcept = default;
@@ -112,7 +119,10 @@ void MassSprings::enqueue(const cl::Queue& queue, int substeps) {
   TopologyParams params = s.params;
   params.substeps = substeps;
   params.first_step = int(s.steps);
-  s.blocks->enqueue(queue, params, s.buffers);
+  if (s.prisms)
+    s.prisms->enqueue(queue, params, s.buffers);
+  else
+    s.blocks->enqueue(queue, params, s.buffers);
   s.steps += substeps;
 }
 
@@ -150,11 +160,17 @@ long MassSprings::steps() const {
 std::size_t MassSprings::bytes() const {
   const Buffers& b = state_->buffers;
   return bytes_of(b.root) + bytes_of(b.normal) + bytes_of(b.push) + bytes_of(b.offset) + bytes_of(b.speed) +
-         bytes_of(b.diverged_at) + bytes_of(b.first) + state_->blocks->bytes();
+         bytes_of(b.diverged_at) + bytes_of(b.first) +
+         (state_->prisms ? state_->prisms->bytes() : state_->blocks->bytes());
+}
+
+const LinearSolves& MassSprings::solves() const {
+  static const LinearSolves none;
+  return state_->prisms ? state_->prisms->solves() : none;
 }
 
 double MassSprings::build_ms() const {
-  return state_->blocks->build_ms();
+  return state_->prisms ? state_->prisms->build_ms() : state_->blocks->build_ms();
 }
 
 }  // namespace pelage::topology

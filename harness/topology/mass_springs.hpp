@@ -22,6 +22,13 @@ struct MassSpringOptions {
   int blocks_per_item = 0;  ///< slices that a work-item goes through; 0: as suits the device
 };
 
+/// What conjugate gradients did so far; all 0 where nothing was solved by them.
+struct LinearSolves {
+  long solves = 0, iterations = 0;
+  int most_iterations = 0;    ///< of one solve
+  double worst_residual = 0;  ///< largest |r| / |b| that a solve ended with, by its own reckoning
+};
+
 class MassSprings {
  public:
   /// At rest. Throws InputError where check(dynamics) does.
@@ -35,7 +42,7 @@ class MassSprings {
   /// InputError for another count, or a force that is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues that many steps; nothing is waited for but the host's own tables.
+  /// Enqueues that many steps. Waits for nothing but the host's own tables, and for conjugate gradients.
   void enqueue(const cl::Queue& queue, int substeps);
 
   /// Throws Diverged when a step enqueued so far went wrong; waits for the queue.
@@ -48,6 +55,7 @@ class MassSprings {
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< per stick, of the top, R/s
   long steps() const;                                            ///< done or enqueued
   std::size_t bytes() const;                                     ///< of device memory
+  const LinearSolves& solves() const;
   double build_ms() const;
 
  private:

@@ -20,6 +20,10 @@ struct Buffers {
 /// "-D NAME=value" for a build at `lanes` lanes.
 std::string build_options(int lanes);
 
+/// How many units (16 / LANES to a slice) one work-item goes through; `wanted`: slices, 0 for the device's
+/// own.
+int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
+
 /// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps.
 class BlockStage {
  public:
@@ -35,6 +39,44 @@ class BlockStage {
   cl::Buffer<glm::vec4> side_;
   std::size_t group_;
   int blocks_, units_, per_item_;
+};
+
+/// Shared prisms: a launch per evaluation of the forces, and three per iteration of conjugate gradients.
+class PrismStage {
+ public:
+  PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+             const MassSpringOptions& options);
+  /// Waits for the queue where conjugate gradients have to be tested.
+  void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers);
+  const LinearSolves& solves() const { return solves_; }
+  std::size_t bytes() const;
+  double build_ms() const { return program_.build_ms(); }
+
+ private:
+  void euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  void rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  void backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
+  bool converged(const cl::Queue& queue);
+  void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
+
+  Solver solver_;
+  double residual_;
+  int most_iterations_;
+  cl::Program program_;
+  std::vector<cl::Kernel> kernels_;  // in the order of their names in prism_stage.cpp
+  std::size_t group_;
+  int units_, per_item_, per_chunk_, chunks_;
+  bool double_sums_;
+  int expected_ = 4;  // iterations of the step before
+  double last_residual_ = 0;
+  LinearSolves solves_;
+  cl::Buffer<std::int32_t> start_, neighbour_;
+  cl::Buffer<float> rest_;
+  cl::Buffer<glm::vec4> tip_, other_tip_, other_speed_;
+  cl::Buffer<glm::vec4> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4
+  cl::Buffer<glm::vec4> diagonal_, coupling_, change_, left_, way_,
+      along_;  // backward Euler: A, x, r, d, A d
+  cl::Memory sums_;
 };
 
 }  // namespace pelage::topology

@@ -19,6 +19,7 @@ typedef struct {
   int first_step;        // number of its first substep
   int moving;            // 1: the object turns, the frame is not an inertial one
   int pushed;            // 1: the array of local forces is not all zero
+  int sticks;            // rows beyond these belong to nothing
   int blocks;            // slices of 16 sticks, or of 16 triangles on separable prisms
   int blocks_per_item;   // that one work-item goes through, in units of LANES / 16
 } TopologyParams;
@@ -32,5 +33,8 @@ typedef struct {
   float turn_up_x, turn_up_y, turn_up_z;     // the derivative of that, rad/s^2
   float gust_sin, gust_cos;                  // of 2 pi f t
 } Moment;
+
+// Rows of partial sums of the conjugate gradients: r.z of even and odd iterations, d.Ad, r.r, b.b.
+enum { SUM_RZ_EVEN, SUM_RZ_ODD, SUM_DAD, SUM_RR, SUM_BB, SUM_ROWS };
 
 #endif

@@ -7,9 +7,6 @@ namespace pelage::topology::test {
 
 inline constexpr float fur_length = 0.05f;
 
-/// Those that move on a device.
-inline constexpr Kind tested_kinds[] = {Kind::sticks, Kind::separable_sticks, Kind::separable_prisms};
-
 /// Everything at once: gravity, gusts, an object that travels, shakes and swings.
 inline Dynamics lively(Solver solver) {
   Dynamics d;

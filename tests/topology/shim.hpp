@@ -14,11 +14,17 @@ struct Memory {
   std::vector<glm::vec4> push;
   std::vector<double> offset, speed;  ///< rows of four
   std::vector<int> diverged_at, first;
+  std::vector<double> tip, change;  ///< shared prisms: root + q, and the last step's dv
 };
 
 /// One launch of the block kernel of `solver` over all blocks.
 void launch_sticks(Solver solver, Memory& memory);
 void launch_triangles(Solver solver, Memory& memory);
+
+/// Substep number `substep` of a launch on shared prisms; backward Euler's conjugate gradients until |r| is
+/// `residual` |b|.
+void prism_substep(Solver solver, Memory& memory, int substep);
+int gradients_substep(Memory& memory, int substep, double residual);
 
 class Shim {
  public:
@@ -30,6 +36,7 @@ class Shim {
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
 
  private:
+  void stand();  // tips from offsets
   std::vector<glm::dvec3> by_stick(const std::vector<double>& rows) const;
   Dynamics dynamics_;
   Kind kind_;

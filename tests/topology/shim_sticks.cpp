@@ -17,9 +17,6 @@ namespace pelage::topology::test {
 
 void launch_sticks(Solver solver, Memory& m) {
   namespace kernels = sticks_in_double;
-  TopologyParams params = m.params;
-  params.blocks = m.layout->blocks;
-  params.blocks_per_item = 1;
   const auto floats = [](const std::vector<glm::vec4>& rows) {
     return reinterpret_cast<const float*>(rows.data());
   };
@@ -28,7 +25,7 @@ void launch_sticks(Solver solver, Memory& m) {
                       : solver == Solver::rk4                 ? kernels::rk4_frame
                                                               : kernels::backward_euler_frame;
   for (in_double::work_item = 0; in_double::work_item < 16 * m.layout->blocks; ++in_double::work_item)
-    kernel(params, m.moments.data(), floats(m.layout->root), floats(m.layout->normal), floats(m.push),
+    kernel(m.params, m.moments.data(), floats(m.layout->root), floats(m.layout->normal), floats(m.push),
            floats(m.layout->side), m.offset.data(), m.speed.data(), m.diverged_at.data(), m.first.data());
 }
 

@@ -31,9 +31,9 @@ std::string case_name(const testing::TestParamInfo<Case>& given) {
   return text;
 }
 
-std::vector<Case> block_cases() {
+std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const Kind kind : {Kind::sticks, Kind::separable_sticks, Kind::separable_prisms})
+  for (const Kind kind : kinds)
     for (const Solver solver : solvers) cases.push_back({kind, solver});
   return cases;
 }
@@ -70,7 +70,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Blocks, Steps, testing::ValuesIn(block_cases()), case_name);
+INSTANTIATE_TEST_SUITE_P(All, Steps, testing::ValuesIn(all_cases()), case_name);
 
 }  // namespace
 }  // namespace pelage::topology

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/topology/stages.hpp"
+
+namespace pelage::topology {
+namespace {
+
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // of gradients.cl
+
+constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
+
+const char* file_of(Solver solver) {
+  return solver == Solver::backward_euler ? "topology/gradients.cl" : "topology/prisms.cl";
+}
+
+std::vector<const char*> kernels_of(Solver solver) {
+  switch (solver) {
+    case Solver::explicit_euler:
+    case Solver::semi_implicit_euler:
+      return {"prism_euler"};
+    case Solver::rk4:
+      return {"prism_rk4"};
+    case Solver::backward_euler:
+      break;
+  }
+  return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
+}
+
+int ceiling(int a, int b) {
+  return (a + b - 1) / b;
+}
+
+template <class T>
+double total(const std::vector<T>& sums, int row, int chunks) {
+  double sum = 0;
+  for (int k = 0; k < chunks; ++k) sum += double(sums[std::size_t(row * chunks + k)]);
+  return sum;
+}
+
+}  // namespace
+
+PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+                       const MassSpringOptions& options)
+    : solver_(dynamics.solver),
+      residual_(double(dynamics.residual)),
+      most_iterations_(dynamics.most_iterations),
+      program_(queue.device(), file_of(solver_),
+               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes), int(queue.device().info().fp64))),
+      group_(options.group),
+      units_(layout.blocks * (16 / lanes)),
+      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
+      per_chunk_(ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
+      chunks_(ceiling(units_, per_chunk_)),
+      double_sums_(queue.device().info().fp64),
+      start_(queue, std::span(layout.start)),
+      neighbour_(queue, std::span(layout.neighbour)),
+      rest_(queue, std::span(layout.rest)) {
+  for (const char* name : kernels_of(solver_)) kernels_.emplace_back(program_, name);
+  const std::size_t rows = layout.rows();
+  const auto rows_of = [&](std::size_t count) {
+    return cl::Buffer<glm::vec4>(queue,
+                                 std::span<const glm::vec4>(std::vector<glm::vec4>(count, glm::vec4(0))));
+  };
+  std::vector<glm::vec4> tips;
+  for (std::size_t row = 0; row < rows; ++row) tips.push_back(layout.root[row] + layout.offset[row]);
+  tip_ = cl::Buffer<glm::vec4>(queue, std::span<const glm::vec4>(tips));
+  if (solver_ == Solver::backward_euler) {
+    diagonal_ = rows_of(2 * rows), coupling_ = rows_of(layout.neighbour.size());
+    change_ = rows_of(rows), left_ = rows_of(rows), way_ = rows_of(rows), along_ = rows_of(rows);
+    sums_ = cl::Memory(queue.device(),
+                       std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
+  } else {
+    other_tip_ = rows_of(rows), other_speed_ = rows_of(rows);
+    if (solver_ == Solver::rk4)
+      spare_tip_ = rows_of(rows), spare_speed_ = rows_of(rows), stage_offset_ = rows_of(rows),
+      sum_offset_ = rows_of(rows), sum_speed_ = rows_of(rows);
+  }
+}
+
+void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
+  std::size_t count = std::size_t(items);
+  if (group_ > 0) count = (count + group_ - 1) / group_ * group_;
+  kernel.enqueue(queue, count, group_);
+}
+
+void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers) {
+  params.blocks = int(buffers.root.size() / 16);
+  params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
+  for (int i = 0; i < params.substeps; ++i) {
+    if (solver_ == Solver::rk4)
+      rk4(queue, params, buffers, i);
+    else if (solver_ == Solver::backward_euler)
+      backward_euler(queue, params, buffers, i);
+    else
+      euler(queue, params, buffers, i);
+  }
+}
+
+void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
+  const int in_turn = solver_ == Solver::semi_implicit_euler;
+  kernels_[0].with(params, in_turn, 2 * substep, params.first_step + substep, b.moments, b.root, b.normal,
+                   b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_,
+                   b.diverged_at, b.first);
+  launch(queue, kernels_[0], ceiling(units_, per_item_));
+  std::swap(tip_, other_tip_);
+  std::swap(b.speed, other_speed_);
+}
+
+void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
+  // The stages' tips and speeds go to and fro between two buffers; the step's own stay where they are.
+  cl::Buffer<glm::vec4>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
+  *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
+  for (int stage = 0; stage < 4; ++stage) {
+    const int at = 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
+    kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.root, b.normal, b.push,
+                     start_, neighbour_, rest_, *tips[stage], *speeds[stage],
+                     stage == 0 ? b.offset : stage_offset_, b.offset, b.speed, sum_offset_, sum_speed_,
+                     *tips[next], *speeds[next], stage_offset_, b.diverged_at, b.first);
+    launch(queue, kernels_[0], ceiling(units_, per_item_));
+  }
+}
+
+bool PrismStage::converged(const cl::Queue& queue) {
+  double rr = 0, bb = 0;
+  const auto read = [&]<class T>(T) {
+    std::vector<T> sums(std::size_t(SUM_ROWS * chunks_));
+    sums_.read(queue, sums.data(), sums.size() * sizeof(T));
+    rr = total(sums, SUM_RR, chunks_), bb = total(sums, SUM_BB, chunks_);
+  };
+  if (double_sums_)
+    read(0.0);
+  else
+    read(0.0f);
+  if (!std::isfinite(rr) || !std::isfinite(bb))
+    return true;  // the masses are lost, which is noted by the last kernel
+  const bool done = rr <= residual_ * residual_ * bb;
+  last_residual_ = bb > 0 ? std::sqrt(rr / bb) : 0;
+  return done;
+}
+
+void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
+                                int substep) {
+  kernels_[SET_UP].with(params, chunks_, 2 * substep + 2, b.moments, b.root, b.normal, b.push, start_,
+                        neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_,
+                        way_, sums_);
+  launch(queue, kernels_[SET_UP], chunks_);
+  int done = 0;
+  const auto iterate = [&] {
+    const int odd = done++ % 2;
+    kernels_[PRODUCT].with(params, chunks_, start_, neighbour_, diagonal_, coupling_, way_, along_, sums_);
+    launch(queue, kernels_[PRODUCT], chunks_);
+    kernels_[ADVANCE].with(params, chunks_, odd, diagonal_, way_, along_, change_, left_, sums_);
+    launch(queue, kernels_[ADVANCE], chunks_);
+    kernels_[TURN].with(params, chunks_, odd, diagonal_, left_, way_, sums_);
+    launch(queue, kernels_[TURN], chunks_);
+  };
+  // As many as the step before needed, less the two that a test may have wasted; then two at a time.
+  for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
+  while (!converged(queue) && done < most_iterations_)
+    for (int i = 0; i < 2; ++i) iterate();
+  expected_ = std::max(2, done - 2);
+  ++solves_.solves;
+  solves_.iterations += done;
+  solves_.most_iterations = std::max(solves_.most_iterations, done);
+  solves_.worst_residual = std::max(solves_.worst_residual, last_residual_);
+  kernels_[MOVE].with(params, chunks_, params.first_step + substep, b.root, change_, b.offset, b.speed, tip_,
+                      b.diverged_at, b.first);
+  launch(queue, kernels_[MOVE], chunks_);
+}
+
+std::size_t PrismStage::bytes() const {
+  std::size_t rows = 0;
+  for (const cl::Buffer<glm::vec4>* buffer :
+       {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
+        &sum_speed_, &diagonal_, &coupling_, &change_, &left_, &way_, &along_})
+    rows += buffer->size();
+  return rows * sizeof(glm::vec4) + 4 * (start_.size() + neighbour_.size() + rest_.size()) + sums_.bytes();
+}
+
+}  // namespace pelage::topology

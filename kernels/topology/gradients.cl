@@ -1,0 +1,188 @@
+// Shared prisms by backward Euler: the equations of all tops at once, A x = b for x = dv, solved by conjugate gradients
+// preconditioned with the inverses of A's 3 x 3 diagonal blocks (block-Jacobi), started from the last step's x.
+// A work-item has a chunk of units; chunks do not depend on the work-group size, and neither do the sums, which every
+// work-item that needs one adds up in the order of chunks.
+#include "topology/implicit.clh"
+#include "topology/springs.clh"
+
+#ifndef DOUBLE_SUMS  // 1 where the device has doubles
+#define DOUBLE_SUMS 0
+#endif
+#if DOUBLE_SUMS
+#ifndef __cplusplus
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+typedef double total;
+#else
+typedef float total;
+#endif
+
+static inline total lane_sum(real v) {
+#if LANES == 16
+  float lanes[16];
+  spill_real(v, lanes);
+  total sum = 0;
+  for (int k = 0; k < 16; ++k) sum += lanes[k];
+  return sum;
+#else
+  return v;
+#endif
+}
+
+static inline total sum_of(__global const total *sums, int row, int chunks) {
+  total sum = 0;
+  for (int k = 0; k < chunks; ++k) sum += sums[row * chunks + k];
+  return sum;
+}
+
+// A's block of a top with itself is two rows: xx yy zz -, xy xz yz -.
+static inline Symmetric load_block(TABLE(scalar) diagonal, int u) {
+  real4 a = load_rows(diagonal, rows_of(u, 2, 0)), b = load_rows(diagonal, rows_of(u, 2, 1));
+  Symmetric m;
+  m.xx = a.x, m.yy = a.y, m.zz = a.z, m.xy = b.x, m.xz = b.y, m.yz = b.z;
+  return m;
+}
+static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
+  store_rows(row_of(vec3(m.xx, m.yy, m.zz)), diagonal, rows_of(u, 2, 0));
+  store_rows(row_of(vec3(m.xy, m.xz, m.yz)), diagonal, rows_of(u, 2, 1));
+}
+
+// A's block of two tops on a spring is -(even I + g g^T): four columns per entry.
+static inline real3 load_pull(TABLE(scalar) coupling, int e, real *even) {
+  *even = load_real(coupling, 4 * e);
+  return vec3(load_real(coupling, 4 * e + 1), load_real(coupling, 4 * e + 2), load_real(coupling, 4 * e + 3));
+}
+
+static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TABLE(int) neighbour,
+                            TABLE(scalar) coupling, TABLE(scalar) vectors) {
+  real3 sum = times(own, v);
+  int width = width_of(start, u);
+  for (int k = 0; k < width; ++k) {
+    int e = entry_of(start, u, k);
+    real3 w = xyz(gather_rows(vectors, load_whole(neighbour, e)));
+    real even;
+    real3 g = load_pull(coupling, e, &even);
+    sum = sub3(sum, along3(scale3(even, w), dot3(g, w), g));
+  }
+  return sum;
+}
+
+#define CHUNK                                                                                          \
+  int chunk = (int)get_global_id(0);                                                                   \
+  if (chunk >= chunks) return;                                                                         \
+  int begin = chunk * p.blocks_per_item;                                                               \
+  int end = begin + p.blocks_per_item < p.blocks * UNITS ? begin + p.blocks_per_item : p.blocks * UNITS;
+
+// A and b from the state, and r = b - A x, z = r / diagonal, d = z. at: the moment's entry, of the step's end.
+__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(float) root,
+                               TABLE(float) normal, TABLE(float) push, TABLE(int) start, TABLE(int) neighbour,
+                               TABLE(float) rest, TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed,
+                               TABLE(scalar) x, __global scalar *diagonal, __global scalar *coupling,
+                               __global scalar *r, __global scalar *d, __global total *sums) {
+  CHUNK
+  total rz = 0, rr = 0, bb = 0;
+  for (int u = begin; u < end; ++u) {
+    Site site = load_site(p, root, normal, push, u);
+    whole own = WHOLE(u * LANES) + lane_numbers();
+    truth real_row = own < WHOLE(p.sticks);
+    real3 here = xyz(load_rows(tip, u));
+    Top a;
+    a.q = xyz(load_rows(offset, u));
+    a.v = xyz(load_rows(speed, u));
+    Row row = stick_row(p, site, a, top_force(p, moments[at], u, site, a, here, start, neighbour, rest, tip, speed));
+    int width = width_of(start, u);
+    for (int k = 0; k < width; ++k) {
+      int e = entry_of(start, u, k);
+      whole other = load_whole(neighbour, e);
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the row fills up its slice
+      Span edge = span_of(sub3(xyz(gather_rows(tip, other)), here));
+      real3 dv = sub3(xyz(gather_rows(speed, other)), a.v);
+      Stiffness m = stiffness_of(p.step, p.edge_stiffness, p.edge_damping, edge, load_real(rest, e));
+      m.even *= spring, m.along *= spring, m.stiff_along *= spring;
+      row.block = plus(row.block, symmetric(m.even, m.along, edge.s, REAL(0.0f), edge.s));
+      row.load = add3(row.load, along3(scale3(m.even, dv), m.stiff_along * dot3(edge.s, dv), edge.s));
+      real3 g = scale3(sqrt(m.along), edge.s);
+      store_real(m.even, coupling, 4 * e);
+      store_real(g.x, coupling, 4 * e + 1);
+      store_real(g.y, coupling, 4 * e + 2);
+      store_real(g.z, coupling, 4 * e + 3);
+    }
+    store_block(row.block, diagonal, u);
+    real3 zero = uniform3(0.0f, 0.0f, 0.0f);
+    real3 b = choose3(real_row, row.load, zero);
+    real3 left = sub3(b, product(u, row.block, xyz(load_rows(x, u)), start, neighbour, coupling, x));
+    left = choose3(real_row, left, zero);
+    real3 z = solved(factored(row.block), left);
+    store_rows(row_of(left), r, u);
+    store_rows(row_of(z), d, u);
+    rz += lane_sum(dot3(left, z));
+    rr += lane_sum(dot3(left, left));
+    bb += lane_sum(dot3(b, b));
+  }
+  sums[SUM_RZ_EVEN * chunks + chunk] = rz;
+  sums[SUM_RR * chunks + chunk] = rr;
+  sums[SUM_BB * chunks + chunk] = bb;
+}
+
+// A d and d.Ad
+__kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, TABLE(int) neighbour,
+                                TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d,
+                                __global scalar *product_d, __global total *sums) {
+  CHUNK
+  total sum = 0;
+  for (int u = begin; u < end; ++u) {
+    real3 v = xyz(load_rows(d, u));
+    real3 w = product(u, load_block(diagonal, u), v, start, neighbour, coupling, d);
+    store_rows(row_of(w), product_d, u);
+    sum += lane_sum(dot3(v, w));
+  }
+  sums[SUM_DAD * chunks + chunk] = sum;
+}
+
+// x += alpha d, r -= alpha A d, with alpha = r.z / d.Ad; odd: of the iteration's number.
+__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
+                                TABLE(scalar) product_d, __global scalar *x, __global scalar *r,
+                                __global total *sums) {
+  CHUNK
+  total dad = sum_of(sums, SUM_DAD, chunks);
+  real alpha = REAL((scalar)(dad > 0 ? sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad : 0));
+  total rz = 0, rr = 0;
+  for (int u = begin; u < end; ++u) {
+    store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, xyz(load_rows(d, u)))), x, u);
+    real3 left = along3(xyz(load_rows(r, u)), -alpha, xyz(load_rows(product_d, u)));
+    store_rows(row_of(left), r, u);
+    rz += lane_sum(dot3(left, solved(factored(load_block(diagonal, u)), left)));
+    rr += lane_sum(dot3(left, left));
+  }
+  sums[(odd ? SUM_RZ_EVEN : SUM_RZ_ODD) * chunks + chunk] = rz;
+  sums[SUM_RR * chunks + chunk] = rr;
+}
+
+// d = z + beta d, with beta = the new r.z / the old one.
+__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
+                             __global scalar *d, __global const total *sums) {
+  CHUNK
+  total before = sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks);
+  total after = sum_of(sums, odd ? SUM_RZ_EVEN : SUM_RZ_ODD, chunks);
+  real beta = REAL((scalar)(before > 0 ? after / before : 0));
+  for (int u = begin; u < end; ++u) {
+    real3 z = solved(factored(load_block(diagonal, u)), xyz(load_rows(r, u)));
+    store_rows(row_of(along3(z, beta, xyz(load_rows(d, u)))), d, u);
+  }
+}
+
+// v += x, q += h v.
+__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(float) root, TABLE(scalar) x,
+                             __global scalar *offset, __global scalar *speed, __global scalar *tip,
+                             __global int *diverged_at, __global int *first) {
+  CHUNK
+  for (int u = begin; u < end; ++u) {
+    Top a;
+    a.v = add3(xyz(load_rows(speed, u)), xyz(load_rows(x, u)));
+    a.q = along3(xyz(load_rows(offset, u)), REAL(p.step), a.v);
+    store_rows(row_of(a.v), speed, u);
+    store_rows(row_of(a.q), offset, u);
+    store_rows(row_of(add3(xyz(load_rows(root, u)), a.q)), tip, u);
+    note_step(p, a, u, number, diverged_at, first);
+  }
+}

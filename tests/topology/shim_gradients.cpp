@@ -1,0 +1,65 @@
+#include "tests/topology/shim.hpp"
+// clang-format off: it defines words that no header after it would survive
+#include "tests/topology/in_double.hpp"
+// clang-format on
+
+#define DOUBLE_SUMS 1
+namespace pelage::gradients_in_double {
+namespace {
+using namespace in_double;
+// clang-format off
+#include "topology/gradients.cl"
+// clang-format on
+}  // namespace
+}  // namespace pelage::gradients_in_double
+
+namespace pelage::topology::test {
+
+int gradients_substep(Memory& m, int substep, double residual) {
+  namespace kernels = gradients_in_double;
+  const Layout& l = *m.layout;
+  const auto floats = [](const std::vector<glm::vec4>& rows) {
+    return reinterpret_cast<const float*>(rows.data());
+  };
+  const int chunks = 16 * l.blocks;
+  const std::size_t size = m.offset.size();
+  std::vector<double> diagonal(2 * size), coupling(4 * l.neighbour.size()), r(size), d(size), product(size),
+      sums(std::size_t(SUM_ROWS * chunks));
+  const auto each = [&](const auto& kernel) {
+    for (in_double::work_item = 0; in_double::work_item < chunks; ++in_double::work_item) kernel();
+  };
+  const auto sum = [&](int row) {
+    double total = 0;
+    for (int k = 0; k < chunks; ++k) total += sums[std::size_t(row * chunks + k)];
+    return total;
+  };
+  each([&] {
+    kernels::gradients_set_up(m.params, chunks, 2 * substep + 2, m.moments.data(), floats(l.root),
+                              floats(l.normal), floats(m.push), l.start.data(), l.neighbour.data(),
+                              l.rest.data(), m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
+                              diagonal.data(), coupling.data(), r.data(), d.data(), sums.data());
+  });
+  int done = 0;
+  while (sum(SUM_RR) > residual * residual * sum(SUM_BB) && done < 1000) {
+    const int odd = done++ % 2;
+    each([&] {
+      kernels::gradients_product(m.params, chunks, l.start.data(), l.neighbour.data(), diagonal.data(),
+                                 coupling.data(), d.data(), product.data(), sums.data());
+    });
+    each([&] {
+      kernels::gradients_advance(m.params, chunks, odd, diagonal.data(), d.data(), product.data(),
+                                 m.change.data(), r.data(), sums.data());
+    });
+    each([&] {
+      kernels::gradients_turn(m.params, chunks, odd, diagonal.data(), r.data(), d.data(), sums.data());
+    });
+  }
+  each([&] {
+    kernels::gradients_move(m.params, chunks, m.params.first_step + substep, floats(l.root), m.change.data(),
+                            m.offset.data(), m.speed.data(), m.tip.data(), m.diverged_at.data(),
+                            m.first.data());
+  });
+  return done;
+}
+
+}  // namespace pelage::topology::test
