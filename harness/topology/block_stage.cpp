@@ -32,6 +32,11 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
   return std::clamp((units + items - 1) / items, 1, 64);
 }
 
+std::size_t group_size(int lanes, std::size_t wanted) {
+  if (wanted > 0) return wanted;
+  return lanes == 1 ? 64 : 1;
+}
+
 std::string build_options(int lanes) {
   return fmt::format("-D LANES={}", lanes);
 }
@@ -42,7 +47,7 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solv
                fmt::format("{} -D CORNERS={}", build_options(lanes), layout.corners)),
       frame_(program_, frame_kernel(solver)),
       side_(queue, std::span<const glm::vec4>(layout.side)),
-      group_(options.group),
+      group_(group_size(lanes, options.group)),
       blocks_(layout.blocks),
       units_(layout.blocks * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
@@ -50,12 +55,11 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solv
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers) {
   params.blocks = blocks_;
   params.blocks_per_item = per_item_;
-  std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
-  if (group_ > 0) items = (items + group_ - 1) / group_ * group_;
+  const std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
   frame_
       .with(params, buffers.moments, buffers.root, buffers.normal, buffers.push, side_, buffers.offset,
             buffers.speed, buffers.diverged_at, buffers.first)
-      .enqueue(queue, items, group_);
+      .enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
 }
 
 }  // namespace pelage::topology

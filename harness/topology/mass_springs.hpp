@@ -18,7 +18,7 @@ struct Diverged : std::runtime_error {
 
 struct MassSpringOptions {
   int lanes = 0;            ///< sticks or triangles at a time, 1 or 16; 0: as suits the device
-  std::size_t group = 0;    ///< work-items of a work-group; 0: left to the device
+  std::size_t group = 0;    ///< work-items of a work-group; 0: as suits the device
   int blocks_per_item = 0;  ///< slices that a work-item goes through; 0: as suits the device
 };
 

@@ -49,7 +49,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       most_iterations_(dynamics.most_iterations),
       program_(queue.device(), file_of(solver_),
                fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes), int(queue.device().info().fp64))),
-      group_(options.group),
+      group_(group_size(lanes, options.group)),
       units_(layout.blocks * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
       per_chunk_(ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
@@ -81,9 +81,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
-  std::size_t count = std::size_t(items);
-  if (group_ > 0) count = (count + group_ - 1) / group_ * group_;
-  kernel.enqueue(queue, count, group_);
+  kernel.enqueue(queue, (std::size_t(items) + group_ - 1) / group_ * group_, group_);
 }
 
 void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers) {

@@ -24,6 +24,10 @@ std::string build_options(int lanes);
 /// own.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
+/// Work-items of a work-group. A CPU's work-item is a long loop of its own, and its drivers compile a kernel
+/// anew for every size of group: one size, 1, is enough. A GPU's takes 64.
+std::size_t group_size(int lanes, std::size_t wanted);
+
 /// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps.
 class BlockStage {
  public:

@@ -183,9 +183,7 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf,
-                         testing::Values(Kind::sticks, Kind::separable_sticks, Kind::separable_prisms),
-                         kind_name);
+INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
   const Topology topology = build(Kind::sticks, square(1), fur_length);
