@@ -20,7 +20,8 @@ struct OpenGlOptions {
   std::string snap = "shader";  ///< to 1/256 pixel in the vertex shader | "driver": interpolation then is not
   std::string fur = "array";    ///< array of layers | "volume": a 3D texture, whose mip levels merge layers |
                                 ///< "slices": a texture per layer, bound before its draw
-  std::string texels = "byte";  ///< as they are | "half" | "float": the same values, filtered in floats
+  std::string texels =
+      "half";  ///< fur and coat as halves | "float" | "byte": llvmpipe filters bytes in bytes
   std::string levels = "trilinear";  ///< by the driver | "two": two lookups, mixed in the shader
   std::string target = "rgba32f";    ///< | "rgba16f" | "rgba8": rounded after every layer, as in 2010
   std::string power = "whole";       ///< squarings where the exponent is a whole number | "pow"

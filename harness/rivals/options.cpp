@@ -22,7 +22,7 @@ const std::vector<Choice>& choices() {
       {"vertices", &OpenGlOptions::vertices, {"indexed", "corners"}},
       {"snap", &OpenGlOptions::snap, {"shader", "driver"}},
       {"fur", &OpenGlOptions::fur, {"array", "volume", "slices"}},
-      {"texels", &OpenGlOptions::texels, {"byte", "half", "float"}},
+      {"texels", &OpenGlOptions::texels, {"half", "float", "byte"}},
       {"levels", &OpenGlOptions::levels, {"trilinear", "two"}},
       {"target", &OpenGlOptions::target, {"rgba32f", "rgba16f", "rgba8"}},
       {"power", &OpenGlOptions::power, {"whole", "pow"}},
