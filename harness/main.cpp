@@ -19,6 +19,7 @@
 #include "harness/commands/report.hpp"
 #include "harness/commands/run.hpp"
 #include "harness/commands/scene.hpp"
+#include "harness/commands/topology.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
 
@@ -67,6 +68,7 @@ int main(int argc, char** argv) {
   add_scene(app, chosen);
   add_render(app, chosen);
   add_mesh(app, chosen);
+  add_topology(app, chosen);
   add_check(app, chosen);
   add_list(app, chosen);
   add_run(app, chosen);

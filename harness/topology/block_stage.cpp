@@ -4,7 +4,7 @@
 
 #include "harness/topology/stages.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 const char* frame_kernel(Solver solver) {
@@ -62,4 +62,4 @@ void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Bu
       .enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
 }
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -8,7 +8,7 @@
 
 #include "harness/error.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 void finite(const char* what, float value) {
@@ -154,4 +154,4 @@ TopologyParams params(const Dynamics& d, float length) {
   return p;
 }
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

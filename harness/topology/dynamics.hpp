@@ -7,7 +7,7 @@
 
 #include "kernels/topology/params.h"
 
-namespace pelage::topology {
+namespace pelage::springs {
 
 enum class Solver {
   explicit_euler,  ///< the paper's first
@@ -77,4 +77,4 @@ inline constexpr float most_stretch = 100;
 /// The kernels' record, but for what a launch and a layout decide (substeps to blocks_per_item).
 TopologyParams params(const Dynamics& dynamics, float length);
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 constexpr std::uint32_t slice = 16, window = 256;
@@ -98,4 +98,22 @@ Layout lay_out(const Topology& topology, const Wind& wind) {
   return layout;
 }
 
-}  // namespace pelage::topology
+std::size_t memory(const Layout& layout, Solver solver) {
+  constexpr std::size_t row = sizeof(glm::vec4), index = sizeof(std::int32_t);
+  // Root, normal, push, offset, speed, and when a mass was lost.
+  std::size_t bytes = layout.rows() * (5 * row + index) + index + layout.side.size() * row;
+  if (layout.start.empty()) return bytes;
+  bytes += index * (layout.start.size() + layout.neighbour.size()) + sizeof(float) * layout.rest.size();
+  switch (solver) {
+    case Solver::explicit_euler:
+    case Solver::semi_implicit_euler:
+      return bytes + layout.rows() * 3 * row;  // tips, and the next tips and speeds
+    case Solver::rk4:
+      return bytes + layout.rows() * 8 * row;  // and of two more stages, with the weighted rates
+    case Solver::backward_euler:
+      break;
+  }
+  return bytes + layout.rows() * 7 * row + layout.neighbour.size() * row;  // tips; x, r, d, A d; A
+}
+
+}  // namespace pelage::springs

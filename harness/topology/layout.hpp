@@ -7,7 +7,7 @@
 #include "harness/topology/dynamics.hpp"
 #include "harness/topology/topology.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 
 /// Rows past the last stick hold upright sticks at the origin that nothing is tied to. Sticks lie in their
 /// own order; those of separable prisms so that the three corners of 16 triangles are slices that follow each
@@ -33,4 +33,8 @@ struct Layout {
 
 Layout lay_out(const Topology& topology, const Wind& wind);
 
-}  // namespace pelage::topology
+/// Bytes of device memory that `solver` moves the topology in, but for the tables of a launch (moments, sums
+/// of conjugate gradients): a few kilobytes.
+std::size_t memory(const Layout& layout, Solver solver);
+
+}  // namespace pelage::springs

@@ -9,7 +9,7 @@
 #include "harness/error.hpp"
 #include "harness/topology/stages.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 constexpr std::int32_t never = std::numeric_limits<std::int32_t>::max();
@@ -51,7 +51,7 @@ struct MassSprings::State {
 
 MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const Dynamics& dynamics,
                          const MassSpringOptions& options) {
-  topology::check(dynamics);
+  springs::check(dynamics);
   if (options.lanes != 0 && options.lanes != 1 && options.lanes != 16)
     throw InputError(fmt::format("lanes: {}; 1 or 16", options.lanes));
   const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
@@ -73,7 +73,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
   state_ = std::make_unique<State>(State{dynamics,
                                          std::move(layout),
                                          lanes,
-                                         topology::params(dynamics, topology.length),
+                                         springs::params(dynamics, topology.length),
                                          std::move(buffers),
                                          {},
                                          {},
@@ -173,4 +173,4 @@ double MassSprings::build_ms() const {
   return state_->prisms ? state_->prisms->build_ms() : state_->blocks->build_ms();
 }
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -7,7 +7,7 @@
 #include "harness/topology/dynamics.hpp"
 #include "harness/topology/topology.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 
 /// The masses flew apart: dt is too long for the stiffness, or the forces are absurd.
 struct Diverged : std::runtime_error {
@@ -54,7 +54,7 @@ class MassSprings {
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< per stick, top less base, R
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< per stick, of the top, R/s
   long steps() const;                                            ///< done or enqueued
-  std::size_t bytes() const;                                     ///< of device memory
+  std::size_t bytes() const;                                     ///< of device memory, as memory() counts it
   const LinearSolves& solves() const;
   double build_ms() const;
 
@@ -63,4 +63,4 @@ class MassSprings {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -5,7 +5,7 @@
 
 #include "harness/topology/stages.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // of gradients.cl
@@ -175,7 +175,7 @@ std::size_t PrismStage::bytes() const {
        {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
         &sum_speed_, &diagonal_, &coupling_, &change_, &left_, &way_, &along_})
     rows += buffer->size();
-  return rows * sizeof(glm::vec4) + 4 * (start_.size() + neighbour_.size() + rest_.size()) + sums_.bytes();
+  return rows * sizeof(glm::vec4) + 4 * (start_.size() + neighbour_.size() + rest_.size());
 }
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace pelage::topology::reference {
+namespace pelage::springs::reference {
 namespace {
 
 using Vectors = std::vector<glm::dvec3>;
@@ -244,4 +244,4 @@ Vectors offsets(const Topology& topology, const State& state) {
   return q;
 }
 
-}  // namespace pelage::topology::reference
+}  // namespace pelage::springs::reference

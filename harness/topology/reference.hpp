@@ -7,7 +7,7 @@
 #include "harness/topology/dynamics.hpp"
 #include "harness/topology/topology.hpp"
 
-namespace pelage::topology::reference {
+namespace pelage::springs::reference {
 
 /// Of all masses, in the object's frame: R and R/s.
 struct State {
@@ -37,4 +37,4 @@ double energy(const System& system, const State& state);
 /// Offset of each top from its base, R: the kernels' q.
 std::vector<glm::dvec3> offsets(const Topology& topology, const State& state);
 
-}  // namespace pelage::topology::reference
+}  // namespace pelage::springs::reference

@@ -7,7 +7,7 @@
 #include "harness/topology/layout.hpp"
 #include "harness/topology/mass_springs.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 
 /// Rows of four floats per stick but where said.
 struct Buffers {
@@ -83,4 +83,4 @@ class PrismStage {
   cl::Memory sums_;
 };
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -10,7 +10,7 @@
 #include "harness/error.hpp"
 #include "harness/prepare/skin.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using Corners = std::vector<glm::uvec3>;  // sticks of each triangle
@@ -152,4 +152,4 @@ Degrees degrees(const Topology& topology) {
   return found;
 }
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -11,7 +11,7 @@
 
 #include "harness/mesh/mesh.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 
 enum class Kind {
   sticks,            ///< at each vertex a mass on the skin, one on the outermost layer, a spring between them
@@ -77,4 +77,4 @@ struct Degrees {
 };
 Degrees degrees(const Topology& topology);
 
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -33,7 +33,7 @@ std::vector<std::string> all(const std::string& text, const std::regex& pattern)
   return found;
 }
 
-const std::regex numbered("[SW] Eq\\. [0-9]|Algorithm [0-9]");
+const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
 /// The numbered equations that the comment right above a function names.
 std::set<Line> anchors_of(const std::string& source) {
@@ -75,7 +75,8 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   const std::string document = text_of(root / "docs/equations.md");
   std::string row;
   for (std::istringstream stream(document); std::getline(stream, row);) {
-    if (row.rfind("| S Eq", 0) != 0 && row.rfind("| W Eq", 0) != 0 && row.rfind("| Algorithm", 0) != 0)
+    if (row.rfind("| S Eq", 0) != 0 && row.rfind("| W Eq", 0) != 0 && row.rfind("| B Eq", 0) != 0 &&
+        row.rfind("| Algorithm", 0) != 0)
       continue;
     const std::string equations = row.substr(0, row.find('|', 1));
     const std::vector<std::string> names = all(row, quoted);
@@ -88,8 +89,9 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
     EXPECT_TRUE(table.contains(line)) << line.first << ", " << line.second << ": no row";
   for (const Line& line : table)
     EXPECT_TRUE(anchors.contains(line)) << line.first << ", " << line.second << ": not in kernels/";
-  for (const char* equation : {"S Eq. 1", "S Eq. 2", "S Eq. 3", "S Eq. 4", "S Eq. 5", "S Eq. 6", "W Eq. 1",
-                               "W Eq. 2", "W Eq. 3", "W Eq. 4", "W Eq. 5", "Algorithm 1", "Algorithm 2"}) {
+  for (const char* equation :
+       {"S Eq. 1", "S Eq. 2", "S Eq. 3", "S Eq. 4", "S Eq. 5", "S Eq. 6", "W Eq. 1", "W Eq. 2", "W Eq. 3",
+        "W Eq. 4", "W Eq. 5", "B Eq. 1", "B Eq. 2", "B Eq. 3", "B Eq. 5", "Algorithm 1", "Algorithm 2"}) {
     EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const Line& line) {
       return line.first == equation;
     })) << equation;

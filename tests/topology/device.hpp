@@ -7,7 +7,7 @@
 
 #include "harness/cl/program.hpp"
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 /// Of $PELAGE_DEVICE, else the first.
 inline const cl::Queue& queue() {
@@ -27,4 +27,4 @@ double largest_difference(const std::vector<A>& a, const std::vector<B>& b) {
   return worst;
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

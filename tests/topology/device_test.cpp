@@ -9,11 +9,12 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/topology/layout.hpp"
 #include "harness/topology/mass_springs.hpp"
 #include "tests/topology/meshes.hpp"
 #include "tests/topology/scenes.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using namespace test;
@@ -151,6 +152,16 @@ TEST(TopologyDevice, AForceThatOneMassCannotBearNamesThatMass) {
   }
 }
 
+TEST(TopologyDevice, TakesTheMemoryThatIsForetold) {
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, sphere(2), fur_length);
+      const Dynamics d = lively(solver);
+      EXPECT_EQ(MassSprings(queue(), topology, d).bytes(), memory(lay_out(topology, d.wind), solver))
+          << name(kind) << ' ' << name(solver);
+    }
+}
+
 // Each absurd value is refused with one line that names it.
 TEST(TopologyDevice, RefusesAbsurdDynamics) {
   const float nan = std::numeric_limits<float>::quiet_NaN(),
@@ -205,4 +216,4 @@ TEST(TopologyDevice, RefusesAbsurdDynamics) {
 }
 
 }  // namespace
-}  // namespace pelage::topology
+}  // namespace pelage::springs

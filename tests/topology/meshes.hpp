@@ -7,7 +7,7 @@
 
 #include "harness/mesh/mesh.hpp"
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 /// A mesh without UV seams of the given points and triangles.
 inline Mesh mesh_of(std::vector<glm::vec3> points, std::vector<glm::uvec3> triangles) {
@@ -101,4 +101,4 @@ inline std::size_t edge_count(const Mesh& mesh, bool welded) {
   return edges.size();
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

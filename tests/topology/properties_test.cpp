@@ -10,7 +10,7 @@
 #include "tests/topology/scenes.hpp"
 #include "tests/topology/shim.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using namespace test;
@@ -206,4 +206,4 @@ TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
 }
 
 }  // namespace
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -13,7 +13,7 @@
 #include "tests/topology/meshes.hpp"
 #include "tests/topology/scenes.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using namespace test;
@@ -194,4 +194,4 @@ TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
 }
 
 }  // namespace
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -3,7 +3,7 @@
 #include "harness/topology/dynamics.hpp"
 #include "harness/topology/topology.hpp"
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 inline constexpr float fur_length = 0.05f;
 
@@ -26,4 +26,4 @@ inline Dynamics still(Solver solver) {
   return d;
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

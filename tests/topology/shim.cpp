@@ -1,6 +1,6 @@
 #include "tests/topology/shim.hpp"
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 Shim::Shim(const Topology& topology, const Dynamics& dynamics)
     : dynamics_(dynamics), kind_(topology.kind), layout_(lay_out(topology, dynamics.wind)) {
@@ -64,4 +64,4 @@ std::vector<glm::dvec3> Shim::by_stick(const std::vector<double>& rows) const {
   return values;
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

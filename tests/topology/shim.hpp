@@ -4,7 +4,7 @@
 
 #include "harness/topology/layout.hpp"
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 /// What the kernels of one layout are handed, the state in double.
 struct Memory {
@@ -45,4 +45,4 @@ class Shim {
   long steps_ = 0;
 };
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

@@ -13,7 +13,7 @@ using namespace in_double;
 }  // namespace
 }  // namespace pelage::gradients_in_double
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 int gradients_substep(Memory& m, int substep, double residual) {
   namespace kernels = gradients_in_double;
@@ -62,4 +62,4 @@ int gradients_substep(Memory& m, int substep, double residual) {
   return done;
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

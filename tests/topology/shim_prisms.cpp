@@ -12,7 +12,7 @@ using namespace in_double;
 }  // namespace
 }  // namespace pelage::prisms_in_double
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 namespace {
 
 const float* floats(const std::vector<glm::vec4>& rows) {
@@ -53,4 +53,4 @@ void prism_substep(Solver solver, Memory& m, int substep) {
   m.tip = tip;
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

@@ -13,7 +13,7 @@ using namespace in_double;
 }  // namespace
 }  // namespace pelage::sticks_in_double
 
-namespace pelage::topology::test {
+namespace pelage::springs::test {
 
 void launch_sticks(Solver solver, Memory& m) {
   namespace kernels = sticks_in_double;
@@ -29,4 +29,4 @@ void launch_sticks(Solver solver, Memory& m) {
            floats(m.layout->side), m.offset.data(), m.speed.data(), m.diverged_at.data(), m.first.data());
 }
 
-}  // namespace pelage::topology::test
+}  // namespace pelage::springs::test

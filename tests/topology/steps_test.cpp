@@ -9,7 +9,7 @@
 #include "tests/topology/scenes.hpp"
 #include "tests/topology/shim.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using namespace test;
@@ -73,4 +73,4 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
 INSTANTIATE_TEST_SUITE_P(All, Steps, testing::ValuesIn(all_cases()), case_name);
 
 }  // namespace
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -9,7 +9,7 @@
 #include "harness/error.hpp"
 #include "tests/topology/meshes.hpp"
 
-namespace pelage::topology {
+namespace pelage::springs {
 namespace {
 
 using test::cut_in_two;
@@ -137,4 +137,4 @@ TEST(Topology, RefusesWhatHasNoMeaning) {
 }
 
 }  // namespace
-}  // namespace pelage::topology
+}  // namespace pelage::springs

@@ -1,0 +1,79 @@
+#include "harness/commands/topology.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "harness/mesh/mesh.hpp"
+#include "harness/mesh/quality.hpp"
+#include "harness/topology/layout.hpp"
+#include "harness/topology/topology.hpp"
+#include "kernels/simulate/params.h"
+
+namespace pelage {
+namespace {
+
+struct TopologyCommand {
+  std::string model;
+  std::optional<std::uint32_t> faces;
+};
+
+// Counts, degrees and memory do not depend on the fur's length.
+constexpr float any_length = 0.05f;
+
+void row(std::string_view what, std::size_t masses, std::size_t springs, const std::string& degrees,
+         const std::string& explicit_kib, const std::string& implicit_kib) {
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}\n", what, masses, springs, degrees, explicit_kib,
+             implicit_kib);
+}
+
+void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on) {
+  const springs::Topology built = springs::build(kind, mesh, any_length, vertices);
+  const springs::Degrees d = springs::degrees(built);
+  const springs::Layout layout = springs::lay_out(built, {});
+  const auto kib = [&](springs::Solver solver) {
+    return fmt::format("{:.0f}", double(springs::memory(layout, solver)) / 1024);
+  };
+  row(fmt::format("{}{}", springs::name(kind), on), built.mass.size(), built.spring.size(),
+      fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::Solver::semi_implicit_euler),
+      kib(springs::Solver::backward_euler));
+}
+
+int run(const TopologyCommand& command) {
+  MeshOptions options;
+  options.faces = command.faces;
+  options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+  const auto mesh = load_model(command.model, options);
+  const Topology counts = topology(*mesh);
+  fmt::print("{}: {} surface points, {} vertices with seam copies, {} edges, {} faces\n", mesh->name,
+             counts.points, counts.copies, counts.edges, counts.faces);
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}\n", "", "", "", "springs a top", "device memory, KiB");
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}\n", "topology", "masses", "springs",
+             "least/mean/most", "explicit", "implicit");
+  for (const springs::Kind kind : springs::kinds) print(*mesh, kind, springs::Vertices::points, "");
+  const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
+                              (std::size_t(STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
+  row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
+      fmt::format("{:.0f}", double(strands) / 1024), "-");
+  if (counts.copies != counts.points)
+    for (const springs::Kind kind : {springs::Kind::sticks, springs::Kind::prisms})
+      print(*mesh, kind, springs::Vertices::copies, " on vertex copies");
+  return 0;
+}
+
+}  // namespace
+
+void add_topology(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<TopologyCommand>();
+  CLI::App* command =
+      app.add_subcommand("topology", "Masses, springs, degrees and memory of the topologies over a model");
+  command->add_option("model", options->model, "A model's name, or a file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      ->required();
+  command->add_option("--faces", options->faces, "Make it exactly so many triangles");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace pelage
