@@ -99,6 +99,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.shadow = scene.shading.shadow;
   copy(scene.shading.specular, p.specular, 3);
   p.exponent = scene.shading.exponent;
+  const bool whole = p.exponent >= 1 && p.exponent <= 1024 && std::floor(p.exponent) == p.exponent;
+  p.whole_exponent = whole && !p.wet_model ? int(p.exponent) : 0;
   p.ambient = scene.shading.ambient;
   p.wrap = scene.shading.wrap;
   p.occlusion = scene.shading.occlusion;

@@ -19,7 +19,8 @@ int default_group(int layers) {
   return std::max(4, (layers + 7) / 8);
 }
 
-// Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in rasterize/coverage.clh).
+// Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in
+// rasterize/coverage.clh).
 int tile_side(const ShellOptions& options, const std::string& axis, int otherwise) {
   const int side = tuned(options, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)

@@ -40,6 +40,7 @@ typedef struct {
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
   float exponent;                             // p
+  int whole_exponent;                         // p where it is whole and the same everywhere, else 0
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
   float drawn;                                // +1: W Eq. 4 as printed; -1: the strand leans as drawn

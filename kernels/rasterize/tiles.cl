@@ -30,21 +30,19 @@ typedef struct {
 
 #if LANES == 16
 // Columns of sixteen rows of eight.
-static inline void columns_of(const float8 *row, real out[RECORD]) {
-  float16 r0 = (float16)(row[0], row[1]), r1 = (float16)(row[2], row[3]), r2 = (float16)(row[4], row[5]);
-  float16 r3 = (float16)(row[6], row[7]), r4 = (float16)(row[8], row[9]), r5 = (float16)(row[10], row[11]);
-  float16 r6 = (float16)(row[12], row[13]), r7 = (float16)(row[14], row[15]);
-#define COLUMN(c, d) (float16)(r0.s##c, r0.s##d, r1.s##c, r1.s##d, r2.s##c, r2.s##d, r3.s##c, r3.s##d, \
-                               r4.s##c, r4.s##d, r5.s##c, r5.s##d, r6.s##c, r6.s##d, r7.s##c, r7.s##d)
-  out[0] = COLUMN(0, 8);
-  out[1] = COLUMN(1, 9);
-  out[2] = COLUMN(2, a);
-  out[3] = COLUMN(3, b);
-  out[4] = COLUMN(4, c);
-  out[5] = COLUMN(5, d);
-  out[6] = COLUMN(6, e);
-  out[7] = COLUMN(7, f);
-#undef COLUMN
+INLINE void columns_of(const float8 *row, real out[RECORD]) {
+  real4 low = columns_of_rows((float16)(row[0].lo, row[4].lo, row[8].lo, row[12].lo), (float16)(row[1].lo, row[5].lo, row[9].lo, row[13].lo),
+                              (float16)(row[2].lo, row[6].lo, row[10].lo, row[14].lo), (float16)(row[3].lo, row[7].lo, row[11].lo, row[15].lo));
+  real4 high = columns_of_rows((float16)(row[0].hi, row[4].hi, row[8].hi, row[12].hi), (float16)(row[1].hi, row[5].hi, row[9].hi, row[13].hi),
+                              (float16)(row[2].hi, row[6].hi, row[10].hi, row[14].hi), (float16)(row[3].hi, row[7].hi, row[11].hi, row[15].hi));
+  out[0] = low.x;
+  out[1] = low.y;
+  out[2] = low.z;
+  out[3] = low.w;
+  out[4] = high.x;
+  out[5] = high.y;
+  out[6] = high.z;
+  out[7] = high.w;
 }
 #else
 static inline void columns_of(const float8 *row, real out[RECORD]) { vstore8(*row, 0, out); }
@@ -194,7 +192,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
     int lane = pass->n < 0 ? k : count - 1 - k;
     if (clipped[lane]) {
       covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
-    } else if (keep(t, b, least_iw, d, batch)) {
+    } else if (keep(t, b, least_iw, d, batch) && batch->covering[lane]) {
       covered += cover_pixels(batch, lane, lane, d);
       flush(pass, 0, d, tile);
     }
@@ -311,9 +309,15 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
         continue;
       int slot = drawn.used;
       drawn.used += LANES;
+      // Those that cover something, in drawing order; collected without a branch.
+      int lanes[LANES], covering = 0;
       for (int k = 0; k < count; ++k) {
         int lane = n < 0 ? k : count - 1 - k;
-        if (batch.to_x[lane] < batch.from_x[lane]) continue;
+        lanes[covering] = lane;
+        covering += batch.covering[lane];
+      }
+      for (int k = 0; k < covering; ++k) {
+        int lane = lanes[k];
         if (drawn.deepest == DEEP) {
           flush(&pass, 0, &drawn, &tile);
           drawn.used = slot + LANES;   // the rest of this batch still stands in its slots

@@ -279,7 +279,13 @@ TEST(Equations, AlongAndAcrossTheLight) {
   EXPECT_EQ(shim::strand_specular(x, z, x, 8), 0);                     // seen along the strand: none
   EXPECT_EQ(shim::strand_specular(z, z, z, 8), 1);                     // straight on along the strand
   EXPECT_EQ(shim::strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);  // a negative base is clamped
-  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);                            // wrap 0 is the papers' equation
+  const auto tilted = shim::vec3(0.6, 0, 0.8), between = shim::vec3(0, 0.6, 0.8);
+  for (const int p : {1, 2, 3, 7, 24, 255, 1024})
+    EXPECT_NEAR(shim::strand_specular_whole(tilted, between, z, p) /
+                    std::pow(0.64 * 0.8 + std::sqrt(1 - 0.64 * 0.64) * 0.6, p),
+                1, 1e-12 * p)
+        << p;
+  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap 0 is the papers' equation
   EXPECT_EQ(shim::surface_diffuse(-1, 0), 0);
   EXPECT_EQ(shim::surface_diffuse(.25, 0), .25);
   EXPECT_EQ(shim::shadow_factor(1, 1.5), 1);
