@@ -36,6 +36,7 @@ struct FurScene {
   float comb_noise = 0.0f;  ///< lean in random, smooth directions, added to comb
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< where the comb points before it is made tangential
   float lod_bias = -1.0f;                         ///< added to the level of detail of the fur lookup
+  int substeps = 1;                               ///< samples of a fragment within its layer, 1 to 8
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< "paper" | "uniform"
   std::string binding = "shared";       ///< "shared" | "separate"

@@ -46,6 +46,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.comb_noise", &fur.comb_noise, "", 0, 10, "lean in random, smooth directions, added to comb"},
       {"fur.comb_direction", &fur.comb_direction, "direction", -1e6, 1e6, "where the comb points, before it is made tangential"},
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "added to the level of detail of the fur lookup"},
+      {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "samples of a fragment along the ray within its layer: few layers of curls look like many; 1: the paper's", .power_of_two = true},
       {"fur.seed", &fur.seed, "", 0, most_seed, "seed of the fur volume"},
       {.name = "fur.layer_spacing", .slot = &fur.layer_spacing, .unit = "", .help = "rest heights of the layers along the strand", .choices = {"paper", "uniform"}},
       {.name = "fur.binding", .slot = &fur.binding, .unit = "", .help = "a vertex moves with the mean of its triangles' strands, or each triangle with its own", .choices = {"shared", "separate"}},
