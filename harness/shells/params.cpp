@@ -94,6 +94,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.fur_scale[1] = input.fur_scale.y;
   p.fur_density = scene.fur.tile * float(input.fur.size);
   p.lod_bias = scene.fur.lod_bias;
+  p.substeps = scene.fur.substeps;
   p.coat_size = input.coat.size;
   p.wet_model = scene.shading.model == "wet";
   p.shadow = scene.shading.shadow;

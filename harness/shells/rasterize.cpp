@@ -131,6 +131,14 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   cl::Kernel dryness(transform_, "vertex_dryness");
   dryness.with(params_, mask_uv, *mask_, dry_);
   const cl::Event event = dryness.enqueue(queue, vertices / std::size_t(lanes_));
+  // Only sub-steps read them.
+  curl_ = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
+  cl::Event curls;
+  if (params_.substeps > 1) {
+    cl::Kernel kernel(transform_, "vertex_curls");
+    kernel.with(params_, vertex_, dry_, curl_);
+    curls = kernel.enqueue(queue, vertices);
+  }
   queue.finish();
 }
 
@@ -163,7 +171,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
   cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
   kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
-              fur_, coat_, *mask_, image_, covered_);
+              curl_, fur_, coat_, *mask_, image_, covered_);
   if (per_pixel_) return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   return kernel.enqueue(queue, std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y), 1);
 }

@@ -34,6 +34,7 @@ typedef struct {
   float fur_scale[2];                         // repeats per unit of u and v
   float fur_density;                          // texels of level 0 per R
   float lod_bias;
+  int substeps;                               // looks into a fragment's layer: 1, 2, 4 or 8
   int coat_size;
   // Light (S Eq. 6; W Eq. 2-5).
   int wet_model;                              // 0: S Eq. 6, 1: W Eq. 2-5

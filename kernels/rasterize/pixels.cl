@@ -4,6 +4,7 @@
 #include "rasterize/fragment.clh"
 
 typedef struct { bool covered; float iw, b1, b2; } Hit;
+typedef struct { TABLE(float) records; TABLE(float) tangents; TABLE(float) curls; } Attributes;
 
 // The centre of the pixel at the origin of the setup's coordinates.
 static Hit hit_at(Setup t) {
@@ -45,21 +46,30 @@ static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int t
   return none;
 }
 
-static Surface surface_at(const RasterParams *s, TABLE(float) records, TABLE(float) tangents, Hit h, const int *vertex,
-                          float x, float y) {
-  float8 r0 = vload8(vertex[0], records), r1 = vload8(vertex[1], records), r2 = vload8(vertex[2], records);
-  float8 r = fma((float8)(h.b2), r2 - r0, fma((float8)(h.b1), r1 - r0, r0));
+static float8 interpolated(TABLE(float) table, Hit h, const int *vertex) {
+  float8 r0 = vload8(vertex[0], table), r1 = vload8(vertex[1], table), r2 = vload8(vertex[2], table);
+  return fma((float8)(h.b2), r2 - r0, fma((float8)(h.b1), r1 - r0, r0));
+}
+
+static Surface surface_at(const RasterParams *s, Attributes from, Hit h, const int *vertex, float x, float y) {
+  float8 r = interpolated(from.records, h, vertex);
   Surface p;
   p.uv = vec2(r.s0, r.s1);
   p.a = vec3(r.s2, r.s3, r.s4);
   p.b = vec3(r.s5, r.s6, r.s7);
   p.along_u = p.a;
   p.along_v = p.a;
-  if (s->wet_model) {
-    float8 t0 = vload8(vertex[0], tangents), t1 = vload8(vertex[1], tangents), t2 = vload8(vertex[2], tangents);
-    float8 t = fma((float8)(h.b2), t2 - t0, fma((float8)(h.b1), t1 - t0, t0));
+  p.curl_u = p.a;
+  p.curl_v = p.a;
+  if (s->wet_model || s->substeps > 1) {
+    float8 t = interpolated(from.tangents, h, vertex);
     p.along_u = vec3(t.s0, t.s1, t.s2);
     p.along_v = vec3(t.s3, t.s4, t.s5);
+  }
+  if (s->substeps > 1) {
+    float8 c = interpolated(from.curls, h, vertex);
+    p.curl_u = vec3(c.s0, c.s1, c.s2);
+    p.curl_v = vec3(c.s3, c.s4, c.s5);
   }
   p.w = 1.0f / h.iw;
   p.x = x;
@@ -69,12 +79,13 @@ static Surface surface_at(const RasterParams *s, TABLE(float) records, TABLE(flo
 
 __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
                            TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
+                           TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
                            TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
+  Attributes from = {records, tangents, curls};
   int tiles = s.tiles_x * s.tiles_y, tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
   int origin_x = SUBPIXEL * i + 128 - 128 * s.width, origin_y = SUBPIXEL * j + 128 - 128 * s.height;
   float x = (float)i + (0.5f - 0.5f * (float)s.width), y = (float)j + (0.5f - 0.5f * (float)s.height);
@@ -101,7 +112,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       if (!h.covered) continue;
       ++fragments;
       if (h.iw < nearest.iw || front.w <= OPAQUE) continue;
-      Surface p = surface_at(&s, records, tangents, h, vertices, x, y);
+      Surface p = surface_at(&s, from, h, vertices, x, y);
       Fur f = fur_fragment(&s, textures, l, n, p);
       if (f.coverage <= 0.0f) continue;
       real3 c = fur_colour(&s, textures, l, p, f);
@@ -111,7 +122,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   }
   float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
   if (nearest.covered) {
-    real3 c = skin_colour(&s, textures, base, surface_at(&s, records, tangents, nearest, nearest_vertices, x, y));
+    real3 c = skin_colour(&s, textures, base, surface_at(&s, from, nearest, nearest_vertices, x, y));
     behind = (float4)(c.x, c.y, c.z, 1.0f);
   }
   size_t at = (size_t)j * s.width + i;

@@ -8,6 +8,7 @@
 typedef struct {
   TABLE(float) records;
   TABLE(float) tangents;
+  TABLE(float) curls;
   Textures textures;
 } Attributes;
 
@@ -74,10 +75,17 @@ INLINE Surface surface_of(const Pass *pass, const Points *q, whole x, whole y) {
   p.b = vec3(c[5], c[6], c[7]);
   p.along_u = p.a;
   p.along_v = p.a;
-  if (pass->s->wet_model) {
+  p.curl_u = p.a;
+  p.curl_v = p.a;
+  if (pass->s->wet_model || pass->s->substeps > 1) {
     interpolate(pass->from.tangents, q, c);
     p.along_u = vec3(c[0], c[1], c[2]);
     p.along_v = vec3(c[3], c[4], c[5]);
+  }
+  if (pass->s->substeps > 1) {
+    interpolate(pass->from.curls, q, c);
+    p.curl_u = vec3(c[0], c[1], c[2]);
+    p.curl_v = vec3(c[3], c[4], c[5]);
   }
   p.w = q->w;
   p.x = to_real(x + pass->place.first_x) + (0.5f - 0.5f * (float)pass->s->width);
@@ -243,7 +251,7 @@ static inline whole load_entries(TABLE(int) list, int count) {
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
 __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                          TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents,
+                          TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
                           TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int tile_index = (int)get_global_id(0);
   int tiles = s.tiles_x * s.tiles_y;
@@ -253,6 +261,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   pass.s = &s;
   pass.from.records = records;
   pass.from.tangents = tangents;
+  pass.from.curls = curls;
   pass.from.textures.fur = fur;
   pass.from.textures.coat = coat;
   pass.from.textures.mask = mask;

@@ -91,3 +91,15 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
     out[5 + k] = tip[k * v + i];
   }
 }
+
+// The curl's frame at each vertex, as far as it is dry: (1 - rho) u and (1 - rho) v, R.
+__kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
+  int i = (int)get_global_id(0);
+  if (i >= s.vertices) return;
+  __global float *out = curls + (size_t)i * RECORD;
+  for (int k = 0; k < 3; ++k) {
+    out[k] = dry[i] * vertex[(size_t)(CURL_UX + k) * s.vertices + i];
+    out[3 + k] = dry[i] * vertex[(size_t)(CURL_VX + k) * s.vertices + i];
+  }
+  out[6] = out[7] = 0.0f;
+}
