@@ -37,6 +37,11 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (mask.size() != size * size)
     throw InputError(
         fmt::format("OpenGL: a wetness mask of {0} x {0} texels, but {1} were given", size, mask.size()));
+  if (input.scene.fur.substeps > 1)
+    throw InputError(
+        fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "
+                    "leave it at 1",
+                    input.scene.fur.substeps));
   return input;
 }
 
