@@ -21,6 +21,11 @@ const char* frame_kernel(Solver solver) {
   return "rk4_frame";
 }
 
+// A stick's step is a chain of dependent operations: four slices at a time keep a vector unit busy.
+int corners_of(const Layout& layout, int lanes) {
+  return layout.corners == 1 && lanes == 16 ? 4 : layout.corners;
+}
+
 }  // namespace
 
 // A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
@@ -44,12 +49,13 @@ std::string build_options(int lanes) {
 BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
                        const MassSpringOptions& options)
     : program_(queue.device(), "topology/blocks.cl",
-               fmt::format("{} -D CORNERS={}", build_options(lanes), layout.corners)),
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes), corners_of(layout, lanes),
+                           int(layout.corners == 3))),
       frame_(program_, frame_kernel(solver)),
-      side_(queue, std::span<const glm::vec4>(layout.side)),
+      sides_(queue, std::span(layout.sides)),
       group_(group_size(lanes, options.group)),
-      blocks_(layout.blocks),
-      units_(layout.blocks * (16 / lanes)),
+      blocks_(layout.slices / corners_of(layout, lanes)),
+      units_(blocks_ * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers) {
@@ -57,8 +63,8 @@ void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Bu
   params.blocks_per_item = per_item_;
   const std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
   frame_
-      .with(params, buffers.moments, buffers.root, buffers.normal, buffers.push, side_, buffers.offset,
-            buffers.speed, buffers.diverged_at, buffers.first)
+      .with(params, buffers.moments, buffers.sites, buffers.push, sides_, buffers.offset, buffers.speed,
+            buffers.diverged_at, buffers.first)
       .enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
 }
 

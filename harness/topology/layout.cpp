@@ -40,10 +40,10 @@ std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour
 }
 
 void lay_out_springs(const std::vector<std::vector<Neighbour>>& around, Layout& layout) {
-  std::vector<std::uint32_t> stick(layout.rows(), std::uint32_t(around.size()));
+  std::vector<std::uint32_t> stick(layout.places(), std::uint32_t(around.size()));
   for (std::uint32_t i = 0; i < around.size(); ++i) stick[layout.place[i]] = i;
   layout.start.push_back(0);
-  for (std::size_t first = 0; first < layout.rows(); first += slice) {
+  for (std::size_t first = 0; first < layout.places(); first += slice) {
     std::size_t longest = 0;
     for (std::size_t row = first; row < first + slice; ++row)
       if (stick[row] < around.size()) longest = std::max(longest, around[stick[row]].size());
@@ -58,62 +58,77 @@ void lay_out_springs(const std::vector<std::vector<Neighbour>>& around, Layout& 
   }
 }
 
+void set3(std::vector<float>& table, std::size_t place, std::size_t columns, std::size_t first,
+          glm::vec3 value) {
+  for (std::size_t c = 0; c < 3; ++c) table[column_of(place, columns, first + c)] = value[int(c)];
+}
+
 }  // namespace
 
 Layout lay_out(const Topology& topology, const Wind& wind) {
   Layout layout;
   const std::size_t sticks = topology.sticks();
   layout.corners = topology.kind == Kind::separable_prisms ? 3 : 1;
-  const std::size_t block = slice * std::size_t(layout.corners);
-  layout.blocks = int((sticks + block - 1) / block);
   layout.place.resize(sticks);
   std::iota(layout.place.begin(), layout.place.end(), 0u);
+  std::size_t together = 4 * slice;
   std::vector<std::vector<Neighbour>> around;
   if (topology.kind == Kind::prisms) {
+    together = slice;
     around = neighbours(topology);
     layout.place = sorted_places(around);
   } else if (topology.kind == Kind::separable_prisms) {
+    together = 3 * slice;
     for (std::uint32_t i = 0; i < sticks; ++i)
       layout.place[i] = (i / 3 / slice * 3 + i % 3) * slice + i / 3 % slice;
-    layout.side.assign(std::size_t(layout.blocks) * slice, glm::vec4(0));
-    for (std::size_t e = 0; e < topology.edges().size(); ++e)
-      layout.side[e / 3][int(e % 3)] = topology.rest[sticks + e];
   }
+  layout.slices = int((sticks + together - 1) / together * together / slice);
 
-  const glm::vec4 up(0, 1, 0, 0);
-  const std::size_t rows = std::size_t(layout.blocks) * block;
-  layout.root.assign(rows, glm::vec4(0, 0, 0, 1));
-  layout.normal.assign(rows, up);
-  layout.offset.assign(rows, topology.length * up);
+  const std::size_t places = layout.places();
+  layout.sites.assign(SITE_COLUMNS * places, 0);
+  layout.offset.assign(3 * places, 0);
+  const auto stand = [&](std::size_t place, glm::vec3 root, glm::vec3 normal, double phase) {
+    set3(layout.sites, place, SITE_COLUMNS, SITE_ROOT, root);
+    set3(layout.sites, place, SITE_COLUMNS, SITE_NORMAL, normal);
+    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_COS)] = float(std::cos(phase));
+    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_SIN)] = float(std::sin(phase));
+    set3(layout.offset, place, 3, 0, topology.length * normal);
+  };
+  for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0}, 0);
   const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
-  for (std::size_t i = 0; i < sticks; ++i) {
-    const double phase =
-        2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[i]), along) / double(wind.wavelength);
-    const std::uint32_t row = layout.place[i];
-    layout.root[row] = glm::vec4(topology.mass[i], float(std::cos(phase)));
-    layout.normal[row] = glm::vec4(topology.normal[i], float(std::sin(phase)));
-    layout.offset[row] = glm::vec4(topology.length * topology.normal[i], 0);
-  }
+  for (std::size_t i = 0; i < sticks; ++i)
+    stand(layout.place[i], topology.mass[i], topology.normal[i],
+          2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[i]), along) / double(wind.wavelength));
   if (topology.kind == Kind::prisms) lay_out_springs(around, layout);
+  if (topology.kind == Kind::separable_prisms) {
+    layout.sides.assign(places, 0);
+    for (std::size_t e = 0; e < topology.edges().size(); ++e)
+      layout.sides[column_of(e / 3, 3, e % 3)] = topology.rest[sticks + e];
+  }
   return layout;
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  constexpr std::size_t row = sizeof(glm::vec4), index = sizeof(std::int32_t);
-  // Root, normal, push, offset, speed, and when a mass was lost.
-  std::size_t bytes = layout.rows() * (5 * row + index) + index + layout.side.size() * row;
-  if (layout.start.empty()) return bytes;
-  bytes += index * (layout.start.size() + layout.neighbour.size()) + sizeof(float) * layout.rest.size();
+  // Columns of floats per place: sites, push, offset, speed; and when a mass was lost.
+  std::size_t columns = SITE_COLUMNS + 3 * 3;
+  std::size_t values = layout.places() + 1 + layout.sides.size();
+  if (layout.start.empty()) return 4 * (columns * layout.places() + values);
+  columns += 1 + 4;  // speeds and tips are rows of four
+  values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   switch (solver) {
     case Solver::explicit_euler:
     case Solver::semi_implicit_euler:
-      return bytes + layout.rows() * 3 * row;  // tips, and the next tips and speeds
+      columns += 2 * 4;  // the next tips and speeds
+      break;
     case Solver::rk4:
-      return bytes + layout.rows() * 8 * row;  // and of two more stages, with the weighted rates
+      columns += 4 * 4 + 3 * 3;  // those of two stages; the stage's offset and the weighted rates
+      break;
     case Solver::backward_euler:
+      columns += 2 * 4 + 2 * 3 + 6;  // x and d; r and A d; A's blocks
+      values += 4 * layout.neighbour.size();
       break;
   }
-  return bytes + layout.rows() * 7 * row + layout.neighbour.size() * row;  // tips; x, r, d, A d; A
+  return 4 * (columns * layout.places() + values);
 }
 
 }  // namespace pelage::springs

@@ -40,11 +40,15 @@ struct MassSprings::State {
   std::optional<PrismStage> prisms;
   long steps = 0;
 
-  std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<glm::vec4>& rows) const {
-    const std::vector<glm::vec4> row = rows.read(queue);
+  // Of three columns, or of rows of four.
+  std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
+    const std::vector<float> value = buffer.read(queue);
     std::vector<glm::vec3> values;
     values.reserve(layout.place.size());
-    for (const std::uint32_t place : layout.place) values.emplace_back(row[place]);
+    for (const std::size_t place : layout.place) {
+      const auto at = [&](std::size_t c) { return value[rows ? 4 * place + c : column_of(place, 3, c)]; };
+      values.emplace_back(at(0), at(1), at(2));
+    }
     return values;
   }
 };
@@ -56,18 +60,17 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
     throw InputError(fmt::format("lanes: {}; 1 or 16", options.lanes));
   const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
   Layout layout = lay_out(topology, dynamics.wind);
-  const std::size_t rows = layout.rows();
-  const auto uploaded = [&](const std::vector<glm::vec4>& values) {
-    return cl::Buffer<glm::vec4>(queue, std::span<const glm::vec4>(values));
+  const bool prisms = topology.kind == Kind::prisms;
+  const std::size_t places = layout.places();
+  const auto uploaded = [&](const std::vector<float>& values) {
+    return cl::Buffer<float>(queue, std::span<const float>(values));
   };
-  const std::vector<glm::vec4> zero(rows, glm::vec4(0));
-  const std::vector<std::int32_t> all_never(rows, never);
+  const std::vector<std::int32_t> all_never(places, never);
   Buffers buffers{{},
-                  uploaded(layout.root),
-                  uploaded(layout.normal),
-                  uploaded(zero),
+                  uploaded(layout.sites),
+                  uploaded(std::vector<float>(3 * places, 0.0f)),
                   uploaded(layout.offset),
-                  uploaded(zero),
+                  uploaded(std::vector<float>((prisms ? 4 : 3) * places, 0.0f)),
                   cl::Buffer<std::int32_t>(queue, std::span(all_never)),
                   cl::Buffer<std::int32_t>(queue, std::span(all_never).first(1))};
   state_ = std::make_unique<State>(State{dynamics,
@@ -80,7 +83,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
                                          0});
   State& s = *state_;
   s.params.sticks = int(topology.sticks());
-  if (topology.kind == Kind::prisms)
+  if (prisms)
     s.prisms.emplace(queue, s.layout, dynamics, lanes, options);
   else
     s.blocks.emplace(queue, s.layout, dynamics.solver, lanes, options);
@@ -95,15 +98,15 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
   if (force.empty()) return;
   if (force.size() != s.layout.place.size())
     throw InputError(fmt::format("local forces: {} for {} sticks", force.size(), s.layout.place.size()));
-  std::vector<glm::vec4> rows(s.layout.rows(), glm::vec4(0));
+  std::vector<float> columns(3 * s.layout.places(), 0.0f);
   for (std::size_t i = 0; i < force.size(); ++i) {
     const glm::vec3 f = force[i];
     if (!std::isfinite(f.x) || !std::isfinite(f.y) || !std::isfinite(f.z))
       throw InputError(fmt::format(
           "local force on stick {}: ({}, {}, {}) N; all three have to be finite numbers", i, f.x, f.y, f.z));
-    rows[s.layout.place[i]] = glm::vec4(f, 0);
+    for (std::size_t c = 0; c < 3; ++c) columns[column_of(s.layout.place[i], 3, c)] = f[int(c)];
   }
-  s.buffers.push.write(queue, std::span<const glm::vec4>(rows));
+  s.buffers.push.write(queue, std::span<const float>(columns));
   s.params.pushed = 1;
 }
 
@@ -136,7 +139,7 @@ void MassSprings::check(const cl::Queue& queue) const {
   std::size_t stick = 0;
   for (std::size_t i = 0; i < s.layout.place.size(); ++i)
     if (at[s.layout.place[i]] < step) step = at[s.layout.place[i]], stick = i;
-  if (step == never) return;  // only rows past the last stick
+  if (step == never) return;  // only places past the last stick
   throw Diverged(step, s.layout.place.size() + stick, s.dynamics);
 }
 
@@ -146,11 +149,11 @@ void MassSprings::advance(const cl::Queue& queue, int substeps) {
 }
 
 std::vector<glm::vec3> MassSprings::offsets(const cl::Queue& queue) const {
-  return state_->by_stick(queue, state_->buffers.offset);
+  return state_->by_stick(queue, state_->buffers.offset, false);
 }
 
 std::vector<glm::vec3> MassSprings::speeds(const cl::Queue& queue) const {
-  return state_->by_stick(queue, state_->buffers.speed);
+  return state_->by_stick(queue, state_->buffers.speed, state_->prisms.has_value());
 }
 
 long MassSprings::steps() const {
@@ -159,7 +162,7 @@ long MassSprings::steps() const {
 
 std::size_t MassSprings::bytes() const {
   const Buffers& b = state_->buffers;
-  return bytes_of(b.root) + bytes_of(b.normal) + bytes_of(b.push) + bytes_of(b.offset) + bytes_of(b.speed) +
+  return bytes_of(b.sites) + bytes_of(b.push) + bytes_of(b.offset) + bytes_of(b.speed) +
          bytes_of(b.diverged_at) + bytes_of(b.first) +
          (state_->prisms ? state_->prisms->bytes() : state_->blocks->bytes());
 }

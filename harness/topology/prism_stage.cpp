@@ -50,7 +50,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       program_(queue.device(), file_of(solver_),
                fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes), int(queue.device().info().fp64))),
       group_(group_size(lanes, options.group)),
-      units_(layout.blocks * (16 / lanes)),
+      units_(layout.slices * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
       per_chunk_(ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
       chunks_(ceiling(units_, per_chunk_)),
@@ -59,24 +59,26 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       neighbour_(queue, std::span(layout.neighbour)),
       rest_(queue, std::span(layout.rest)) {
   for (const char* name : kernels_of(solver_)) kernels_.emplace_back(program_, name);
-  const std::size_t rows = layout.rows();
-  const auto rows_of = [&](std::size_t count) {
-    return cl::Buffer<glm::vec4>(queue,
-                                 std::span<const glm::vec4>(std::vector<glm::vec4>(count, glm::vec4(0))));
+  const std::size_t places = layout.places();
+  const auto floats = [&](std::size_t columns) {
+    return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
   };
-  std::vector<glm::vec4> tips;
-  for (std::size_t row = 0; row < rows; ++row) tips.push_back(layout.root[row] + layout.offset[row]);
-  tip_ = cl::Buffer<glm::vec4>(queue, std::span<const glm::vec4>(tips));
+  std::vector<float> tips(4 * places, 0.0f);
+  for (std::size_t place = 0; place < places; ++place)
+    for (std::size_t c = 0; c < 3; ++c)
+      tips[4 * place + c] =
+          layout.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] + layout.offset[column_of(place, 3, c)];
+  tip_ = cl::Buffer<float>(queue, std::span<const float>(tips));
   if (solver_ == Solver::backward_euler) {
-    diagonal_ = rows_of(2 * rows), coupling_ = rows_of(layout.neighbour.size());
-    change_ = rows_of(rows), left_ = rows_of(rows), way_ = rows_of(rows), along_ = rows_of(rows);
+    diagonal_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4), along_ = floats(3);
+    coupling_ = cl::Buffer<float>(queue.device(), 4 * layout.neighbour.size());
     sums_ = cl::Memory(queue.device(),
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
   } else {
-    other_tip_ = rows_of(rows), other_speed_ = rows_of(rows);
+    other_tip_ = floats(4), other_speed_ = floats(4);
     if (solver_ == Solver::rk4)
-      spare_tip_ = rows_of(rows), spare_speed_ = rows_of(rows), stage_offset_ = rows_of(rows),
-      sum_offset_ = rows_of(rows), sum_speed_ = rows_of(rows);
+      spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
+      sum_speed_ = floats(3);
   }
 }
 
@@ -85,7 +87,7 @@ void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int it
 }
 
 void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers) {
-  params.blocks = int(buffers.root.size() / 16);
+  params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
   for (int i = 0; i < params.substeps; ++i) {
     if (solver_ == Solver::rk4)
@@ -99,8 +101,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
 
 void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
   const int in_turn = solver_ == Solver::semi_implicit_euler;
-  kernels_[0].with(params, in_turn, 2 * substep, params.first_step + substep, b.moments, b.root, b.normal,
-                   b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_,
+  kernels_[0].with(params, in_turn, 2 * substep, params.first_step + substep, b.moments, b.sites, b.push,
+                   start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_,
                    b.diverged_at, b.first);
   launch(queue, kernels_[0], ceiling(units_, per_item_));
   std::swap(tip_, other_tip_);
@@ -109,14 +111,14 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
   // The stages' tips and speeds go to and fro between two buffers; the step's own stay where they are.
-  cl::Buffer<glm::vec4>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
+  cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {
     const int at = 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
-    kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.root, b.normal, b.push,
-                     start_, neighbour_, rest_, *tips[stage], *speeds[stage],
-                     stage == 0 ? b.offset : stage_offset_, b.offset, b.speed, sum_offset_, sum_speed_,
-                     *tips[next], *speeds[next], stage_offset_, b.diverged_at, b.first);
+    kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.sites, b.push, start_,
+                     neighbour_, rest_, *tips[stage], *speeds[stage], stage == 0 ? b.offset : stage_offset_,
+                     b.offset, b.speed, sum_offset_, sum_speed_, *tips[next], *speeds[next], stage_offset_,
+                     b.diverged_at, b.first);
     launch(queue, kernels_[0], ceiling(units_, per_item_));
   }
 }
@@ -141,9 +143,8 @@ bool PrismStage::converged(const cl::Queue& queue) {
 
 void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
                                 int substep) {
-  kernels_[SET_UP].with(params, chunks_, 2 * substep + 2, b.moments, b.root, b.normal, b.push, start_,
-                        neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_,
-                        way_, sums_);
+  kernels_[SET_UP].with(params, chunks_, 2 * substep + 2, b.moments, b.sites, b.push, start_, neighbour_,
+                        rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_, way_, sums_);
   launch(queue, kernels_[SET_UP], chunks_);
   int done = 0;
   const auto iterate = [&] {
@@ -164,18 +165,18 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
   solves_.iterations += done;
   solves_.most_iterations = std::max(solves_.most_iterations, done);
   solves_.worst_residual = std::max(solves_.worst_residual, last_residual_);
-  kernels_[MOVE].with(params, chunks_, params.first_step + substep, b.root, change_, b.offset, b.speed, tip_,
+  kernels_[MOVE].with(params, chunks_, params.first_step + substep, b.sites, change_, b.offset, b.speed, tip_,
                       b.diverged_at, b.first);
   launch(queue, kernels_[MOVE], chunks_);
 }
 
 std::size_t PrismStage::bytes() const {
-  std::size_t rows = 0;
-  for (const cl::Buffer<glm::vec4>* buffer :
+  std::size_t values = start_.size() + neighbour_.size() + rest_.size();
+  for (const cl::Buffer<float>* buffer :
        {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
         &sum_speed_, &diagonal_, &coupling_, &change_, &left_, &way_, &along_})
-    rows += buffer->size();
-  return rows * sizeof(glm::vec4) + 4 * (start_.size() + neighbour_.size() + rest_.size());
+    values += buffer->size();
+  return 4 * values;
 }
 
 }  // namespace pelage::springs

@@ -9,11 +9,11 @@
 
 namespace pelage::springs {
 
-/// Rows of four floats per stick but where said.
+/// Columns per place, as places.clh lays them out; on shared prisms speed lies in rows of four.
 struct Buffers {
   cl::Buffer<Moment> moments;  ///< of the launch in hand
-  cl::Buffer<glm::vec4> root, normal, push, offset, speed;
-  cl::Buffer<std::int32_t> diverged_at;  ///< per row, the first step after which the mass was lost
+  cl::Buffer<float> sites, push, offset, speed;
+  cl::Buffer<std::int32_t> diverged_at;  ///< per place, the first step after which the mass was lost
   cl::Buffer<std::int32_t> first;        ///< one: the least of those
 };
 
@@ -34,13 +34,13 @@ class BlockStage {
   BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
              const MassSpringOptions& options);
   void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers);
-  std::size_t bytes() const { return side_.size() * sizeof(glm::vec4); }
+  std::size_t bytes() const { return sides_.size() * sizeof(float); }
   double build_ms() const { return program_.build_ms(); }
 
  private:
   cl::Program program_;
   cl::Kernel frame_;
-  cl::Buffer<glm::vec4> side_;
+  cl::Buffer<float> sides_;
   std::size_t group_;
   int blocks_, units_, per_item_;
 };
@@ -76,10 +76,9 @@ class PrismStage {
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  cl::Buffer<glm::vec4> tip_, other_tip_, other_speed_;
-  cl::Buffer<glm::vec4> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4
-  cl::Buffer<glm::vec4> diagonal_, coupling_, change_, left_, way_,
-      along_;  // backward Euler: A, x, r, d, A d
+  cl::Buffer<float> tip_, other_tip_, other_speed_;                                    // rows
+  cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4: two of rows
+  cl::Buffer<float> diagonal_, coupling_, change_, left_, way_, along_;  // A; x (rows), r, d (rows), A d
   cl::Memory sums_;
 };
 

@@ -35,22 +35,22 @@ static inline total sum_of(__global const total *sums, int row, int chunks) {
   return sum;
 }
 
-// A's block of a top with itself is two rows: xx yy zz -, xy xz yz -.
+// A's block of a top with itself is six columns.
 static inline Symmetric load_block(TABLE(scalar) diagonal, int u) {
-  real4 a = load_rows(diagonal, rows_of(u, 2, 0)), b = load_rows(diagonal, rows_of(u, 2, 1));
+  real3 a = load3(diagonal, u, 6, 0), b = load3(diagonal, u, 6, 3);
   Symmetric m;
   m.xx = a.x, m.yy = a.y, m.zz = a.z, m.xy = b.x, m.xz = b.y, m.yz = b.z;
   return m;
 }
 static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
-  store_rows(row_of(vec3(m.xx, m.yy, m.zz)), diagonal, rows_of(u, 2, 0));
-  store_rows(row_of(vec3(m.xy, m.xz, m.yz)), diagonal, rows_of(u, 2, 1));
+  store3(vec3(m.xx, m.yy, m.zz), diagonal, u, 6, 0);
+  store3(vec3(m.xy, m.xz, m.yz), diagonal, u, 6, 3);
 }
 
 // A's block of two tops on a spring is -(even I + g g^T): four columns per entry.
 static inline real3 load_pull(TABLE(scalar) coupling, int e, real *even) {
-  *even = load_real(coupling, 4 * e);
-  return vec3(load_real(coupling, 4 * e + 1), load_real(coupling, 4 * e + 2), load_real(coupling, 4 * e + 3));
+  *even = load_real(coupling, column_of(e, 4, 0));
+  return load3(coupling, e, 4, 1);
 }
 
 static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TABLE(int) neighbour,
@@ -67,27 +67,25 @@ static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TAB
   return sum;
 }
 
-#define CHUNK                                                                                          \
-  int chunk = (int)get_global_id(0);                                                                   \
-  if (chunk >= chunks) return;                                                                         \
-  int begin = chunk * p.blocks_per_item;                                                               \
-  int end = begin + p.blocks_per_item < p.blocks * UNITS ? begin + p.blocks_per_item : p.blocks * UNITS;
+#define CHUNK                                                     \
+  int chunk = (int)get_global_id(0);                              \
+  if (chunk >= chunks) return;                                    \
+  int begin = first_unit(p, chunk), end = last_unit(p, chunk);
 
 // A and b from the state, and r = b - A x, z = r / diagonal, d = z. at: the moment's entry, of the step's end.
-__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(float) root,
-                               TABLE(float) normal, TABLE(float) push, TABLE(int) start, TABLE(int) neighbour,
-                               TABLE(float) rest, TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed,
+__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                               TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed,
                                TABLE(scalar) x, __global scalar *diagonal, __global scalar *coupling,
                                __global scalar *r, __global scalar *d, __global total *sums) {
   CHUNK
   total rz = 0, rr = 0, bb = 0;
   for (int u = begin; u < end; ++u) {
-    Site site = load_site(p, root, normal, push, u);
+    Site site = load_site(p, sites, push, u, 1);
     whole own = WHOLE(u * LANES) + lane_numbers();
     truth real_row = own < WHOLE(p.sticks);
     real3 here = xyz(load_rows(tip, u));
     Top a;
-    a.q = xyz(load_rows(offset, u));
+    a.q = load3(offset, u, 3, 0);
     a.v = xyz(load_rows(speed, u));
     Row row = stick_row(p, site, a, top_force(p, moments[at], u, site, a, here, start, neighbour, rest, tip, speed));
     int width = width_of(start, u);
@@ -102,10 +100,8 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
       row.block = plus(row.block, symmetric(m.even, m.along, edge.s, REAL(0.0f), edge.s));
       row.load = add3(row.load, along3(scale3(m.even, dv), m.stiff_along * dot3(edge.s, dv), edge.s));
       real3 g = scale3(sqrt(m.along), edge.s);
-      store_real(m.even, coupling, 4 * e);
-      store_real(g.x, coupling, 4 * e + 1);
-      store_real(g.y, coupling, 4 * e + 2);
-      store_real(g.z, coupling, 4 * e + 3);
+      store_real(m.even, coupling, column_of(e, 4, 0));
+      store3(g, coupling, e, 4, 1);
     }
     store_block(row.block, diagonal, u);
     real3 zero = uniform3(0.0f, 0.0f, 0.0f);
@@ -113,7 +109,7 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
     real3 left = sub3(b, product(u, row.block, xyz(load_rows(x, u)), start, neighbour, coupling, x));
     left = choose3(real_row, left, zero);
     real3 z = solved(factored(row.block), left);
-    store_rows(row_of(left), r, u);
+    store3(left, r, u, 3, 0);
     store_rows(row_of(z), d, u);
     rz += lane_sum(dot3(left, z));
     rr += lane_sum(dot3(left, left));
@@ -133,7 +129,7 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
   for (int u = begin; u < end; ++u) {
     real3 v = xyz(load_rows(d, u));
     real3 w = product(u, load_block(diagonal, u), v, start, neighbour, coupling, d);
-    store_rows(row_of(w), product_d, u);
+    store3(w, product_d, u, 3, 0);
     sum += lane_sum(dot3(v, w));
   }
   sums[SUM_DAD * chunks + chunk] = sum;
@@ -149,8 +145,8 @@ __kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(sca
   total rz = 0, rr = 0;
   for (int u = begin; u < end; ++u) {
     store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, xyz(load_rows(d, u)))), x, u);
-    real3 left = along3(xyz(load_rows(r, u)), -alpha, xyz(load_rows(product_d, u)));
-    store_rows(row_of(left), r, u);
+    real3 left = along3(load3(r, u, 3, 0), -alpha, load3(product_d, u, 3, 0));
+    store3(left, r, u, 3, 0);
     rz += lane_sum(dot3(left, solved(factored(load_block(diagonal, u)), left)));
     rr += lane_sum(dot3(left, left));
   }
@@ -166,23 +162,23 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
   total after = sum_of(sums, odd ? SUM_RZ_EVEN : SUM_RZ_ODD, chunks);
   real beta = REAL((scalar)(before > 0 ? after / before : 0));
   for (int u = begin; u < end; ++u) {
-    real3 z = solved(factored(load_block(diagonal, u)), xyz(load_rows(r, u)));
+    real3 z = solved(factored(load_block(diagonal, u)), load3(r, u, 3, 0));
     store_rows(row_of(along3(z, beta, xyz(load_rows(d, u)))), d, u);
   }
 }
 
 // v += x, q += h v.
-__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(float) root, TABLE(scalar) x,
+__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) sites, TABLE(scalar) x,
                              __global scalar *offset, __global scalar *speed, __global scalar *tip,
                              __global int *diverged_at, __global int *first) {
   CHUNK
   for (int u = begin; u < end; ++u) {
     Top a;
     a.v = add3(xyz(load_rows(speed, u)), xyz(load_rows(x, u)));
-    a.q = along3(xyz(load_rows(offset, u)), REAL(p.step), a.v);
+    a.q = along3(load3(offset, u, 3, 0), REAL(p.step), a.v);
     store_rows(row_of(a.v), speed, u);
-    store_rows(row_of(a.q), offset, u);
-    store_rows(row_of(add3(xyz(load_rows(root, u)), a.q)), tip, u);
+    store3(a.q, offset, u, 3, 0);
+    store_rows(row_of(add3(load3(sites, u, SITE_COLUMNS, SITE_ROOT), a.q)), tip, u);
     note_step(p, a, u, number, diverged_at, first);
   }
 }

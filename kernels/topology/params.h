@@ -34,6 +34,9 @@ typedef struct {
   float gust_sin, gust_cos;                  // of 2 pi f t
 } Moment;
 
+// Columns of what a stick never changes; root and normal are three each, phases of the gust at the root.
+enum { SITE_ROOT = 0, SITE_NORMAL = 3, SITE_PHASE_COS = 6, SITE_PHASE_SIN, SITE_COLUMNS };
+
 // Rows of partial sums of the conjugate gradients: r.z of even and odd iterations, d.Ad, r.r, b.b.
 enum { SUM_RZ_EVEN, SUM_RZ_ODD, SUM_DAD, SUM_RR, SUM_BB, SUM_ROWS };
 

@@ -1,24 +1,23 @@
 // Shared prisms by explicit schemes: every top reads its neighbours' old state, so a launch is one evaluation of the
-// forces. The state is q and v; tips, root + q, are what neighbours look at.
+// forces. The state is q and v; neighbours look at v and at tips, root + q, which lie in rows.
 #include "topology/springs.clh"
 
-#define TOPS(u)                                                                                        \
-  Site site = load_site(p, root, normal, push, u);                                                     \
-  Top a;                                                                                               \
-  a.q = xyz(load_rows(offset, u));                                                                     \
-  a.v = xyz(load_rows(speed, u));                                                                      \
+#define TOPS(u)                                                                                                \
+  Site site = load_site(p, sites, push, u, 1);                                                                 \
+  Top a;                                                                                                       \
+  a.q = load3(offset, u, 3, 0);                                                                                \
+  a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed); \
   real3 rate = scale3(REAL(p.inverse_mass), f);
 
-#define EACH_UNIT(u)                                                                                   \
-  int begin = (int)get_global_id(0) * p.blocks_per_item;                                               \
-  int end = begin + p.blocks_per_item < p.blocks * UNITS ? begin + p.blocks_per_item : p.blocks * UNITS; \
-  for (int u = begin; u < end; ++u)
+#define EACH_UNIT(u)                  \
+  int item = (int)get_global_id(0);   \
+  for (int u = first_unit(p, item); u < last_unit(p, item); ++u)
 
 // One step of explicit (in_turn 0) or semi-implicit (1) Euler; at: the moment's entry; number: the step's.
-__kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TABLE(Moment) moments, TABLE(float) root,
-                          TABLE(float) normal, TABLE(float) push, TABLE(int) start, TABLE(int) neighbour,
-                          TABLE(float) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
+__kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TABLE(Moment) moments,
+                          TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                          TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
                           __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
                           __global int *first) {
   EACH_UNIT(u) {
@@ -26,7 +25,7 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
     Top b;
     if (in_turn) b = advanced_in_turn(a, p.step, rate);
     else b = advanced(a, p.step, a.v, rate);
-    store_rows(row_of(b.q), offset, u);
+    store3(b.q, offset, u, 3, 0);
     store_rows(row_of(b.v), next_speed, u);
     store_rows(row_of(add3(site.root, b.q)), next_tip, u);
     note_step(p, b, u, number, diverged_at, first);
@@ -35,9 +34,9 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
 
 // Stage 0 to 3 of the classical scheme. tip, speed, offset: of the stage; base_*: of the step's start, and in stage 3
 // the step's end; sum_*: the weighted rates so far. next_*: of the stage that follows.
-__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments, TABLE(float) root,
-                        TABLE(float) normal, TABLE(float) push, TABLE(int) start, TABLE(int) neighbour,
-                        TABLE(float) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
+__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments,
+                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
                         __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
                         __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
                         __global scalar *next_offset, __global int *diverged_at, __global int *first) {
@@ -45,23 +44,25 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
   EACH_UNIT(u) {
     TOPS(u)
     Top base, sum;
-    base.q = xyz(load_rows(base_offset, u));
+    base.q = load3(base_offset, u, 3, 0);
     base.v = xyz(load_rows(base_speed, u));
     sum = base;
     if (stage > 0) {
-      sum.q = xyz(load_rows(sum_offset, u));
-      sum.v = xyz(load_rows(sum_speed, u));
+      sum.q = load3(sum_offset, u, 3, 0);
+      sum.v = load3(sum_speed, u, 3, 0);
     }
     sum = advanced(sum, weight, a.v, rate);
     Top next = sum;
     if (stage < 3) next = advanced(base, reach, a.v, rate);
-    store_rows(row_of(sum.q), stage < 3 ? sum_offset : base_offset, u);
-    store_rows(row_of(sum.v), stage < 3 ? sum_speed : base_speed, u);
     store_rows(row_of(add3(site.root, next.q)), next_tip, u);
     if (stage < 3) {
-      store_rows(row_of(next.q), next_offset, u);
+      store3(sum.q, sum_offset, u, 3, 0);
+      store3(sum.v, sum_speed, u, 3, 0);
+      store3(next.q, next_offset, u, 3, 0);
       store_rows(row_of(next.v), next_speed, u);
     } else {
+      store3(next.q, base_offset, u, 3, 0);
+      store_rows(row_of(next.v), base_speed, u);
       note_step(p, next, u, number, diverged_at, first);
     }
   }

@@ -11,10 +11,10 @@ struct Memory {
   TopologyParams params{};
   std::vector<Moment> moments;
   const Layout* layout = nullptr;
-  std::vector<glm::vec4> push;
-  std::vector<double> offset, speed;  ///< rows of four
+  std::vector<double> sites, push, sides, rest;  ///< the layout's floats
+  std::vector<double> offset, speed;             ///< columns; of shared prisms speed lies in rows of four
   std::vector<int> diverged_at, first;
-  std::vector<double> tip, change;  ///< shared prisms: root + q, and the last step's dv
+  std::vector<double> tip, change;  ///< shared prisms, rows: root + q, and the last step's dv
 };
 
 /// One launch of the block kernel of `solver` over all blocks.
@@ -31,13 +31,14 @@ class Shim {
   Shim(const Topology& topology, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
   void advance(int substeps);
-  std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset); }
-  std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed); }
+  std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset, false); }
+  std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed, kind_ == Kind::prisms); }
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
 
  private:
   void stand();  // tips from offsets
-  std::vector<glm::dvec3> by_stick(const std::vector<double>& rows) const;
+  std::vector<glm::dvec3> by_stick(const std::vector<double>& values, bool rows) const;
+  std::size_t at(std::size_t stick, std::size_t c, bool rows) const;
   Dynamics dynamics_;
   Kind kind_;
   Layout layout_;

@@ -18,13 +18,10 @@ namespace pelage::springs::test {
 int gradients_substep(Memory& m, int substep, double residual) {
   namespace kernels = gradients_in_double;
   const Layout& l = *m.layout;
-  const auto floats = [](const std::vector<glm::vec4>& rows) {
-    return reinterpret_cast<const float*>(rows.data());
-  };
-  const int chunks = 16 * l.blocks;
-  const std::size_t size = m.offset.size();
-  std::vector<double> diagonal(2 * size), coupling(4 * l.neighbour.size()), r(size), d(size), product(size),
-      sums(std::size_t(SUM_ROWS * chunks));
+  const int chunks = 16 * l.slices;
+  const std::size_t places = l.places();
+  std::vector<double> diagonal(6 * places), coupling(4 * l.neighbour.size()), r(3 * places), d(4 * places),
+      product(3 * places), sums(std::size_t(SUM_ROWS * chunks));
   const auto each = [&](const auto& kernel) {
     for (in_double::work_item = 0; in_double::work_item < chunks; ++in_double::work_item) kernel();
   };
@@ -34,10 +31,10 @@ int gradients_substep(Memory& m, int substep, double residual) {
     return total;
   };
   each([&] {
-    kernels::gradients_set_up(m.params, chunks, 2 * substep + 2, m.moments.data(), floats(l.root),
-                              floats(l.normal), floats(m.push), l.start.data(), l.neighbour.data(),
-                              l.rest.data(), m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
-                              diagonal.data(), coupling.data(), r.data(), d.data(), sums.data());
+    kernels::gradients_set_up(m.params, chunks, 2 * substep + 2, m.moments.data(), m.sites.data(),
+                              m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(), m.tip.data(),
+                              m.offset.data(), m.speed.data(), m.change.data(), diagonal.data(),
+                              coupling.data(), r.data(), d.data(), sums.data());
   });
   int done = 0;
   while (sum(SUM_RR) > residual * residual * sum(SUM_BB) && done < 1000) {
@@ -55,7 +52,7 @@ int gradients_substep(Memory& m, int substep, double residual) {
     });
   }
   each([&] {
-    kernels::gradients_move(m.params, chunks, m.params.first_step + substep, floats(l.root), m.change.data(),
+    kernels::gradients_move(m.params, chunks, m.params.first_step + substep, m.sites.data(), m.change.data(),
                             m.offset.data(), m.speed.data(), m.tip.data(), m.diverged_at.data(),
                             m.first.data());
   });

@@ -13,40 +13,32 @@ using namespace in_double;
 }  // namespace pelage::prisms_in_double
 
 namespace pelage::springs::test {
-namespace {
-
-const float* floats(const std::vector<glm::vec4>& rows) {
-  return reinterpret_cast<const float*>(rows.data());
-}
-
-}  // namespace
-
 void prism_substep(Solver solver, Memory& m, int substep) {
   namespace kernels = prisms_in_double;
   const Layout& l = *m.layout;
   const int number = m.params.first_step + substep;
   const auto each = [&](const auto& kernel) {
-    for (in_double::work_item = 0; in_double::work_item < 16 * l.blocks; ++in_double::work_item) kernel();
+    for (in_double::work_item = 0; in_double::work_item < 16 * l.slices; ++in_double::work_item) kernel();
   };
   std::vector<double> tip = m.tip, speed = m.speed, next_tip = m.tip, next_speed = m.speed;
   if (solver != Solver::rk4) {
     each([&] {
       kernels::prism_euler(m.params, solver == Solver::semi_implicit_euler, 2 * substep, number,
-                           m.moments.data(), floats(l.root), floats(l.normal), floats(m.push), l.start.data(),
-                           l.neighbour.data(), l.rest.data(), m.tip.data(), m.speed.data(), m.offset.data(),
+                           m.moments.data(), m.sites.data(), m.push.data(), l.start.data(),
+                           l.neighbour.data(), m.rest.data(), m.tip.data(), m.speed.data(), m.offset.data(),
                            next_tip.data(), next_speed.data(), m.diverged_at.data(), m.first.data());
     });
     m.tip = next_tip, m.speed = next_speed;
     return;
   }
-  std::vector<double> offset = m.offset, sum_offset = m.offset, sum_speed = m.speed, next_offset = m.offset;
+  std::vector<double> offset = m.offset, sum_offset = m.offset, sum_speed = m.offset, next_offset = m.offset;
   for (int stage = 0; stage < 4; ++stage) {
     each([&] {
       kernels::prism_rk4(m.params, stage, 2 * substep + (stage + 1) / 2, number, m.moments.data(),
-                         floats(l.root), floats(l.normal), floats(m.push), l.start.data(), l.neighbour.data(),
-                         l.rest.data(), tip.data(), speed.data(), offset.data(), m.offset.data(),
-                         m.speed.data(), sum_offset.data(), sum_speed.data(), next_tip.data(),
-                         next_speed.data(), next_offset.data(), m.diverged_at.data(), m.first.data());
+                         m.sites.data(), m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
+                         tip.data(), speed.data(), offset.data(), m.offset.data(), m.speed.data(),
+                         sum_offset.data(), sum_speed.data(), next_tip.data(), next_speed.data(),
+                         next_offset.data(), m.diverged_at.data(), m.first.data());
     });
     tip = next_tip, speed = next_speed, offset = next_offset;
   }

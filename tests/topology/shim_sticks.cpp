@@ -4,6 +4,7 @@
 // clang-format on
 
 #define CORNERS 1
+#define EDGES 0
 namespace pelage::sticks_in_double {
 namespace {
 using namespace in_double;
@@ -17,16 +18,13 @@ namespace pelage::springs::test {
 
 void launch_sticks(Solver solver, Memory& m) {
   namespace kernels = sticks_in_double;
-  const auto floats = [](const std::vector<glm::vec4>& rows) {
-    return reinterpret_cast<const float*>(rows.data());
-  };
   const auto kernel = solver == Solver::explicit_euler        ? kernels::explicit_euler_frame
                       : solver == Solver::semi_implicit_euler ? kernels::semi_implicit_euler_frame
                       : solver == Solver::rk4                 ? kernels::rk4_frame
                                                               : kernels::backward_euler_frame;
-  for (in_double::work_item = 0; in_double::work_item < 16 * m.layout->blocks; ++in_double::work_item)
-    kernel(m.params, m.moments.data(), floats(m.layout->root), floats(m.layout->normal), floats(m.push),
-           floats(m.layout->side), m.offset.data(), m.speed.data(), m.diverged_at.data(), m.first.data());
+  for (in_double::work_item = 0; in_double::work_item < 16 * m.params.blocks; ++in_double::work_item)
+    kernel(m.params, m.moments.data(), m.sites.data(), m.push.data(), m.sides.data(), m.offset.data(),
+           m.speed.data(), m.diverged_at.data(), m.first.data());
 }
 
 }  // namespace pelage::springs::test
