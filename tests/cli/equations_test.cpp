@@ -37,7 +37,7 @@ const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
 /// The numbered equations that the comment right above a function names.
 std::set<Line> anchors_of(const std::string& source) {
-  static const std::regex function(R"(^static inline [\w ]+[ *](\w+)\()");
+  static const std::regex function(R"(^(?:static inline|INLINE) [\w ]+[ *](\w+)\()");
   std::set<Line> anchors;
   std::string comment, line;
   std::smatch match;
