@@ -78,15 +78,20 @@ std::uint32_t Geometry::vertex(std::size_t slot) const {
   return separate_ ? input_->mesh->triangle[slot / 3][int(slot % 3)] : std::uint32_t(slot);
 }
 
+glm::dvec3 Geometry::curl_offset(std::size_t slot, int n) const {
+  if (n < 0) return glm::dvec3(0.0);
+  const Scene& scene = input_->scene;
+  const std::uint32_t point = input_->mesh->weld[vertex(slot)];
+  return curl(layer_height(n, scene.fur.layers, mutant_), rho_[slot], double(scene.curl.radius),
+              double(scene.curl.turns), glm::dvec3(input_->curl.u[point]), glm::dvec3(input_->curl.v[point]));
+}
+
 glm::dvec3 Geometry::position(std::size_t slot, int n) const {
   const glm::dvec3 surface(input_->mesh->position[vertex(slot)]);
   if (n < 0) return surface;
-  const Scene& scene = input_->scene;
-  const std::uint32_t point = input_->mesh->weld[vertex(slot)];
-  const double h = layer_height(n, scene.fur.layers, mutant_);
-  return surface + bezier(bend_[slot].a, bend_[slot].b, bezier_parameter(h, scene.fur.layer_spacing)) +
-         curl(h, rho_[slot], double(scene.curl.radius), double(scene.curl.turns),
-              glm::dvec3(input_->curl.u[point]), glm::dvec3(input_->curl.v[point]));
+  const FurScene& fur = input_->scene.fur;
+  const double t = bezier_parameter(layer_height(n, fur.layers, mutant_), fur.layer_spacing);
+  return surface + bezier(bend_[slot].a, bend_[slot].b, t) + curl_offset(slot, n);
 }
 
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {

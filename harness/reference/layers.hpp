@@ -45,6 +45,8 @@ class Geometry {
   std::uint32_t vertex(std::size_t slot) const;  ///< the vertex copy of the slot
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
   glm::dvec3 position(std::size_t slot, int n) const;  ///< R; n = -1: the base surface
+  /// S Eq. 4 at the slot on layer n, R; 0 for the base surface.
+  glm::dvec3 curl_offset(std::size_t slot, int n) const;
 
  private:
   const FrameInput* input_;

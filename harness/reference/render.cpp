@@ -14,6 +14,7 @@
 #include "harness/reference/parallel.hpp"
 #include "harness/reference/reference.hpp"
 #include "harness/reference/shading.hpp"
+#include "harness/reference/substeps.hpp"
 #include "harness/reference/textures.hpp"
 #include "harness/reference/vector.hpp"
 #include "harness/reference/visible.hpp"
@@ -124,6 +125,40 @@ class Painter {
             interpolated(face, sample, [&](std::size_t s) { return geometry_.bend(s).b; })};
   }
 
+  glm::dvec3 tangent(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample,
+                        [&](std::size_t s) { return glm::dvec3(input_.tangents.t[geometry_.vertex(s)]); });
+  }
+
+  glm::dvec3 bitangent(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample,
+                        [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
+  }
+
+  /// dphi(n), the curl's step from the layer below.
+  glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample, [&](std::size_t s) {
+      return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
+    });
+  }
+
+  /// The fur that a fragment at `where` sees: one look into its layer, or scene.fur.substeps looks down to
+  /// the layer below, between which the lookup moves by `shift()` (UV) for the ray and the strand, and by
+  /// -delta_d for the clump.
+  template <class Shift>
+  FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
+    const auto sampled = [&](const glm::dvec2& uv) {
+      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level);
+    };
+    const int count = input_.scene.fur.substeps;
+    if (count == 1) return sampled(where + clump.d);
+    const glm::dvec2 below = shift() - clump.delta_d;
+    std::vector<FurSample> samples;
+    for (int i = 0; i < count; ++i)
+      samples.push_back(sampled(where + clump.d + double(i) / double(count) * below));
+    return combined(samples);
+  }
+
   /// E at the pixel's centre.
   glm::dvec3 view(const Sample& sample) const {
     const Camera& camera = input_.camera;
@@ -156,23 +191,19 @@ class Painter {
     if (clump.discarded) return;
     const Bend strand = bend(face, sample);
     const glm::dvec3 normal = unit(strand.a), eye = view(sample);
-    const FurSample fur = sample_fur(input_.fur, (where + clump.d) * glm::dvec2(input_.fur_scale), layer_,
-                                     level_of_detail(sample, normal, eye));
+    const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
+    const FurSample fur = look(where, clump, level_of_detail(sample, normal, eye), [&] {
+      const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
+      return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
+    });
     if (!(fur.coverage > 0.0)) return;
 
-    const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
     const bool wet = scene.shading.model == "wet";
-    glm::dvec3 tangent = unit(step);
-    if (wet)
-      tangent = wet_tangent(
-          scene.shading, step,
-          interpolated(face, sample,
-                       [&](std::size_t s) { return glm::dvec3(input_.tangents.t[geometry_.vertex(s)]); }),
-          interpolated(face, sample,
-                       [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); }),
-          clump.delta_d);
+    const glm::dvec3 along =
+        wet ? wet_tangent(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d)
+            : unit(step);
     const Fragment fragment{
-        sample_coat(input_.coat, where + clump.d) * fur.shade,   tangent,      normal, eye,
+        sample_coat(input_.coat, where + clump.d) * fur.shade,   along,        normal, eye,
         layer_height(layer_, scene.fur.layers, options_.mutant), clump.wetness};
     const glm::dvec3 colour =
         wet ? wet_colour(scene.shading, fragment) : curling_colour(scene.shading, fragment);
@@ -220,6 +251,7 @@ void check(const FrameInput& input) {
   check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),
         "the fur texture needs a slice per layer, at least 2");
   check(input.coat.size > 0, "it has no coat texture");
+  check(input.scene.fur.substeps >= 1, "a fragment looks into its layer at least once (fur.substeps)");
   check(input.camera.width > 0 && input.camera.height > 0 && input.camera.near > 0.0f,
         "the camera's size and near plane must be above 0");
 }
