@@ -121,7 +121,12 @@ glm::dmat3 across(glm::dvec3 unit) {
 // Linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), f at the new time and the old state. J
 // leaves out what would make it indefinite: the transverse part of compressed springs, and of Eq. 5 the part
 // that is not symmetric. D holds the damping of the springs and the drag.
-State backward_euler(const System& system, const State& y, double t, double h) {
+struct Equations {
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::VectorXd right;
+};
+
+Equations backward_equations(const System& system, const State& y, double t, double h) {
   const Topology& topology = system.topology;
   const std::size_t sticks = topology.sticks();
   const auto size = Eigen::Index(3 * sticks);
@@ -165,11 +170,17 @@ State backward_euler(const System& system, const State& y, double t, double h) {
     for (int c = 0; c < 3; ++c) right[Eigen::Index(3 * i) + c] = load[i][c];
   Eigen::SparseMatrix<double> matrix(size, size);
   matrix.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
+  return {matrix, right};
+}
+
+State backward_euler(const System& system, const State& y, double t, double h) {
+  const Topology& topology = system.topology;
+  const Equations equations = backward_equations(system, y, t, h);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(equations.matrix);
   if (factors.info() != Eigen::Success) throw std::runtime_error("backward Euler: the matrix has no factors");
-  const Eigen::VectorXd change = factors.solve(right);
+  const Eigen::VectorXd change = factors.solve(equations.right);
   State next = y;
-  for (std::size_t i = 0; i < sticks; ++i) {
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
     for (int c = 0; c < 3; ++c) next.velocity[topology.top(i)][c] += change[Eigen::Index(3 * i) + c];
     next.position[topology.top(i)] += h * next.velocity[topology.top(i)];
   }
@@ -224,6 +235,15 @@ State step(const System& system, const State& state, long number) {
       break;
   }
   return rk4(system, state, t, h);
+}
+
+double residual(const System& system, const State& state, long number, const Vectors& change) {
+  const double h = double(system.dynamics.step);
+  const Equations equations = backward_equations(system, state, double(number) * h, h);
+  Eigen::VectorXd x(equations.right.size());
+  for (std::size_t i = 0; i < change.size(); ++i)
+    for (int c = 0; c < 3; ++c) x[Eigen::Index(3 * i) + c] = change[i][c];
+  return (equations.right - equations.matrix * x).norm() / equations.right.norm();
 }
 
 double energy(const System& system, const State& state) {

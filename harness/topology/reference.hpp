@@ -31,6 +31,10 @@ std::vector<glm::dvec3> forces(const System& system, const State& state, double 
 /// The state one dt later, by the dynamics' solver; `number` steps were done before.
 State step(const System& system, const State& state, long number);
 
+/// |b - A x| / |b| of the equations A x = b that backward Euler solves for the change x of the tops'
+/// velocities.
+double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
+
 /// Kinetic energy and the springs' potential energy, J. Weight, drag, wind and Eq. 5 have no part in it.
 double energy(const System& system, const State& state);
 
