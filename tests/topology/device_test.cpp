@@ -137,19 +137,26 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
   }
 }
 
-TEST(TopologyDevice, AForceThatOneMassCannotBearNamesThatMass) {
-  const Topology topology = build(Kind::separable_sticks, sphere(1), fur_length);
-  Offsets push(topology.sticks(), glm::vec3(0));
-  push[77] = {1e30f, 0, 0};
-  MassSprings springs(queue(), topology, lively(Solver::semi_implicit_euler));
-  springs.push(queue(), push);
-  try {
-    springs.advance(queue(), 5);
-    ADD_FAILURE();
-  } catch (const Diverged& said) {
-    EXPECT_EQ(said.step, 0);
-    EXPECT_EQ(said.mass, topology.top(77));
-  }
+// No solver turns a lost mass into a picture, nor waits for ever for it to come back.
+TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, sphere(1), fur_length);
+      Offsets push(topology.sticks(), glm::vec3(0));
+      push[17] = {1e30f, 0, 0};
+      MassSprings springs(queue(), topology, lively(solver));
+      springs.push(queue(), push);
+      try {
+        springs.advance(queue(), 5);
+        ADD_FAILURE() << name(kind) << ' ' << name(solver);
+      } catch (const Diverged& said) {
+        EXPECT_EQ(said.step, 0) << name(kind) << ' ' << name(solver);
+        // Where tops solve or stretch together others are lost in the same step.
+        if (!has_prisms(kind)) {
+          EXPECT_EQ(said.mass, topology.top(17));
+        }
+      }
+    }
 }
 
 TEST(TopologyDevice, TakesTheMemoryThatIsForetold) {
