@@ -22,6 +22,7 @@
 #include "harness/results/shells_subject.hpp"
 #include "harness/results/statistics.hpp"
 #include "harness/results/tuning.hpp"
+#include "harness/rivals/subjects.hpp"
 
 namespace pelage {
 namespace {
@@ -98,7 +99,11 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
 std::string told(const Row& row) {
   if (row.status != Status::ok) return fmt::format("{}: {}", to_text(row.status), row.reason);
   const double milliseconds = median(frame_ms(row));
-  return fmt::format("ok, {:.2f} ms, {:.1f} fps", milliseconds, 1000 / milliseconds);
+  std::string text = fmt::format("ok, {:.2f} ms, {:.1f} fps", milliseconds, 1000 / milliseconds);
+  if (const auto ratio = row.metrics.find("opengl_ratio"); ratio != row.metrics.end())
+    text += fmt::format(", {:.2f} times OpenGL ({:.2f} to {:.2f})", ratio->second.value,
+                        ratio->second.low.value_or(0), ratio->second.high.value_or(0));
+  return text;
 }
 
 RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::Device& device,
@@ -144,8 +149,9 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
       progress.note(fmt::format("{}: {}", row.case_name, told(row)));
     progress.finish(told(row));
   };
-  const MakeSubject make = shells_on(device, sweep.experiment, tuning,
-                                     [&](const std::string& text) { progress.note("  " + text); });
+  const auto note = [&](const std::string& text) { progress.note("  " + text); };
+  const MakeSubject make =
+      with_rivals(shells_on(device, sweep.experiment, tuning, note), sweep.experiment, note);
   return run_cases(plan, make, journal, listener);
 }
 

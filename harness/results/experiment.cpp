@@ -113,6 +113,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   };
   result.pipeline = part("pipeline", "shells");
   result.mapping = part("mapping", "tile");
+  result.opengl = part("opengl", "");
 
   if (result.overrides.empty()) result.require = experiment.require;
   if (result.overrides.empty())

@@ -40,7 +40,7 @@ struct Experiment {
   std::vector<Setting> scene;                                             ///< shared by all cases
   std::vector<Axis> axes;                                                 ///< in the order in which they nest
   std::map<std::string, std::map<std::string, std::vector<Setting>>> at;  ///< axis, value -> further settings
-  std::map<std::string, std::map<std::string, std::string>> variants;     ///< name -> pipeline, mapping
+  std::map<std::string, std::map<std::string, std::string>> variants;  ///< name -> pipeline, mapping, opengl
   std::map<std::string, Preset> presets;
   std::vector<Published> published;
   std::map<std::string, double> require;  ///< metric -> least value that a case of this experiment must have
@@ -50,6 +50,7 @@ struct Case {
   std::string name;     ///< unique in the experiment, fit for a file name: "torus-16-800x600"
   std::string variant;  ///< "shells/tile"
   std::string pipeline, mapping;
+  std::string opengl;  ///< how the OpenGL rival is written (docs/rival.md)
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;
   std::map<std::string, std::string> settings;  ///< scene keys that the experiment gives, values as in TOML

@@ -142,6 +142,11 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
+/// Keys of a variant that are not the scene's.
+bool says_how(std::string_view key) {
+  return key == "pipeline" || key == "mapping" || key == "opengl";
+}
+
 void read_tables_of_axis(const fs::path& file, const std::string& axis, const toml::table& table,
                          Experiment& into) {
   for (const auto& [value, node] : table) {
@@ -149,12 +154,11 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
     if (!settings) refuse(file, &node, fmt::format("{}.{} must be a table of scene keys", axis, value.str()));
     std::vector<Setting>& list = into.at[axis][std::string(value.str())];
     for (const auto& [key, inner] : *settings) {
-      if (axis == "variant" && (key == "pipeline" || key == "mapping"))
+      if (axis == "variant" && says_how(key.str()))
         into.variants[std::string(value.str())][std::string(key.str())] = plain(inner);
     }
     flatten(*settings, {}, list);
-    if (axis == "variant")
-      std::erase_if(list, [](const Setting& s) { return s.first == "pipeline" || s.first == "mapping"; });
+    if (axis == "variant") std::erase_if(list, [](const Setting& s) { return says_how(s.first); });
   }
 }
 

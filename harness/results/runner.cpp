@@ -100,6 +100,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     const auto check_from = std::chrono::steady_clock::now();
     row.check = subject->check(picture);
     row.provenance["check_s"] = seconds_since(check_from);
+    row.samples = sampling.samples;
     subject->describe(row);
     for (const auto& [metric, least] : which.require)
       row.check.push_back({"experiment", metric,
@@ -107,11 +108,9 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
                            true});
     if (which.published) row.metrics["paper_" + which.published->unit] = *which.published;
     judge(row, picture);
-    if (row.status == Status::ok) {
-      row.samples = sampling.samples;
-      if (const auto covered = row.metrics.find("covered_fragments"); covered != row.metrics.end())
-        row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
-    }
+    if (const auto covered = row.metrics.find("covered_fragments");
+        row.status == Status::ok && covered != row.metrics.end())
+      row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
   } catch (const Unsupported& error) {
     fails(Status::unsupported, error.what());
   } catch (const InputError& error) {
@@ -122,6 +121,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
   } catch (const std::exception& error) {
     fails(Status::error, error.what());
   }
+  if (row.status != Status::ok) row.samples.clear();  // no picture, no time
   return row;
 }
 

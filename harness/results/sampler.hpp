@@ -19,7 +19,9 @@ struct SamplingLimits {
 /// What one frame cost, ms. Event times are absent where the device's timer is not real.
 struct FrameSample {
   double wall_ms = 0;
-  std::map<std::string, double> phase_event_ms;
+  std::map<std::string, double> phase_event_ms = {};
+  /// What else was timed in this round, such as a rival's frame.
+  std::map<std::string, double> phase_wall_ms = {};
 };
 
 struct Sampling {

@@ -26,7 +26,7 @@ class Subject {
   /// Compares that picture with something trusted; the row is ok only if there is a check and all hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
   /// Adds what it knows of itself: build_ms, tuning, metrics, and mesh, kernel and scene hashes to the
-  /// provenance.
+  /// provenance, and what follows from row.samples, which are there already.
   virtual void describe(Row& row) = 0;
 };
 
