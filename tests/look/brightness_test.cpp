@@ -15,7 +15,8 @@ namespace {
 
 struct Look {
   const char* name;
-  std::vector<const char*> with_16;  ///< what the scene advises where layers are few
+  std::vector<const char*> with_16;        ///< what the scene advises where layers are few
+  std::vector<const char*> with_substeps;  ///< and besides, where they are looked into four times
 };
 
 void PrintTo(const Look& look, std::ostream* out) {
@@ -58,24 +59,30 @@ class Looks : public testing::TestWithParam<Look> {};
 
 TEST_P(Looks, SixteenLayersAreAsBrightAsSixtyFour) {
   const auto mesh = load_model(scene_of(GetParam(), 64).model);
-  Picture picture[2];
-  for (const int layers : {64, 16}) {
-    const Scene scene = scene_of(GetParam(), layers);
+  const auto drawn = [&](int layers, int substeps) {
+    Scene scene = scene_of(GetParam(), layers);
+    scene.fur.substeps = substeps;
+    if (substeps > 1)
+      for (const char* assignment : GetParam().with_substeps) apply_set(scene, assignment);
     EXPECT_EQ(scene.image.width, 800);
     EXPECT_EQ(scene.image.height, 600);
     reference::Options options;
     options.windows = sample(scene.image);
-    picture[layers == 16] = reference::render(*prepare(scene, mesh), options);
+    return reference::render(*prepare(scene, mesh), options);
+  };
+  const Picture sixty_four = drawn(64, 1);
+  const double many = brightness(sixty_four, sixty_four);
+  for (const int substeps : {1, 4}) {
+    const double few = brightness(drawn(16, substeps), sixty_four);
+    EXPECT_NEAR(few / many, 1.0, 0.025) << many << " and " << few << " with " << substeps << " sub-steps";
   }
-  const double many = brightness(picture[0], picture[0]), few = brightness(picture[1], picture[0]);
-  EXPECT_NEAR(few / many, 1.0, 0.025) << many << " and " << few;
 }
 
 INSTANTIATE_TEST_SUITE_P(Examples, Looks,
-                         testing::Values(Look{"straight", {}}, Look{"wavy", {}},
-                                         Look{"large-curls", {"curl.radius=0.032", "curl.turns=1.1"}},
-                                         Look{"small-curls", {}}, Look{"dry", {}}, Look{"wet", {}},
-                                         Look{"grass", {}}),
+                         testing::Values(Look{"straight", {}, {}}, Look{"wavy", {}, {}},
+                                         Look{"large-curls", {"curl.radius=0.032", "curl.turns=1.1"}, {}},
+                                         Look{"small-curls", {}, {}}, Look{"dry", {}, {}},
+                                         Look{"wet", {}, {}}, Look{"grass", {}, {"fur.sweep=0.25"}}),
                          [](const auto& param) {
                            std::string name = param.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');

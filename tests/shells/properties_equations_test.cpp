@@ -11,6 +11,7 @@
 #include "harness/reference/mask.hpp"
 #include "harness/reference/shading.hpp"
 #include "harness/reference/strands.hpp"
+#include "harness/reference/substeps.hpp"
 #include "tests/opencl_as_cpp.hpp"
 #include "tests/synthetic/synthetic.hpp"
 
@@ -298,6 +299,20 @@ TEST(Equations, AlongAndAcrossTheLight) {
   EXPECT_EQ(shim::wet_factor(.3, 0), 1);
   EXPECT_EQ(shim::wet_factor(0, .5), 1);
   EXPECT_EQ(shim::wet_factor(1, .5), .5);
+}
+
+TEST(Equations, SubStepsShiftLikeTheReferences) {
+  for (std::uint32_t trial = 0; trial < 2000; ++trial) {
+    Any any{trial};
+    const glm::dvec3 step = 0.1 * any.direction(), normal = any.direction(), eye = any.direction();
+    const glm::dvec3 t = any.direction(), b = trial % 7 ? any.direction() : 2.0 * t;
+    const glm::dvec3 shift = glm_of(shim::root_shift(shim_of(step), shim_of(normal), shim_of(eye)));
+    expect_near(shift, reference::root_shift(step, normal, eye));
+    const shim::real2 uv = shim::shift_in_uv(shim_of(shift), shim_of(t), shim_of(b));
+    const glm::dvec2 expected = reference::uv_shares(shift, t, b);
+    EXPECT_NEAR(uv.x, expected.x, 1e-9 * (1 + std::abs(expected.x)));
+    EXPECT_NEAR(uv.y, expected.y, 1e-9 * (1 + std::abs(expected.y)));
+  }
 }
 
 TEST(Equations, TheWetTangentIsTheReferences) {
