@@ -82,7 +82,8 @@ INSTANTIATE_TEST_SUITE_P(Examples, Looks,
                          testing::Values(Look{"straight", {}, {}}, Look{"wavy", {}, {}},
                                          Look{"large-curls", {"curl.radius=0.032", "curl.turns=1.1"}, {}},
                                          Look{"small-curls", {}, {}}, Look{"dry", {}, {}},
-                                         Look{"wet", {}, {}}, Look{"grass", {}, {"fur.sweep=0.25"}}),
+                                         Look{"wet", {}, {}},
+                                         Look{"grass", {}, {"fur.sweep=0.25", "fur.bend=12"}}),
                          [](const auto& param) {
                            std::string name = param.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');
