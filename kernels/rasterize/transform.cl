@@ -39,8 +39,9 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 }
 
 // Every layer's vertices, base first: rows of screen x, y (1/256 pixel from the image centre, integers' bits) and 1/w at
-// [(n + 1) vertices + i], and for each group of layers the box of pixels whose centres they bound, at [(group vertices + i) 4]: left, top, right,
-// bottom from the image's corner. A vertex that needs clipping has 1/w = 0 and a box without limits.
+// [(n + 1) vertices + i]; and for each group of layers the box of pixels whose centres they bound, at
+// [(group vertices + i) 4]: left, top, right, bottom from the image's corner. A vertex that needs clipping has 1/w = 0 and
+// a box without limits.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global short *box) {
   int block = (int)get_global_id(0);
