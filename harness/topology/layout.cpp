@@ -71,14 +71,14 @@ Layout lay_out(const Topology& topology, const Wind& wind) {
   layout.corners = topology.kind == Kind::separable_prisms ? 3 : 1;
   layout.place.resize(sticks);
   std::iota(layout.place.begin(), layout.place.end(), 0u);
-  std::size_t together = 4 * slice;
+  std::size_t together = std::size_t{4} * slice;
   std::vector<std::vector<Neighbour>> around;
   if (topology.kind == Kind::prisms) {
     together = slice;
     around = neighbours(topology);
     layout.place = sorted_places(around);
   } else if (topology.kind == Kind::separable_prisms) {
-    together = 3 * slice;
+    together = std::size_t{3} * slice;
     for (std::uint32_t i = 0; i < sticks; ++i)
       layout.place[i] = (i / 3 / slice * 3 + i % 3) * slice + i / 3 % slice;
   }
@@ -110,7 +110,7 @@ Layout lay_out(const Topology& topology, const Wind& wind) {
 
 std::size_t memory(const Layout& layout, Solver solver) {
   // Columns of floats per place: sites, push, offset, speed; and when a mass was lost.
-  std::size_t columns = SITE_COLUMNS + 3 * 3;
+  std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
   columns += 1 + 4;  // speeds and tips are rows of four
@@ -118,13 +118,13 @@ std::size_t memory(const Layout& layout, Solver solver) {
   switch (solver) {
     case Solver::explicit_euler:
     case Solver::semi_implicit_euler:
-      columns += 2 * 4;  // the next tips and speeds
+      columns += 8;  // the next tips and speeds
       break;
     case Solver::rk4:
-      columns += 4 * 4 + 3 * 3;  // those of two stages; the stage's offset and the weighted rates
+      columns += 16 + 9;  // those of two stages; the stage's offset and the weighted rates
       break;
     case Solver::backward_euler:
-      columns += 2 * 4 + 2 * 3 + 6;  // x and d; r and A d; A's blocks
+      columns += 8 + 6 + 6;  // x and d; r and A d; A's blocks
       values += 4 * layout.neighbour.size();
       break;
   }

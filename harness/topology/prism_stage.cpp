@@ -36,7 +36,8 @@ int ceiling(int a, int b) {
 template <class T>
 double total(const std::vector<T>& sums, int row, int chunks) {
   double sum = 0;
-  for (int k = 0; k < chunks; ++k) sum += double(sums[std::size_t(row * chunks + k)]);
+  for (int k = 0; k < chunks; ++k)
+    sum += double(sums[std::size_t(row) * std::size_t(chunks) + std::size_t(k)]);
   return sum;
 }
 

@@ -39,6 +39,7 @@ std::vector<glm::dvec3> offsets_by_the_world(const Topology& topology, const Dyn
   const double h = until / steps, tau = 2 * std::numbers::pi;
   const std::size_t sticks = topology.sticks();
   std::vector<glm::dvec3> root, normal, top, speed;
+  for (auto* values : {&root, &normal, &top, &speed}) values->reserve(sticks);
   const Pose start = pose(d.motion, 0), soon = pose(d.motion, 1e-6), before = pose(d.motion, -1e-6);
   for (std::size_t i = 0; i < sticks; ++i) {
     root.emplace_back(topology.mass[i]);
@@ -95,6 +96,7 @@ std::vector<glm::dvec3> offsets_by_the_world(const Topology& topology, const Dyn
   }
   const Pose end = pose(d.motion, until);
   std::vector<glm::dvec3> q;
+  q.reserve(sticks);
   for (std::size_t i = 0; i < sticks; ++i)
     q.push_back(glm::transpose(end.turn) * (top[i] - end.shift) - root[i]);
   return q;

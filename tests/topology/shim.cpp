@@ -68,6 +68,7 @@ void Shim::set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dv
 
 std::vector<glm::dvec3> Shim::by_stick(const std::vector<double>& values, bool rows) const {
   std::vector<glm::dvec3> found;
+  found.reserve(layout_.place.size());
   for (std::size_t i = 0; i < layout_.place.size(); ++i)
     found.emplace_back(values[at(i, 0, rows)], values[at(i, 1, rows)], values[at(i, 2, rows)]);
   return found;

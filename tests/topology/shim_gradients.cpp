@@ -27,7 +27,7 @@ int gradients_substep(Memory& m, int substep, double residual) {
   };
   const auto sum = [&](int row) {
     double total = 0;
-    for (int k = 0; k < chunks; ++k) total += sums[std::size_t(row * chunks + k)];
+    for (int k = 0; k < chunks; ++k) total += sums[std::size_t(row) * std::size_t(chunks) + std::size_t(k)];
     return total;
   };
   each([&] {

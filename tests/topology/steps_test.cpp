@@ -77,6 +77,7 @@ struct Spread {
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b) {
   std::vector<double> error;
   double squares = 0;
+  error.reserve(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     error.push_back(glm::distance(glm::dvec3(a[i]), b[i]) / double(fur_length));
     squares += error[i] * error[i];
@@ -121,8 +122,8 @@ double residual_left(const Mesh& mesh, float stiffness, float step, float asked)
   dynamics.step = step;
   MassSprings device(queue(), topology, dynamics);
   device.advance(queue(), 1);
-  std::vector<glm::dvec3> change;
-  for (const glm::vec3& v : device.speeds(queue())) change.emplace_back(v);
+  const std::vector<glm::vec3> speeds = device.speeds(queue());
+  const std::vector<glm::dvec3> change(speeds.begin(), speeds.end());
   const double left = reference::residual({topology, dynamics}, reference::rest(topology), 0, change);
   std::printf("k = %g, dt = %.4f, asked %.0e: %.2e left, %.2e by its own reckoning, %ld iterations\n",
               double(stiffness), double(step), double(asked), left, device.solves().worst_residual,
