@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 
 #include "harness/error.hpp"
@@ -30,11 +32,14 @@ Offsets after(const Topology& topology, const Dynamics& dynamics, int steps,
 }
 
 bool same_bits(const glm::vec3& a, const glm::vec3& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  for (int c = 0; c < 3; ++c)
+    if (std::bit_cast<std::uint32_t>(a[c]) != std::bit_cast<std::uint32_t>(b[c])) return false;
+  return true;
 }
 
 bool same_bits(const Offsets& a, const Offsets& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const glm::vec3& u, const glm::vec3& v) { return same_bits(u, v); });
 }
 
 TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
