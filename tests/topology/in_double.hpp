@@ -2,6 +2,8 @@
 // opencl_as_cpp.hpp is to equations. A source includes this and then, in a namespace of its own, the .cl file
 // it wants.
 #pragma once
+#include <cstddef>
+
 #include "tests/opencl_as_cpp.hpp"
 
 namespace pelage::in_double {
@@ -12,14 +14,16 @@ struct real4 {
 
 template <class T>
 real4 load_rows(const T* table, whole i) {
-  return {real(table[4 * i]), real(table[4 * i + 1]), real(table[4 * i + 2]), real(table[4 * i + 3])};
+  const T* row = table + std::ptrdiff_t{4} * i;
+  return {real(row[0]), real(row[1]), real(row[2]), real(row[3])};
 }
 template <class T>
 real4 gather_rows(const T* table, whole i) {
   return load_rows(table, i);
 }
 inline void store_rows(real4 v, real* table, whole i) {
-  table[4 * i] = v.x, table[4 * i + 1] = v.y, table[4 * i + 2] = v.z, table[4 * i + 3] = v.w;
+  real* row = table + std::ptrdiff_t{4} * i;
+  row[0] = v.x, row[1] = v.y, row[2] = v.z, row[3] = v.w;
 }
 template <class T>
 real load_real(const T* table, whole i) {
@@ -55,5 +59,7 @@ inline int get_global_id(int) {
 }  // namespace pelage::in_double
 
 #define LANES 1
+// NOLINTBEGIN(bugprone-reserved-identifier): OpenCL's own words
 #define __kernel static inline
 #define __global
+// NOLINTEND(bugprone-reserved-identifier)

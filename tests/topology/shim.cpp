@@ -22,7 +22,7 @@ Shim::Shim(const Topology& topology, const Dynamics& dynamics)
 }
 
 std::size_t Shim::at(std::size_t stick, std::size_t c, bool rows) const {
-  return rows ? 4 * layout_.place[stick] + c : column_of(layout_.place[stick], 3, c);
+  return rows ? std::size_t{4} * layout_.place[stick] + c : column_of(layout_.place[stick], 3, c);
 }
 
 void Shim::push(const std::vector<glm::vec3>& force) {
