@@ -70,7 +70,7 @@ def main(table, outputs):
                 axis.plot(float(r["triangles"]), bound, color=colour, marker=marker, markersize=5,
                           markerfacecolor="white", linestyle="none")
             if bounds:
-                axis.annotate("paper: < 1 fps", (float(bounds[0]["triangles"]), 1000), xytext=(-8, 0),
+                axis.annotate("paper: < 1 fps", (float(bounds[0]["triangles"]), 2000), xytext=(-6, 0),
                               textcoords="offset points", ha="right", va="center", fontsize=8, color="0.35")
         axis.set_xscale("log")
         axis.set_yscale("log")
