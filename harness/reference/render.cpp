@@ -154,6 +154,7 @@ class Painter {
     if (count == 1) return sampled(where + clump.d);
     const glm::dvec2 below = shift() - clump.delta_d;
     std::vector<FurSample> samples;
+    samples.reserve(std::size_t(count));
     for (int i = 0; i < count; ++i)
       samples.push_back(sampled(where + clump.d + double(i) / double(count) * below));
     return combined(samples);
