@@ -1,0 +1,150 @@
+// The forces of docs/topology.md for one mass at a time, as a plain program writes them. Included inside an
+// unnamed namespace of every file that is compiled with flags of its own.
+#define PELAGE_INLINE [[gnu::always_inline]] inline  // a call keeps a loop from being vectorized
+
+template <class T>
+struct V {
+  T x, y, z;
+};
+template <class T>
+PELAGE_INLINE V<T> operator+(V<T> a, V<T> b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class T>
+PELAGE_INLINE V<T> operator-(V<T> a, V<T> b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class T>
+PELAGE_INLINE V<T> operator*(T s, V<T> a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+template <class T>
+PELAGE_INLINE T dot(V<T> a, V<T> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T>
+PELAGE_INLINE V<T> cross(V<T> a, V<T> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class T>
+struct Constants {
+  T length, mass, inverse_mass, stiffness, damping, edge_stiffness, edge_damping, drag, weight, gust, step;
+  bool moving;
+};
+template <class T>
+PELAGE_INLINE Constants<T> constants(const TopologyParams& p) {
+  return {T(p.length),       T(p.mass), T(1) / T(p.mass),   T(p.stiffness), T(p.damping), T(p.edge_stiffness),
+          T(p.edge_damping), T(p.drag), T(p.return_weight), T(p.gust),      T(p.step),    p.moving != 0};
+}
+
+template <class T>
+struct Outside {
+  V<T> gravity, wind, speed, turn, turn_up;
+  T gust_sin, gust_cos;
+};
+template <class T>
+PELAGE_INLINE Outside<T> outside(const Moment& m) {
+  return {{T(m.gravity_x), T(m.gravity_y), T(m.gravity_z)},
+          {T(m.wind_x), T(m.wind_y), T(m.wind_z)},
+          {T(m.speed_x), T(m.speed_y), T(m.speed_z)},
+          {T(m.turn_x), T(m.turn_y), T(m.turn_z)},
+          {T(m.turn_up_x), T(m.turn_up_y), T(m.turn_up_z)},
+          T(m.gust_sin),
+          T(m.gust_cos)};
+}
+
+template <class T>
+struct Place {
+  V<T> root, normal;
+  T phase_cos, phase_sin;
+};
+
+template <class T>
+struct Span {
+  V<T> s;
+  T length, inverse;
+};
+template <class T>
+PELAGE_INLINE Span<T> span_of(V<T> d) {
+  const T length = std::sqrt(dot(d, d)), inverse = T(1) / (length > T(1e-20) ? length : T(1e-20));
+  return {inverse * d, length, inverse};
+}
+
+template <class T>
+PELAGE_INLINE V<T> stick_force(const Constants<T>& p, const Outside<T>& t, const Place<T>& at, V<T> q,
+                               V<T> v) {
+  const Span<T> stick = span_of(q);
+  const T wind = T(1) + p.gust * (t.gust_sin * at.phase_cos - t.gust_cos * at.phase_sin);
+  V<T> relative = wind * t.wind - t.speed - v, rate = t.gravity;
+  if (p.moving) {
+    const V<T> r = at.root + q, carried = cross(t.turn, r);
+    relative = relative - carried;
+    rate = rate - cross(t.turn_up, r) - cross(t.turn, carried + T(2) * v);
+  }
+  const T tension = p.stiffness * (stick.length - p.length) + p.damping * dot(v, stick.s);
+  const T back = p.weight * (T(1) - dot(at.normal, stick.s));
+  return p.mass * rate + p.drag * relative - tension * stick.s + back * (at.normal - stick.s);
+}
+
+template <class T>
+PELAGE_INLINE V<T> edge_force(const Constants<T>& p, V<T> d, V<T> dv, T rest) {
+  const Span<T> a = span_of(d);
+  return (p.edge_stiffness * (a.length - rest) + p.edge_damping * dot(dv, a.s)) * a.s;
+}
+
+template <class T>
+struct Symmetric {
+  T xx, yy, zz, xy, xz, yz;
+};
+// a I + b s s^T + c t t^T
+template <class T>
+PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
+  return {a + b * s.x * s.x + c * t.x * t.x, a + b * s.y * s.y + c * t.y * t.y,
+          a + b * s.z * s.z + c * t.z * t.z, b * s.x * s.y + c * t.x * t.y,
+          b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
+}
+
+// A stick's own part of backward Euler's equations: block dv = load.
+template <class T>
+struct Row {
+  Symmetric<T> block;
+  V<T> load;
+};
+template <class T>
+PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q, V<T> v, V<T> force) {
+  const T h = p.step, hhk = h * h * p.stiffness;
+  const Span<T> stick = span_of(q);
+  const T slack = T(1) - p.length * stick.inverse, across = hhk * (slack > T(0) ? slack : T(0));
+  const T cosine = dot(at.normal, stick.s), back = h * h * p.weight * stick.inverse;
+  const V<T> lean = at.normal - cosine * stick.s;
+  const T even = across + back * (T(1) - cosine), stiff = hhk - across - back * (T(1) - cosine);
+  const V<T> pulled = even * v + (stiff * dot(stick.s, v)) * stick.s + (back * dot(lean, v)) * lean;
+  return {symmetric(p.mass + h * p.drag + even, stiff + h * p.damping, stick.s, back, lean),
+          h * force - pulled};
+}
+
+// What an edge adds to the block of either end, and takes from the one between them: even I + along s s^T;
+// and h^2 J dv.
+template <class T>
+struct Coupling {
+  V<T> s, drawn;
+  T even, along;
+};
+template <class T>
+PELAGE_INLINE Coupling<T> coupling_of(const Constants<T>& p, V<T> d, V<T> dv, T rest) {
+  const Span<T> a = span_of(d);
+  const T hhk = p.step * p.step * p.edge_stiffness, slack = T(1) - rest * a.inverse;
+  const T even = hhk * (slack > T(0) ? slack : T(0)), stiff = hhk - even;
+  return {a.s, even * dv + (stiff * dot(a.s, dv)) * a.s, even, stiff + p.step * p.edge_damping};
+}
+
+// Cholesky's way with a 3 x 3 matrix.
+template <class T>
+PELAGE_INLINE V<T> solved(const Symmetric<T>& m, V<T> b) {
+  const T over_x = T(1) / m.xx, yx = m.xy * over_x, zx = m.xz * over_x;
+  const T over_y = T(1) / (m.yy - yx * m.xy), rest = m.yz - zx * m.xy, zy = rest * over_y;
+  const T over_z = T(1) / (m.zz - zx * m.xz - zy * rest);
+  const T y = b.y - yx * b.x, z = (b.z - zx * b.x - zy * y) * over_z, new_y = y * over_y - zy * z;
+  return {b.x * over_x - yx * new_y - zx * z, new_y, z};
+}
