@@ -108,10 +108,13 @@ Event::~Event() {
   if (event_ != nullptr) clReleaseEvent(event_);
 }
 
-Event::Event(Event&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+Event::Event(Event&& other) noexcept
+    : event_(std::exchange(other.event_, nullptr)), kernel_(std::move(other.kernel_)), bytes_(other.bytes_) {}
 
 Event& Event::operator=(Event&& other) noexcept {
   std::swap(event_, other.event_);
+  std::swap(kernel_, other.kernel_);
+  std::swap(bytes_, other.bytes_);
   return *this;
 }
 
@@ -138,11 +141,12 @@ Kernel::~Kernel() {
 }
 
 Kernel::Kernel(Kernel&& other) noexcept
-    : kernel_(std::exchange(other.kernel_, nullptr)), name_(std::move(other.name_)) {}
+    : kernel_(std::exchange(other.kernel_, nullptr)), name_(std::move(other.name_)), bytes_(other.bytes_) {}
 
 Kernel& Kernel::operator=(Kernel&& other) noexcept {
   std::swap(kernel_, other.kernel_);
   std::swap(name_, other.name_);
+  std::swap(bytes_, other.bytes_);
   return *this;
 }
 
@@ -161,7 +165,7 @@ Event Kernel::enqueue(const Queue& queue, std::array<std::size_t, 2> global,
   check(clEnqueueNDRangeKernel(queue.get(), kernel_, 2, nullptr, global.data(),
                                local[0] > 0 ? local.data() : nullptr, 0, nullptr, &event),
         fmt::format("clEnqueueNDRangeKernel of {} over {} x {}", name_, global[0], global[1]));
-  return Event(event);
+  return Event(event, name_, bytes_);
 }
 
 Event Kernel::enqueue(const Queue& queue, std::size_t global, std::size_t local) const {
@@ -169,7 +173,7 @@ Event Kernel::enqueue(const Queue& queue, std::size_t global, std::size_t local)
   check(clEnqueueNDRangeKernel(queue.get(), kernel_, 1, nullptr, &global, local > 0 ? &local : nullptr, 0,
                                nullptr, &event),
         fmt::format("clEnqueueNDRangeKernel of {} over {}", name_, global));
-  return Event(event);
+  return Event(event, name_, bytes_);
 }
 
 }  // namespace pelage::cl

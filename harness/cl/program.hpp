@@ -3,7 +3,9 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <type_traits>
+#include <utility>
 
 #include "harness/cl/buffer.hpp"
 
@@ -37,7 +39,8 @@ class Program {
 class Event {
  public:
   Event() = default;
-  explicit Event(cl_event event) : event_(event) {}
+  explicit Event(cl_event event, std::string kernel = {}, std::size_t bytes = 0)
+      : event_(event), kernel_(std::move(kernel)), bytes_(bytes) {}
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
@@ -45,9 +48,13 @@ class Event {
   /// start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
+  const std::string& kernel() const { return kernel_; }  ///< whose launch it was
+  std::size_t bytes() const { return bytes_; }  ///< of all the buffers it was given, each counted once
 
  private:
   cl_event event_ = nullptr;
+  std::string kernel_;
+  std::size_t bytes_ = 0;
 };
 
 class Kernel {
@@ -62,6 +69,7 @@ class Kernel {
   template <class... A>
   Kernel& with(const A&... values) {
     cl_uint index = 0;
+    bytes_ = 0;
     (set(index++, values), ...);
     return *this;
   }
@@ -74,8 +82,12 @@ class Kernel {
   template <class T>
   void set(cl_uint index, const Buffer<T>& buffer) {
     set_memory(index, buffer.get());
+    bytes_ += buffer.size() * sizeof(T);
   }
-  void set(cl_uint index, const Memory& memory) { set_memory(index, memory.get()); }
+  void set(cl_uint index, const Memory& memory) {
+    set_memory(index, memory.get());
+    bytes_ += memory.bytes();
+  }
   template <class T>
   requires(std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> &&
            !std::is_same_v<T, bool>) void set(cl_uint index, const T& value) {
@@ -86,6 +98,7 @@ class Kernel {
 
   cl_kernel kernel_ = nullptr;
   std::string name_;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace pelage::cl

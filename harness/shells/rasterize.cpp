@@ -9,11 +9,6 @@
 namespace pelage::shells {
 namespace {
 
-int tuned(const ShellOptions& options, const std::string& name, int otherwise) {
-  const auto found = options.tuning.find(name);
-  return found == options.tuning.end() ? otherwise : found->second;
-}
-
 // Layers that share a bin list: long lists cost set-ups, many lists cost binning.
 int default_group(int layers) {
   return std::max(4, (layers + 7) / 8);
@@ -22,7 +17,7 @@ int default_group(int layers) {
 // Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in
 // rasterize/coverage.clh).
 int tile_side(const ShellOptions& options, const std::string& axis, int otherwise) {
-  const int side = tuned(options, axis, otherwise);
+  const int side = tuned(options.tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)
     throw InputError(fmt::format("tuning: {} is {}: a multiple of 4 from 4 to 32", axis, side));
   return side;
@@ -69,12 +64,12 @@ cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
 constexpr std::int32_t triangles_per_chunk = 1024;
 
 RasterParams tiled(RasterParams p, const ShellOptions& options, const cl::Device& device) {
-  p.group = std::clamp(tuned(options, "GROUP", default_group(p.layers)), 1, p.layers);
+  p.group = std::clamp(tuned(options.tuning, "GROUP", default_group(p.layers)), 1, p.layers);
   p.groups = 1 + (p.layers + p.group - 1) / p.group;
   const int tile_w = tile_side(options, "TILE_W", TILE_W), tile_h = tile_side(options, "TILE_H", TILE_H);
   p.tiles_x = (p.width + tile_w - 1) / tile_w;
   p.tiles_y = (p.height + tile_h - 1) / tile_h;
-  const int wanted = int(4 * device.info().compute_units);
+  const int wanted = std::max(1, tuned(options.tuning, "CHUNKS", 4)) * int(device.info().compute_units);
   p.chunks = std::clamp((p.triangles + triangles_per_chunk - 1) / triangles_per_chunk, 1, wanted);
   p.chunk = ((p.triangles + p.chunks - 1) / p.chunks + 15) / 16 * 16;
   return p;

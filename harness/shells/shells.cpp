@@ -22,8 +22,8 @@ struct Shells::State {
         input(std::move(from)),
         lanes(options.mapping == "pixel" ? 1 : device.info().lanes),
         geometry(shells::lay_out(*input, lanes)),
-        simulate(queue, *input, geometry, lanes),
-        wet(queue, *input),
+        simulate(queue, *input, geometry, lanes, options.tuning),
+        wet(queue, *input, options.tuning),
         raster(queue, *input, geometry, wet, options, lanes) {}
 };
 
@@ -48,9 +48,11 @@ FrameTiming Shells::frame() {
     const std::optional<double> ms = event.milliseconds(s.queue.device());
     if (!ms) {
       timing.phase_event_ms.clear();
+      timing.kernels.clear();
       break;
     }
     timing.phase_event_ms[phase] += *ms;
+    timing.kernels.push_back({event.kernel(), phase, *ms, event.bytes()});
   }
   return timing;
 }

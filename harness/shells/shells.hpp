@@ -16,11 +16,19 @@ struct ShellOptions {
   std::map<std::string, int> tuning;  ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
 };
 
+/// A kernel's launch within a frame.
+struct KernelTime {
+  std::string kernel, phase;
+  double ms = 0;
+  std::size_t bytes = 0;  ///< of all the buffers it was given, each counted once
+};
+
 /// What one frame cost. Milliseconds; event times are absent (empty) where the device's timer cannot be
 /// trusted.
 struct FrameTiming {
   double wall_ms = 0;                            ///< first enqueue to finish
   std::map<std::string, double> phase_event_ms;  ///< simulate, transform, bin, raster
+  std::vector<KernelTime> kernels;               ///< in their order; empty where those are
   std::uint64_t covered_fragments = 0;           ///< of all layers; counted only on request (count())
 };
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
@@ -8,6 +10,11 @@ std::string build_options(const cl::Device&, int lanes, const std::map<std::stri
   std::string options = fmt::format("-D LANES={}", lanes);
   for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
   return options;
+}
+
+int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise) {
+  const auto found = tuning.find(axis);
+  return found == tuning.end() ? otherwise : found->second;
 }
 
 namespace {
@@ -24,12 +31,13 @@ std::vector<float> rest_state(const Geometry& g) {
 }  // namespace
 
 SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
-                             int lanes)
+                             int lanes, const std::map<std::string, int>& tuning)
     : program_(queue.device(), "simulate/simulate.cl", build_options(queue.device(), lanes, {})),
       step_(program_, "strand_frame"),
       params_(simulate_params(input.scene, geometry)),
       dynamics_(input.scene.dynamics),
       lanes_(lanes),
+      local_(std::size_t(tuned(tuning, "SIMULATE_GROUP", 0))),
       gusts_(queue.device(), 2 * std::size_t(input.scene.dynamics.substeps)),
       constants_(queue, std::span<const float>(geometry.strand_constants)),
       state_(queue, std::span<const float>(rest_state(geometry))) {}
@@ -37,7 +45,8 @@ SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, co
 void SimulateStage::frame(const cl::Queue& queue, int number, PhaseEvents* events) {
   gusts_.write(queue, gust_table(dynamics_, number));
   step_.with(params_, gusts_, constants_, state_);
-  cl::Event event = step_.enqueue(queue, std::size_t(params_.stride / lanes_));
+  const auto items = std::size_t(params_.stride / lanes_), group = std::max<std::size_t>(local_, 1);
+  cl::Event event = step_.enqueue(queue, (items + group - 1) / group * group, local_);
   if (events) events->emplace_back("simulate", std::move(event));
 }
 

@@ -14,13 +14,17 @@ namespace pelage::shells {
 /// Events of one frame by phase; read once the queue has finished.
 using PhaseEvents = std::vector<std::pair<std::string, cl::Event>>;
 
+/// The axis' value in `tuning`, else `otherwise`.
+int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise);
+
 /// "-D NAME=value ..." for a kernel build on `device`.
 std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning);
 
 /// S Eq. 2 and 3 for all strands.
 class SimulateStage {
  public:
-  SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
+  SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
+                const std::map<std::string, int>& tuning = {});
   void frame(const cl::Queue& queue, int number, PhaseEvents* events);
   const cl::Buffer<float>& state() const { return state_; }  ///< STATE_COLUMNS columns
   int stride() const { return params_.stride; }
@@ -32,20 +36,25 @@ class SimulateStage {
   SimulateParams params_;
   DynamicsScene dynamics_;
   int lanes_;
+  std::size_t local_;  // work-items in a work-group; 0: the driver's choice
   cl::Buffer<float> gusts_, constants_, state_;
 };
 
 /// Algorithm 1 over the mask.
 class WetStage {
  public:
-  WetStage(const cl::Queue& queue, const FrameInput& input);
+  WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning = {});
+  cl::Event run(const cl::Queue& queue);  ///< makes the mask; the constructor has done so already
   const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
   double build_ms() const { return program_.build_ms(); }
   double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm
 
  private:
+  int size_, bucket_;  // texels a side, of the mask and of a bucket
   cl::Program program_;
-  cl::Buffer<float> mask_;
+  cl::Kernel kernel_;
+  cl::Buffer<float> droplets_, surface_, mask_;
+  cl::Buffer<std::int32_t> row_, drop_;
   double mask_ms_ = 0;
 };
 

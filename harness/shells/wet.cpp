@@ -8,19 +8,17 @@
 namespace pelage::shells {
 namespace {
 
-constexpr int bucket_texels = 16;
-
 // Droplets by square of texels that their disc may reach, in their own order.
 struct Buckets {
   std::vector<std::int32_t> row, drop;
 };
 
-Buckets in_buckets(const std::vector<Droplet>& droplets, int size) {
-  const int side = (size + bucket_texels - 1) / bucket_texels;
+Buckets in_buckets(const std::vector<Droplet>& droplets, int size, int texels) {
+  const int side = (size + texels - 1) / texels;
   std::vector<std::vector<std::int32_t>> lists(std::size_t(side) * std::size_t(side));
   const auto bucket = [&](float coordinate) {
     const float texel = std::clamp(coordinate * float(size), 0.0f, float(size - 1));
-    return int(texel) / bucket_texels;
+    return int(texel) / texels;
   };
   const float margin = 1.0f / float(size);
   for (std::size_t i = 0; i < droplets.size(); ++i) {
@@ -56,26 +54,29 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
 
 }  // namespace
 
-WetStage::WetStage(const cl::Queue& queue, const FrameInput& input)
-    : program_(queue.device(), "wet/wet.cl", build_options(queue.device(), 1, {})) {
-  const int size = input.scene.wetness.size;
-  const auto texels = std::size_t(size) * std::size_t(size);
-  const Buckets buckets = in_buckets(input.droplets, size);
-  const cl::Buffer<float> droplets(queue, std::span<const float>(droplet_rows(input.droplets)));
-  const cl::Buffer<std::int32_t> row(queue, std::span<const std::int32_t>(buckets.row));
-  const cl::Buffer<std::int32_t> drop(queue, std::span<const std::int32_t>(buckets.drop));
-  const cl::Buffer<float> surface(queue, std::span<const float>(flat(input.mask_surface)));
-  mask_ = cl::Buffer<float>(queue.device(), 4 * texels);
-  const WetParams params{size, bucket_texels};
-  cl::Kernel kernel(program_, "wetness_mask");
-  kernel.with(params, droplets, row, drop, surface, mask_);
+WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning)
+    : size_(input.scene.wetness.size),
+      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      program_(queue.device(), "wet/wet.cl", build_options(queue.device(), 1, {})),
+      kernel_(program_, "wetness_mask"),
+      droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),
+      surface_(queue, std::span<const float>(flat(input.mask_surface))),
+      mask_(queue.device(), 4 * std::size_t(size_) * std::size_t(size_)) {
+  const Buckets buckets = in_buckets(input.droplets, size_, bucket_);
+  row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
+  drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
   // Twice: the first launch also compiles on some platforms.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
-    const cl::Event event = kernel.enqueue(queue, {std::size_t(size), std::size_t(size)});
+    const cl::Event event = run(queue);
     queue.finish();
     mask_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   }
+}
+
+cl::Event WetStage::run(const cl::Queue& queue) {
+  kernel_.with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);
+  return kernel_.enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }
 
 }  // namespace pelage::shells
