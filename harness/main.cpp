@@ -20,6 +20,7 @@
 #include "harness/commands/run.hpp"
 #include "harness/commands/scene.hpp"
 #include "harness/commands/topology.hpp"
+#include "harness/commands/tune.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
 
@@ -70,6 +71,7 @@ int main(int argc, char** argv) {
   add_mesh(app, chosen);
   add_topology(app, chosen);
   add_check(app, chosen);
+  add_tune(app, chosen);
   add_list(app, chosen);
   add_run(app, chosen);
   add_export(app, chosen);

@@ -1,0 +1,173 @@
+// pelage tune: which values of the kernels' tuning axes are quickest on a device.
+#include "harness/commands/tune.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "harness/atomic_file.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/error.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/results/contenders.hpp"
+#include "harness/results/experiment.hpp"
+#include "harness/results/provenance.hpp"
+#include "harness/results/results_folder.hpp"
+#include "harness/version/version.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Few and large triangles, many and small ones, many layers.
+constexpr const char* default_scenes = "^(torus-16|torus-64|bunny-16)-800x600$";
+
+struct TuneOptions {
+  std::vector<std::string> stages;
+  std::string device, preset = "quick", filter = default_scenes, output;
+  int rounds = 9;
+  bool dry_run = false;
+};
+
+struct NamedInput {
+  std::string name;
+  std::shared_ptr<const FrameInput> input;
+};
+
+std::vector<NamedInput> prepared(const Experiment& experiment, const std::vector<Case>& cases) {
+  std::vector<NamedInput> inputs;
+  for (const Case& which : cases) {
+    const Scene scene = scene_of(experiment, which);
+    MeshOptions options;
+    options.progress = [](const std::string& what) { fmt::print(stderr, "  {}\n", what); };
+    inputs.push_back({which.name, prepare(scene, load_model(scene.model, options))});
+  }
+  return inputs;
+}
+
+std::string told(const Candidate& c) {
+  if (!c.fault.empty()) return "failed: " + c.fault;
+  return fmt::format("{:.3f} ({:.3f} to {:.3f}){}", c.ratio, c.interval.low, c.interval.high,
+                     c.wins ? ", faster" : "");
+}
+
+void print_axes(const std::string& stage, const std::vector<TuningAxis>& axes) {
+  for (const TuningAxis& axis : axes) {
+    fmt::print("{}\t{}\t", stage, axis.name);
+    fmt::print("{}", axis.shipped ? std::to_string(*axis.shipped) : "shipped");
+    for (const int value : axis.values) fmt::print(",{}", value);
+    fmt::print("\t{}\n", axis.what);
+  }
+}
+
+std::string text_at(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void store(const fs::path& file, const std::string& stage, const TuningSearch& found,
+           const cl::Device& device, const std::vector<NamedInput>& inputs) {
+  const cl::DeviceInfo& info = device.info();
+  std::string scenes;
+  for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
+  const std::string against =
+      found.best.empty() ? std::string("nothing tried was faster than what is shipped")
+                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) of the shipped time", found.last.ratio,
+                                       found.last.interval.low, found.last.interval.high);
+  const std::string note = fmt::format(
+      "{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform, info.driver,
+      utc_now(), build_info().revision.substr(0, 12), cl::kernel_hash(), against, scenes);
+  const std::string text = with_stage(fs::exists(file) ? text_at(file) : "", stage, found.best, note);
+  if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  write_atomically(file, [&](const fs::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << text << std::flush;
+    if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  });
+  // What cannot be read back is of no use to anybody.
+  read_tuning(file);
+}
+
+int tune(const TuneOptions& options) {
+  const std::vector<std::string> stages = options.stages.empty() ? tunable_stages() : options.stages;
+  std::vector<std::vector<TuningAxis>> axes;
+  for (const std::string& stage : stages) axes.push_back(tuning_axes(stage));
+  const Experiment experiment = read_experiment(experiment_file("silva2010-table1"));
+  const std::vector<Case> cases =
+      filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
+  if (cases.empty())
+    throw InputError(fmt::format("--filter '{}': {} has no such case with preset {}", options.filter,
+                                 experiment.name, options.preset));
+  const cl::Device device = cl::choose_device(options.device);
+  const fs::path file = options.output.empty()
+                            ? fs::path("pelage-tuning") / (file_name_of(device.info().name) + ".toml")
+                            : fs::path(options.output);
+  refuse_recordings(file);
+  if (fs::exists(file)) read_tuning(file);  // refused now rather than at the end
+  if (options.dry_run) {
+    for (std::size_t i = 0; i < stages.size(); ++i) print_axes(stages[i], axes[i]);
+    fmt::print(stderr, "pelage: on {}; would be timed on", device.info().name);
+    for (const Case& c : cases) fmt::print(stderr, " {}", c.name);
+    fmt::print(stderr, "; would be stored in {}; nothing was run\n", file.string());
+    return 0;
+  }
+  const std::vector<NamedInput> inputs = prepared(experiment, cases);
+  fmt::print("{}\nstage\tconfiguration\ttime by the incumbent's (95% interval)\n", device.info().name);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    std::vector<TuningScene> scenes;
+    for (const NamedInput& n : inputs) scenes.push_back(tuning_scene(stages[i], n.name, device, n.input));
+    const TuningSearch found =
+        search_tuning(axes[i], scenes, options.rounds, [&stage = stages[i]](const Candidate& c) {
+          fmt::print("{}\t{}\t{}\n", stage, text_of(c.tuning), told(c));
+          std::fflush(stdout);
+        });
+    if (!found.fault.empty()) {
+      fmt::print(stderr, "pelage: {}: what is shipped fails its check, nothing is stored: {}\n", stages[i],
+                 found.fault);
+      return 1;
+    }
+    if (!found.last.tuning.empty())
+      fmt::print("{}\t{}\t{} of the shipped time{}\n", stages[i], text_of(found.last.tuning),
+                 told(found.last), found.best.empty() ? "; dropped" : "");
+    fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
+    store(file, stages[i], found, device, inputs);
+  }
+  fmt::print(stderr, "pelage: use it with run --tuning {}\n", file.string());
+  return 0;
+}
+
+}  // namespace
+
+void add_tune(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<TuneOptions>();
+  CLI::App* command =
+      app.add_subcommand("tune", "Search the kernels' tuning axes on a device; verify and store what wins");
+  command->add_option("stages", options->stages, "rasterize, simulate, wet; without any, all")
+      ->type_name("STAGE");
+  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+      ->type_name("DEVICE");
+  command
+      ->add_option("--preset", options->preset,
+                   "Whose cases of silva2010-table1 are timed on: smoke, quick, paper")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--filter", options->filter, "Only the cases whose name holds a match")
+      ->type_name("REGEX")
+      ->capture_default_str();
+  command->add_option("--rounds", options->rounds, "Turns that each candidate takes on each scene")
+      ->type_name("N")
+      ->check(CLI::Range(6, 1000))
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", options->output,
+                   "File to store in, other stages' values are kept (default: pelage-tuning/DEVICE.toml)")
+      ->type_name("FILE");
+  command->add_flag("--dry-run", options->dry_run, "Print the axes, run nothing");
+  command->callback([options, &chosen] { chosen = [options] { return tune(*options); }; });
+}
+
+}  // namespace pelage
