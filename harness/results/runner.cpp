@@ -92,8 +92,8 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     row.first_launch_ms = sampling.first_launch_ms;
     row.provenance["converged"] = sampling.converged;
     const Picture picture = subject->read();
-    row.image_hash = picture_hash(picture);
-    if (!plan.images.empty()) {
+    if (!picture.pixel.empty()) row.image_hash = picture_hash(picture);
+    if (!plan.images.empty() && !picture.pixel.empty()) {
       std::filesystem::create_directories(plan.images);
       write_picture(plan.images / (which.name + plan.image_suffix + ".png"), picture);
     }
@@ -113,6 +113,8 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
       row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
   } catch (const Unsupported& error) {
     fails(Status::unsupported, error.what());
+  } catch (const OutOfBounds& error) {
+    fails(Status::diverged, error.what());
   } catch (const InputError& error) {
     row.provenance["bad_input"] = true;
     fails(Status::error, error.what());

@@ -18,11 +18,17 @@ struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What the case simulates went out of bounds: the row is diverged and says where.
+struct OutOfBounds : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 class Subject {
  public:
   virtual ~Subject() = default;
   virtual FrameSample frame() = 0;  ///< draws the next frame
-  virtual Picture read() = 0;       ///< the last frame's own buffer, never a second drawing
+  /// The last frame's own buffer, never a second drawing; no pixels where nothing is drawn.
+  virtual Picture read() = 0;
   /// Compares that picture with something trusted; the row is ok only if there is a check and all hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
   /// Adds what it knows of itself: build_ms, tuning, metrics, and mesh, kernel and scene hashes to the
