@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "harness/error.hpp"
 #include "harness/shells/stages.hpp"
@@ -71,6 +72,7 @@ RasterParams tiled(RasterParams p, const ShellOptions& options, const cl::Device
   p.tiles_y = (p.height + tile_h - 1) / tile_h;
   const int wanted = std::max(1, tuned(options.tuning, "CHUNKS", 4)) * int(device.info().compute_units);
   p.chunks = std::clamp((p.triangles + triangles_per_chunk - 1) / triangles_per_chunk, 1, wanted);
+  p.every_layer = tuned(options.tuning, "REACH", 1) == 0 ? 1 : 0;
   p.chunk = ((p.triangles + p.chunks - 1) / p.chunks + 15) / 16 * 16;
   return p;
 }
@@ -134,6 +136,16 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
     kernel.with(params_, vertex_, dry_, curl_);
     curls = kernel.enqueue(queue, vertices);
   }
+  reach(queue);
+  queue.finish();
+}
+
+// Once per mask, like the dryness: which layers each triangle reaches, into the corners' fourth column.
+void RasterStage::reach(const cl::Queue& queue) {
+  const cl::Program program(queue.device(), "rasterize/reach.cl", build_options(queue.device(), 1, {}));
+  cl::Kernel kernel(program, "triangle_reach");
+  kernel.with(params_, table_, uv_, *mask_, corner_);
+  const cl::Event event = kernel.enqueue(queue, std::size_t(params_.triangles));
   queue.finish();
 }
 
@@ -190,8 +202,12 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_
 std::uint64_t RasterStage::count(const cl::Queue& queue) {
   const cl::Program counting(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",
                              options_ + " -D COUNT_FRAGMENTS");
+  // Coverage is a matter of geometry: triangles that their clumps hide count too.
+  const int every_layer = std::exchange(params_.every_layer, 1);
+  bin(queue, nullptr);
   const cl::Event event = raster(queue, counting);
   queue.finish();
+  params_.every_layer = every_layer;
   const std::vector<std::uint32_t> parts = covered_.read(queue);
   return std::accumulate(parts.begin(), parts.end(), std::uint64_t(0));
 }

@@ -70,6 +70,7 @@ class RasterStage {
   double build_ms() const;
 
  private:
+  void reach(const cl::Queue& queue);
   void bin(const cl::Queue& queue, PhaseEvents* events);
   cl::Event raster(const cl::Queue& queue, const cl::Program& program);
 

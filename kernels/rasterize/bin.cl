@@ -22,7 +22,8 @@ static inline bool touched(const RasterParams *s, TABLE(float) corners, TABLE(in
   top = max(top, WHOLE(0));
   right = min(right, WHOLE(s->width - 1));
   bottom = min(bottom, WHOLE(s->height - 1));
-  truth live = (left <= right) && (top <= bottom);
+  int first_layer = g == 0 || s->every_layer ? -1 : (g - 1) * s->group;
+  truth live = (left <= right) && (top <= bottom) && (bits_as_whole(row.w) > WHOLE(first_layer));
   spill_whole(left / TILE_W, out->left);
   spill_whole(top / TILE_H, out->top);
   spill_whole(live ? right / TILE_W : WHOLE(-1), out->right);
@@ -30,7 +31,7 @@ static inline bool touched(const RasterParams *s, TABLE(float) corners, TABLE(in
   return some(live);
 }
 
-// corners: per triangle a row of three vertex numbers and 0, padded by empty ones to a multiple of 16.
+// corners: per triangle a row of three vertex numbers and its reach, padded by empty ones to a multiple of 16.
 // count: [(g chunks + chunk) tiles + tile].
 __kernel void bin_count(RasterParams s, TABLE(float) corners, TABLE(int) box, __global int *count) {
   int chunk = (int)get_global_id(0), g = (int)get_global_id(1);

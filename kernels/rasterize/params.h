@@ -22,6 +22,7 @@ typedef struct {
   int groups;                                 // bin lists per tile: one for the base, then ceil(N / group)
   int chunk;                                  // triangles counted together
   int chunks;
+  int every_layer;                            // 1: draw triangles in layers that their clumps do not reach, too
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
   float clump_shape;                          // w

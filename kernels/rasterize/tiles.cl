@@ -17,7 +17,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
     for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
-    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, 0.0f, d, batch)) continue;
+    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
       int drawn_corner = index[as_int(d->vertex[1 + c])];
@@ -34,8 +34,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
 }
 
 // A batch with triangles that need clipping, rare: triangle by triangle, so that the order holds.
-static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, float least_iw, Batch *batch, Drawn *d,
-                              Tile *tile) {
+static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);
   truth outside = needs_clip(b);
   Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], pass->place.width, pass->place.height);
@@ -48,7 +47,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
     int lane = pass->n < 0 ? k : count - 1 - k;
     if (clipped[lane]) {
       covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
-    } else if (keep(t, b, least_iw, d, batch) && batch->covering[lane]) {
+    } else if (keep(t, b, d, batch) && batch->covering[lane]) {
       covered += cover_pixels(batch, lane, lane, d);
       flush(pass, 0, d, tile);
     }
@@ -92,6 +91,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   Drawn drawn;
   drawn.used = 0;
   drawn.deepest = 0;
+  for (int k = 0; k < AT_ONCE; ++k) drawn.count[TILE_PIXELS + k] = 0;
   for (int block = 0; block < BLOCKS; ++block) {
     int at = block * LANES;
     truth inside = (block_x(block) < WHOLE(place->width)) && (block_y(block) < WHOLE(place->height));
@@ -124,12 +124,14 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
       int next = last - done - 2 * LANES;
       if (n >= 0 && next >= first) triangles_soon(&s, m, n, load_whole(list + next, 0));
       if (some(needs_clip(b))) {
-        covered_pixels += draw_with_clipping(&pass, m, b, count, least_iw, &batch, &drawn, &tile);
+        covered_pixels += draw_with_clipping(&pass, m, b, count, &batch, &drawn, &tile);
         continue;
       }
-      if (!some(fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw)) >= REAL(least_iw))) continue;
-      if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, least_iw, &drawn, &batch))
-        continue;
+      truth drawn_here = (b.reach > WHOLE(n)) && (fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw)) >= REAL(least_iw));
+      if (!some(drawn_here)) continue;
+      Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
+      t.live = t.live && drawn_here;
+      if (!keep(t, b, &drawn, &batch)) continue;
       int slot = drawn.used;
       drawn.used += LANES;
       // Those that cover something, in drawing order; collected without a branch.
