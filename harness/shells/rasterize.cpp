@@ -85,6 +85,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       per_pixel_(options.mapping == "pixel"),
       lanes_(lanes),
       options_(build_options(queue.device(), lanes, options.tuning)),
+      one_lane_(build_options(queue.device(), 1, options.tuning)),
       transform_(queue.device(), "rasterize/transform.cl", options_),
       bin_(queue.device(), "rasterize/bin.cl", options_),
       raster_(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",

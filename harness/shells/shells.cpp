@@ -72,6 +72,14 @@ int Shells::frames_simulated() const {
 std::uint64_t Shells::count() {
   return state_->raster.count(state_->queue);
 }
+Tally Shells::tally() {
+  return state_->raster.tally(state_->queue);
+}
+std::map<std::string, double> Shells::operations(const Tally& tally, double wet_share) const {
+  const State& s = *state_;
+  return shells::frame_operations(s.raster.params(), shells::simulate_params(s.input->scene, s.geometry),
+                                  s.geometry, tally, wet_share);
+}
 double Shells::wet_ms() const {
   return state_->wet.mask_ms();
 }

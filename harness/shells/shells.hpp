@@ -16,6 +16,13 @@ struct ShellOptions {
   std::map<std::string, int> tuning;  ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
 };
 
+/// Fragments of a frame's layers, the base apart.
+struct Tally {
+  std::uint64_t covered = 0;  ///< whether seen or not
+  std::uint64_t shaded = 0;   ///< not behind the base, and the pixel was not opaque yet: clump and fur are looked up
+  std::uint64_t blended = 0;  ///< of those, where fur grows: they are lit and drawn
+};
+
 /// A kernel's launch within a frame.
 struct KernelTime {
   std::string kernel, phase;
@@ -47,6 +54,9 @@ class Shells {
   int frames_simulated() const;         ///< frames since rest, the last one included
   std::vector<glm::vec4> mask() const;  ///< wetness.size^2: c_u, c_v, r, rho
   std::vector<glm::vec3> tips() const;  ///< F, p minus root
+  Tally tally();            ///< fragments of the last frame, all layers (an extra, slow pass, a pixel at a time)
+  /// Floating-point operations of the last frame's kernels by name; `wet_share` of the surface is wet.
+  std::map<std::string, double> operations(const Tally& tally, double wet_share) const;
   std::uint64_t count();    ///< covered fragments of the last frame, all layers (an extra, untimed pass)
   double build_ms() const;  ///< kernel builds
   double wet_ms() const;    ///< Algorithm 1

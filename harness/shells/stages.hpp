@@ -8,6 +8,7 @@
 #include "harness/shells/geometry.hpp"
 #include "harness/shells/params.hpp"
 #include "harness/shells/shells.hpp"
+#include "harness/shells/work.hpp"
 
 namespace pelage::shells {
 
@@ -66,6 +67,8 @@ class RasterStage {
   void frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
              PhaseEvents* events);
   std::uint64_t count(const cl::Queue& queue);
+  Tally tally(const cl::Queue& queue);  ///< of the last frame, by an extra pass that leaves its picture alone
+  const RasterParams& params() const { return params_; }
   Picture read(const cl::Queue& queue) const;
   double build_ms() const;
 
@@ -77,7 +80,7 @@ class RasterStage {
   RasterParams params_;
   bool per_pixel_;
   int lanes_;
-  std::string options_;
+  std::string options_, one_lane_;  // -D of kernels on all lanes, and on one
   cl::Program transform_, bin_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
   cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_;

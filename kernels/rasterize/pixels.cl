@@ -103,7 +103,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   }
 
   float4 front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
-  uint fragments = 0;
+  uint fragments = 0, shaded = 0, blended = 0;
   for (int n = s.layers - 1; n >= 0; --n) {
     Layer l = layer_at(&s, table, n);
     int g = 1 + n / s.group;
@@ -112,20 +112,28 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       if (!h.covered) continue;
       ++fragments;
       if (h.iw < nearest.iw || front.w <= OPAQUE) continue;
+      ++shaded;
       Surface p = surface_at(&s, from, h, vertices, x, y);
       Fur f = fur_fragment(&s, textures, l, n, p);
       if (f.coverage <= 0.0f) continue;
+      ++blended;
       real3 c = fur_colour(&s, textures, l, p, f);
       float weight = front.w * f.coverage;
       front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
     }
   }
+  size_t at = (size_t)j * s.width + i;
+#ifdef TALLY
+  covered[3 * at] = fragments;
+  covered[3 * at + 1] = shaded;
+  covered[3 * at + 2] = blended;
+  return;
+#endif
   float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
   if (nearest.covered) {
     real3 c = skin_colour(&s, textures, base, surface_at(&s, from, nearest, nearest_vertices, x, y));
     behind = (float4)(c.x, c.y, c.z, 1.0f);
   }
-  size_t at = (size_t)j * s.width + i;
   image[at] = (float4)(front.x + front.w * behind.x, front.y + front.w * behind.y, front.z + front.w * behind.z,
                        1.0f - front.w * (1.0f - behind.w));
   covered[at] = fragments;

@@ -1,0 +1,210 @@
+// pelage-bench: every kernel of a frame on Google Benchmark, by the device's own timer. --benchmark_out and
+// the library's compare.py work as ever.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+#include "harness/cl/device.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/cl/timer.hpp"
+#include "harness/error.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/results/shells_subject.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/shells.hpp"
+#include "harness/shells/stages.hpp"
+#include "harness/version/version.hpp"
+
+namespace {
+
+using namespace pelage;
+
+struct Options {
+  std::string device, scene, mapping = "tile";
+  std::vector<std::string> set;
+  double seconds = 0.5;
+};
+
+/// A scene at work: one frame a round, whose kernels have their times from their events.
+struct Bench {
+  std::shared_ptr<const FrameInput> input;
+  Shells shells;
+  cl::Queue queue;
+  shells::WetStage wet;
+  Tally tally;
+  std::map<std::string, double> operations;
+
+  Bench(const cl::Device& device, std::shared_ptr<const FrameInput> from, const std::string& mapping)
+      : input(std::move(from)), shells(device, input, {mapping, {}}), queue(device), wet(queue, *input) {
+    shells.advance(frames_before(input->scene.dynamics));
+    shells.frame();
+    tally = shells.tally();
+    operations = shells.operations(tally, wet_share(*input->mesh, shells.mask(), input->scene.wetness.size));
+  }
+};
+
+/// Milliseconds and bytes of a kernel in one frame, all its launches together.
+KernelTime of_kernel(const FrameTiming& timing, const std::string& kernel) {
+  KernelTime sum{kernel, "", 0, 0};
+  for (const KernelTime& k : timing.kernels) {
+    if (k.kernel != kernel) continue;
+    sum.ms += k.ms;
+    sum.bytes += k.bytes;
+  }
+  return sum;
+}
+
+bool draws(const std::string& kernel) {
+  return kernel.ends_with("_shells");
+}
+
+void time_kernel(benchmark::State& state, Bench& bench, const std::string& kernel) {
+  std::size_t bytes = 0;
+  for (auto unused : state) {
+    const KernelTime time = of_kernel(bench.shells.frame(), kernel);
+    if (time.ms <= 0) {
+      state.SkipWithError("its event has no time");
+      break;
+    }
+    state.SetIterationTime(time.ms / 1000);
+    bytes = time.bytes;
+  }
+  const auto rate = [](double value) {
+    return benchmark::Counter(value, benchmark::Counter::kIsIterationInvariantRate);
+  };
+  state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
+  if (const auto found = bench.operations.find(kernel); found != bench.operations.end())
+    state.counters["operations"] = rate(found->second);
+  if (draws(kernel)) {
+    state.counters["covered"] = rate(double(bench.tally.covered));
+    state.counters["shaded"] = rate(double(bench.tally.shaded));
+    state.counters["blended"] = rate(double(bench.tally.blended));
+  }
+}
+
+void time_mask(benchmark::State& state, Bench& bench) {
+  std::size_t bytes = 0;
+  for (auto unused : state) {
+    const cl::Event event = bench.wet.run(bench.queue);
+    bench.queue.finish();
+    const auto ms = event.milliseconds(bench.queue.device());
+    if (!ms) {
+      state.SkipWithError("its event has no time");
+      break;
+    }
+    state.SetIterationTime(*ms / 1000);
+    bytes = event.bytes();
+  }
+  state.SetBytesProcessed(state.iterations() * std::int64_t(bytes));
+  const double size = bench.input->scene.wetness.size;
+  state.counters["texels"] = benchmark::Counter(size * size, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void time_frame(benchmark::State& state, Bench& bench) {
+  for (auto unused : state) state.SetIterationTime(bench.shells.frame().wall_ms / 1000);
+  state.counters["shaded"] =
+      benchmark::Counter(double(bench.tally.shaded), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+Scene scene_of(const Options& options) {
+  Scene scene;
+  if (!options.scene.empty()) scene = read_scene(options.scene);
+  for (const std::string& assignment : options.set) apply_set(scene, assignment);
+  check_scene(scene, options.scene.empty() ? "scene" : options.scene);
+  return scene;
+}
+
+/// The library adjusts its number of iterations until the time is long enough, which never ends where times
+/// are wrong: the number is fixed beforehand from a pilot frame.
+void register_all(Bench& bench, const Options& options, bool timer) {
+  const FrameTiming pilot = bench.shells.frame();
+  const auto iterations = [&](double ms) {
+    return std::clamp(std::int64_t(1000 * options.seconds / ms), std::int64_t(3), std::int64_t(10000));
+  };
+  const Scene& scene = bench.input->scene;
+  const std::string where =
+      fmt::format("{}/{}/{}x{}", scene.model, scene.fur.layers, scene.image.width, scene.image.height);
+  const auto name = [&](const std::string& what) { return fmt::format("{}/{}", what, where); };
+  const auto add = [&](const std::string& what, double ms, const auto& work) {
+    benchmark::RegisterBenchmark(name(what).c_str(), work)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(iterations(ms));
+  };
+  add("frame", pilot.wall_ms, [&bench](benchmark::State& s) { time_frame(s, bench); });
+  if (!timer) return;
+  add("wetness_mask", std::max(0.1, bench.wet.mask_ms()),
+      [&bench](benchmark::State& s) { time_mask(s, bench); });
+  std::set<std::string> known;
+  for (const KernelTime& k : pilot.kernels)
+    if (known.insert(k.kernel).second)
+      add(k.kernel, pilot.wall_ms,
+          [&bench, kernel = k.kernel](benchmark::State& s) { time_kernel(s, bench, kernel); });
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("pelage's kernels on Google Benchmark; --benchmark_... options are passed on to it",
+               "pelage-bench");
+  app.allow_extras();
+  app.add_option("--device", options.device, "PLATFORM:INDEX, or part of a device's name")
+      ->type_name("DEVICE");
+  app.add_option("scene", options.scene, "Scene file; without one, the default scene")
+      ->type_name("SCENE.toml");
+  app.add_option("--set", options.set, "Override one key of the scene; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--mapping", options.mapping, "How a work-item draws: tile, pixel")->type_name("NAME");
+  app.add_option("--seconds", options.seconds, "Time for each kernel's frames, s")
+      ->check(CLI::Range(0.001, 3600.0))
+      ->capture_default_str();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    throw InputError(fmt::format("{}; `pelage-bench --help` shows the usage", error.what()));
+  }
+  std::vector<std::string> words = app.remaining();
+  std::vector<char*> rest{argv[0]};
+  for (std::string& word : words) rest.push_back(word.data());
+  rest.push_back(nullptr);
+  int count = int(rest.size()) - 1;
+  benchmark::Initialize(&count, rest.data());
+  if (count > 1) throw InputError(fmt::format("{}: no such option, see pelage-bench --help", rest[1]));
+
+  const Scene scene = scene_of(options);
+  const cl::Device device = cl::choose_device(options.device);
+  Bench bench(device, prepare(scene, load_model(scene.model)), options.mapping);
+  const cl::TimerCheck timer = cl::check_timer(bench.queue);
+  if (!timer.real)
+    fmt::print(stderr, "pelage-bench: {}: whole frames only, by the wall clock\n", timer.reason);
+  benchmark::AddCustomContext("opencl_device", device.info().name);
+  benchmark::AddCustomContext("opencl_platform", device.info().platform + ", driver " + device.info().driver);
+  benchmark::AddCustomContext("pelage_revision", build_info().revision);
+  benchmark::AddCustomContext("kernel_hash", cl::kernel_hash());
+  benchmark::AddCustomContext("scene_hash", scene_hash(scene));
+  register_all(bench, options, timer.real);
+  return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    return 2;
+  } catch (const NoDeviceError& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    return 3;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-bench: {}\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,61 @@
+// pelage-bench on a small picture: every kernel has a time and its counters, in Google Benchmark's own JSON.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+const std::filesystem::path bench = std::filesystem::path(PELAGE_BINARY).parent_path() / "pelage-bench";
+
+int run(const Folder& folder, const std::string& arguments) {
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && ASAN_OPTIONS=detect_leaks=0 timeout 300 '" + bench.string() +
+                              "' >stdout 2>stderr " + arguments;
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Bench, EveryKernelHasATimeAndItsCounters) {
+  if (!std::filesystem::exists(bench)) GTEST_SKIP() << "built without Google Benchmark";
+  const Folder folder;
+  ASSERT_EQ(run(folder,
+                "--set model=torus --set image.width=96 --set image.height=64 --set fur.layers=4 "
+                "--set fur.texture=64 --seconds 0.01 --benchmark_format=json --benchmark_out=out.json"),
+            0)
+      << folder.read("stderr");
+  const auto json = nlohmann::json::parse(folder.read("out.json"));
+  EXPECT_TRUE(json.at("context").contains("kernel_hash"));
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : json.at("benchmarks")) {
+    const std::string name = row.at("name");
+    EXPECT_FALSE(row.contains("error_occurred")) << row;
+    EXPECT_GT(row.at("real_time"), 0) << name;
+    EXPECT_EQ(row.at("time_unit"), "ms");
+    rows[name.substr(0, name.find('/'))] = row;
+  }
+  for (const char* kernel :
+       {"frame", "strand_frame", "wetness_mask", "vertex_tips", "layer_vertices", "vertex_records",
+        "bin_count", "bin_sum", "bin_start", "bin_fill", "tile_shells"})
+    EXPECT_TRUE(rows.contains(kernel)) << kernel;
+  for (const auto& [name, row] : rows)
+    EXPECT_GT(name == "frame" ? 1.0 : row.at("bytes_per_second").get<double>(), 0) << name;
+  for (const char* counter : {"operations", "covered", "shaded", "blended"})
+    EXPECT_GT(rows.at("tile_shells").at(counter), 0) << counter;
+  EXPECT_GE(rows.at("tile_shells").at("covered"), rows.at("tile_shells").at("shaded"));
+  EXPECT_GE(rows.at("tile_shells").at("shaded"), rows.at("tile_shells").at("blended"));
+}
+
+TEST(Bench, BadUsageIsExitTwo) {
+  if (!std::filesystem::exists(bench)) GTEST_SKIP() << "built without Google Benchmark";
+  const Folder folder;
+  EXPECT_EQ(run(folder, "--no-such-option"), 2);
+  EXPECT_EQ(run(folder, "--set fur.layers=0"), 2);
+  EXPECT_EQ(run(folder, "no-such-scene.toml"), 2);
+}
+
+}  // namespace
+}  // namespace pelage::cli
