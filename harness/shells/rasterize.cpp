@@ -12,7 +12,7 @@ namespace {
 
 // Layers that share a bin list: long lists cost set-ups, many lists cost binning.
 int default_group(int layers) {
-  return std::max(4, (layers + 7) / 8);
+  return std::max(4, (layers + 5) / 6);
 }
 
 // Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in
@@ -118,10 +118,12 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   record_ = cl::Buffer<float>(device, RECORD * vertices);
   screen_ = cl::Buffer<float>(device, 4 * screens);
   box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups));
+  nearest_ = cl::Buffer<float>(device, vertices * std::size_t(params_.groups));
   chunk_count_ = cl::Buffer<std::int32_t>(device, lists * std::size_t(params_.chunks));
   length_ = cl::Buffer<std::int32_t>(device, lists);
   list_start_ = cl::Buffer<std::int32_t>(device, lists + 1);
   list_ = cl::Buffer<std::int32_t>(device, 1);
+  next_tile_ = cl::Buffer<std::int32_t>(device, 1);
   image_ = cl::Buffer<glm::vec4>(device, pixels);
   covered_ = cl::Buffer<std::uint32_t>(device, per_pixel_ ? pixels : tiles);
 
@@ -164,24 +166,30 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   keep(count_.enqueue(queue, chunks, {1, 1}));
   sum_.with(params_, chunk_count_, length_);
   keep(sum_.enqueue(queue, {tiles, std::size_t(params_.groups)}));
-  start_.with(params_, length_, list_start_);
+  start_.with(params_, length_, list_start_, next_tile_);
   keep(start_.enqueue(queue, 1));
   // The lists are as long as they need to be: no triangle is ever dropped.
   std::array<std::int32_t, 1> total{};
   list_start_.read(queue, total, length_.size());
-  // Sixteen more than there are: the last block of a list is loaded whole.
-  if (std::size_t(total[0]) + 16 > list_.size())
-    list_ = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4 + 16);
+  if (std::size_t(total[0]) > list_.size())
+    list_ = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
   fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
   keep(fill_.enqueue(queue, chunks, {1, 1}));
 }
 
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
   cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
-  kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
-              curl_, fur_, coat_, *mask_, image_, covered_);
-  if (per_pixel_) return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
-  return kernel.enqueue(queue, std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y), 1);
+  if (per_pixel_) {
+    kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
+                curl_, fur_, coat_, *mask_, image_, covered_);
+    return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
+  }
+  kernel.with(params_, table_, corner_, screen_, box_, nearest_, vertex_, tip_, dry_, list_start_, list_,
+              record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
+  // Work-items fetch tiles until there are none. Platforms hand them to threads by the dozen: more than
+  // threads.
+  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
+  return kernel.enqueue(queue, std::min(tiles, 32 * std::size_t(queue.device().info().compute_units)), 1);
 }
 
 void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
@@ -192,7 +200,7 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_
   const std::size_t blocks = std::size_t(params_.vertices / lanes_);
   tips_.with(params_, slice_, strand_, weight_, strand_state, std::int32_t(strand_stride), tip_);
   keep("transform", tips_.enqueue(queue, blocks));
-  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_);
+  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_, nearest_);
   keep("transform", layers_.enqueue(queue, blocks));
   records_.with(params_, vertex_, tip_, uv_, record_);
   keep("transform", records_.enqueue(queue, std::size_t(params_.vertices)));

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
@@ -9,9 +11,13 @@ Tally RasterStage::tally(const cl::Queue& queue) {
   const auto pixels = std::size_t(params_.width) * std::size_t(params_.height);
   const cl::Buffer<std::uint32_t> parts(queue.device(), 3 * pixels);
   cl::Kernel kernel(program, "pixel_shells");
+  // The frame has shortened its lists; coverage counts in every layer.
+  const int every_layer = std::exchange(params_.every_layer, 1);
+  bin(queue, nullptr);
   kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
               curl_, fur_, coat_, *mask_, image_, parts);
   const cl::Event event = kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
+  params_.every_layer = every_layer;
   const std::vector<std::uint32_t> counted = parts.read(queue);
   Tally sum;
   for (std::size_t i = 0; i < pixels; ++i) {

@@ -1,34 +1,17 @@
 // Which triangles may touch which tile, per group of layers, in the mesh's order and without a bound on their number:
 // count per chunk of triangles, sum, fill. Lists are [list_start[g tiles + tile], list_start[g tiles + tile + 1]).
-#include "rasterize/params.h"
-#include "opencl.clh"
+#include "rasterize/boxes.clh"
 
 // Tiles that a block of LANES triangles may touch in group g; right < left when they cover no pixel centre.
 typedef struct { int left[LANES], top[LANES], right[LANES], bottom[LANES]; } Touched;
 
 static inline bool touched(const RasterParams *s, TABLE(float) corners, TABLE(int) box, int g, int block, Touched *out) {
-  whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
-  real4 row = load_rows(corners, block);
-  for (int k = 0; k < 3; ++k) {
-    whole i = bits_as_whole(k == 0 ? row.x : k == 1 ? row.y : row.z) * 2;
-    TABLE(int) of_group = box + (size_t)g * s->vertices * 2;
-    whole2 corner = gather_pairs(of_group, i);
-    left = min(left, (corner.first << 16) >> 16);
-    top = min(top, corner.first >> 16);
-    right = max(right, (corner.second << 16) >> 16);
-    bottom = max(bottom, corner.second >> 16);
-  }
-  left = max(left, WHOLE(0));
-  top = max(top, WHOLE(0));
-  right = min(right, WHOLE(s->width - 1));
-  bottom = min(bottom, WHOLE(s->height - 1));
-  int first_layer = g == 0 || s->every_layer ? -1 : (g - 1) * s->group;
-  truth live = (left <= right) && (top <= bottom) && (bits_as_whole(row.w) > WHOLE(first_layer));
-  spill_whole(left / TILE_W, out->left);
-  spill_whole(top / TILE_H, out->top);
-  spill_whole(live ? right / TILE_W : WHOLE(-1), out->right);
-  spill_whole(bottom / TILE_H, out->bottom);
-  return some(live);
+  Box b = box_of(s, load_rows(corners, block), box, g);
+  spill_whole(b.left / TILE_W, out->left);
+  spill_whole(b.top / TILE_H, out->top);
+  spill_whole(b.live ? b.right / TILE_W : WHOLE(-1), out->right);
+  spill_whole(b.bottom / TILE_H, out->bottom);
+  return some(b.live);
 }
 
 // corners: per triangle a row of three vertex numbers and its reach, padded by empty ones to a multiple of 16.
@@ -64,9 +47,10 @@ __kernel void bin_sum(RasterParams s, __global int *count, __global int *length)
   length[g * tiles + tile] = sum;
 }
 
-// One work-item: where each list begins; the last entry is the total.
-__kernel void bin_start(RasterParams s, TABLE(int) length, __global int *list_start) {
+// One work-item: where each list begins; the last entry is the total. No tile is drawn yet.
+__kernel void bin_start(RasterParams s, TABLE(int) length, __global int *list_start, __global int *next_tile) {
   if (get_global_id(0) != 0) return;
+  *next_tile = 0;
   int lists = s.groups * s.tiles_x * s.tiles_y, sum = 0;
   for (int i = 0; i < lists; ++i) {
     list_start[i] = sum;

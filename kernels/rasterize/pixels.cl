@@ -111,7 +111,8 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       Hit h = triangle_hit(&s, m, l, n, list[k], origin_x, origin_y, vertices);
       if (!h.covered) continue;
       ++fragments;
-      if (h.iw < nearest.iw || front.w <= OPAQUE) continue;
+      int reach = as_int(corners[4 * (size_t)list[k] + 3]);
+      if (h.iw < nearest.iw || front.w <= OPAQUE || n >= reach) continue;
       ++shaded;
       Surface p = surface_at(&s, from, h, vertices, x, y);
       Fur f = fur_fragment(&s, textures, l, n, p);

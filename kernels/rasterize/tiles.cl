@@ -2,7 +2,7 @@
 // shades blocks of LANES neighbouring pixels. Layers run from the tips down and triangles backwards, compositing front to
 // back: layers write no depth, so 'under' in reverse order is exactly the paper's 'over', and a pixel stops when nothing
 // more can be seen.
-#include "rasterize/tile_blocks.clh"
+#include "rasterize/hidden.clh"
 
 // The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
 // covered fragments.
@@ -55,21 +55,125 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
   return covered;
 }
 
-// LANES entries of a bin list, which is padded at its end; those from `count` on repeat the first.
-static inline whole load_entries(TABLE(int) list, int count) {
-  whole entry = load_whole(list, 0);
-  return lane_numbers() < WHOLE(count) ? entry : WHOLE(list[0]);
+static void clear(const Place *place, Drawn *d, Tile *tile) {
+  d->used = 0;
+  d->deepest = 0;
+  for (int k = 0; k < AT_ONCE; ++k) d->count[TILE_PIXELS + k] = 0;
+  for (int block = 0; block < BLOCKS; ++block) {
+    int at = block * LANES;
+    truth inside = (block_x(block) < WHOLE(place->width)) && (block_y(block) < WHOLE(place->height));
+    spill_whole(WHOLE(0), d->count + at);
+    spill_real(REAL(0.0f), tile->depth + at);
+    spill_real(REAL(0.0f), tile->red + at);
+    spill_real(REAL(0.0f), tile->green + at);
+    spill_real(REAL(0.0f), tile->blue + at);
+    spill_real(inside ? REAL(1.0f) : REAL(0.0f), tile->through + at);
+  }
+}
+
+// The pass's layer of `entries` triangles; what is behind least_iw cannot be seen. Returns the number of covered fragments.
+static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries, float least_iw, Batch *batch, Drawn *d,
+                      Tile *tile) {
+  const Place *place = &pass->place;
+  int n = pass->n, covered = 0;
+  for (int done = 0; done < entries; done += LANES) {
+    int begin = n < 0 ? done : max(entries - done - LANES, 0);
+    int count = min(LANES, entries - done);
+    Triangles b = triangles_at(pass->s, m, n, load_entries(list + begin, count), place->origin_x, place->origin_y);
+    int next = entries - done - 2 * LANES;
+    if (n >= 0 && next >= 0) triangles_soon(pass->s, m, n, load_whole(list + next, 0));
+    if (some(needs_clip(b))) {
+      covered += draw_with_clipping(pass, m, b, count, batch, d, tile);
+      continue;
+    }
+    truth drawn_here = (b.reach > WHOLE(n)) && (fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw)) >= REAL(least_iw));
+    if (!some(drawn_here)) continue;
+    Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
+    t.live = t.live && drawn_here;
+    if (!keep(t, b, d, batch)) continue;
+    int slot = d->used;
+    d->used += LANES;
+    // Those that cover something, in drawing order; collected without a branch.
+    int lanes[LANES], covering = 0;
+    for (int k = 0; k < count; ++k) {
+      int lane = n < 0 ? k : count - 1 - k;
+      lanes[covering] = lane;
+      covering += batch->covering[lane];
+    }
+    for (int k = 0; k < covering; ++k) {
+      int lane = lanes[k];
+      if (d->deepest == DEEP) {
+        flush(pass, 0, d, tile);
+        d->used = slot + LANES;   // the rest of this batch still stands in its slots
+      }
+      covered += cover_pixels(batch, lane, slot + lane, d);
+    }
+    if (d->used + LANES > SLOTS) flush(pass, 0, d, tile);
+  }
+  flush(pass, 0, d, tile);
+  return covered;
+}
+
+static bool anything_seen_through(const Tile *tile) {
+  bool seen = false;
+  for (int block = 0; block < BLOCKS; ++block) seen = seen || some(fill_real(tile->through + block * LANES) > REAL(OPAQUE));
+  return seen;
+}
+
+// The base, then the layers from the outermost one. Returns the fragments of all layers, when counting.
+static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, __global int *list, __global float4 *image) {
+  const RasterParams *s = pass->s;
+  int tiles = s->tiles_x * s->tiles_y;
+  Place *place = &pass->place;
+  place->first_x = number % s->tiles_x * TILE_W;
+  place->first_y = number / s->tiles_x * TILE_H;
+  place->origin_x = SUBPIXEL * place->first_x + 128 - 128 * s->width;
+  place->origin_y = SUBPIXEL * place->first_y + 128 - 128 * s->height;
+  place->width = min(TILE_W, s->width - place->first_x);
+  place->height = min(TILE_H, s->height - place->first_y);
+  Tile tile;
+  Batch batch;
+  Drawn drawn;
+  clear(place, &drawn, &tile);
+
+  pass->n = -1;
+  pass->layer = layer_at(s, m.table, -1);
+  draw_layer(pass, m, list + list_start[number], list_start[number + 1] - list_start[number], 0.0f, &batch, &drawn, &tile);
+  float least_iw = 0.0f;
+#ifndef COUNT_FRAGMENTS
+  Hidden hidden;
+  find_hidden(&tile, place, &hidden);
+  least_iw = hidden.least[WHOLE_TILE];
+#endif
+
+  uint fragments = 0;
+  for (int g = s->groups - 1; g > 0; --g) {
+    int first = list_start[g * tiles + number], entries = list_start[g * tiles + number + 1] - first;
+#ifndef COUNT_FRAGMENTS
+    entries = drop_hidden(pass, m, g, &hidden, list + first, entries);
+#endif
+    for (int n = min(g * s->group, s->layers) - 1; n >= (g - 1) * s->group && anything_seen_through(&tile); --n) {
+      pass->n = n;
+      pass->layer = layer_at(s, m.table, n);
+      fragments += (uint)draw_layer(pass, m, list + first, entries, least_iw, &batch, &drawn, &tile);
+    }
+  }
+#ifndef COUNT_FRAGMENTS
+  pass->n = -1;
+  pass->layer = layer_at(s, m.table, -1);
+  resolve(pass, &tile, image);
+#endif
+  return fragments;
 }
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
-                          TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                          TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
-                          TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
-  int tile_index = (int)get_global_id(0);
-  int tiles = s.tiles_x * s.tiles_y;
-  if (tile_index >= tiles) return;
-  Geometry m = {corners, screen, vertex, tip, dry, table};
+// next: the first tile that nobody draws yet, 0 at first; so no work-item is left with all the furry tiles.
+__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(int) box,
+                          TABLE(float) nearest, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+                          TABLE(int) list_start, __global int *list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
+                          TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
+                          __global int *next) {
+  Geometry m = {corners, screen, vertex, tip, dry, table, box, nearest};
   Pass pass;
   pass.s = &s;
   pass.from.records = records;
@@ -78,99 +182,10 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   pass.from.textures.fur = fur;
   pass.from.textures.coat = coat;
   pass.from.textures.mask = mask;
-  Place *place = &pass.place;
-  place->first_x = tile_index % s.tiles_x * TILE_W;
-  place->first_y = tile_index / s.tiles_x * TILE_H;
-  place->origin_x = SUBPIXEL * place->first_x + 128 - 128 * s.width;
-  place->origin_y = SUBPIXEL * place->first_y + 128 - 128 * s.height;
-  place->width = min(TILE_W, s.width - place->first_x);
-  place->height = min(TILE_H, s.height - place->first_y);
-
-  Tile tile;
-  Batch batch;
-  Drawn drawn;
-  drawn.used = 0;
-  drawn.deepest = 0;
-  for (int k = 0; k < AT_ONCE; ++k) drawn.count[TILE_PIXELS + k] = 0;
-  for (int block = 0; block < BLOCKS; ++block) {
-    int at = block * LANES;
-    truth inside = (block_x(block) < WHOLE(place->width)) && (block_y(block) < WHOLE(place->height));
-    spill_whole(WHOLE(0), drawn.count + at);
-    spill_real(REAL(0.0f), tile.depth + at);
-    spill_real(REAL(0.0f), tile.red + at);
-    spill_real(REAL(0.0f), tile.green + at);
-    spill_real(REAL(0.0f), tile.blue + at);
-    spill_real(inside ? REAL(1.0f) : REAL(0.0f), tile.through + at);
-  }
-  uint fragments = 0;
-  float least_iw = 0.0f;
-  bool live = true;
-
-  // n = -1, the base, forwards; then the layers from the outermost one, backwards.
-  for (int step = -1; step < s.layers && live; ++step) {
-    int n = step < 0 ? -1 : s.layers - 1 - step;
-    int g = n < 0 ? 0 : 1 + n / s.group;
-    int first = list_start[g * tiles + tile_index], last = list_start[g * tiles + tile_index + 1];
-    pass.n = n;
-    pass.layer = layer_at(&s, table, n);
-    int covered_pixels = 0;
-    for (int done = 0; first + done < last; done += LANES) {
-      int begin = n < 0 ? first + done : max(last - done - LANES, first);
-      int end = n < 0 ? min(first + done + LANES, last) : last - done;
-      int count = end - begin;
-      // Beyond the last entry the first stands in; it is never laid on a pixel.
-      whole triangle = load_entries(list + begin, count);
-      Triangles b = triangles_at(&s, m, n, triangle, place->origin_x, place->origin_y);
-      int next = last - done - 2 * LANES;
-      if (n >= 0 && next >= first) triangles_soon(&s, m, n, load_whole(list + next, 0));
-      if (some(needs_clip(b))) {
-        covered_pixels += draw_with_clipping(&pass, m, b, count, &batch, &drawn, &tile);
-        continue;
-      }
-      truth drawn_here = (b.reach > WHOLE(n)) && (fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw)) >= REAL(least_iw));
-      if (!some(drawn_here)) continue;
-      Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
-      t.live = t.live && drawn_here;
-      if (!keep(t, b, &drawn, &batch)) continue;
-      int slot = drawn.used;
-      drawn.used += LANES;
-      // Those that cover something, in drawing order; collected without a branch.
-      int lanes[LANES], covering = 0;
-      for (int k = 0; k < count; ++k) {
-        int lane = n < 0 ? k : count - 1 - k;
-        lanes[covering] = lane;
-        covering += batch.covering[lane];
-      }
-      for (int k = 0; k < covering; ++k) {
-        int lane = lanes[k];
-        if (drawn.deepest == DEEP) {
-          flush(&pass, 0, &drawn, &tile);
-          drawn.used = slot + LANES;   // the rest of this batch still stands in its slots
-        }
-        covered_pixels += cover_pixels(&batch, lane, slot + lane, &drawn);
-      }
-      if (drawn.used + LANES > SLOTS) flush(&pass, 0, &drawn, &tile);
-    }
-    flush(&pass, 0, &drawn, &tile);
-    if (n < 0) {
-      // What lies behind the base everywhere in the tile cannot be seen.
-      least_iw = tile.depth[0];
-      for (int j = 0; j < place->height; ++j)
-        for (int i = 0; i < place->width; ++i) least_iw = fmin(least_iw, tile.depth[column_number(i) + row_number(j)]);
+  for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
+    uint fragments = draw_tile(&pass, m, number, list_start, list, image);
 #ifdef COUNT_FRAGMENTS
-      least_iw = 0.0f;
+    covered[number] = fragments;
 #endif
-    } else {
-      fragments += (uint)covered_pixels;
-      live = false;
-      for (int block = 0; block < BLOCKS; ++block) live = live || some(fill_real(tile.through + block * LANES) > REAL(OPAQUE));
-    }
   }
-#ifdef COUNT_FRAGMENTS
-  covered[tile_index] = fragments;
-#else
-  pass.n = -1;
-  pass.layer = layer_at(&s, table, -1);
-  resolve(&pass, &tile, image);
-#endif
 }

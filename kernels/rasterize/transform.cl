@@ -40,10 +40,10 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 
 // Every layer's vertices, base first: rows of screen x, y (1/256 pixel from the image centre, integers' bits) and 1/w at
 // [(n + 1) vertices + i]; and for each group of layers the box of pixels whose centres they bound, at
-// [(group vertices + i) 4]: left, top, right, bottom from the image's corner. A vertex that needs clipping has 1/w = 0 and
-// a box without limits.
+// [(group vertices + i) 4]: left, top, right, bottom from the image's corner; and the greatest 1/w in the group, at
+// [group vertices + i]. A vertex that needs clipping has 1/w = 0, a box without limits and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
-                             __global float *screen, __global short *box) {
+                             __global float *screen, __global short *box, __global float *nearest) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   Corner c = corner(&s, vertex, tip, dry, block);
@@ -52,17 +52,20 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
     int first = g == 0 ? -1 : (g - 1) * s.group;
     int last = g == 0 ? 0 : min(first + s.group, s.layers);
     whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
+    real most = REAL(0.0f);
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
       real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
       store_rows(row, screen + 4 * (size_t)(n + 1) * s.vertices, block);
       truth clipped = v.iw == REAL(0.0f);
+      most = clipped ? REAL(INFINITY) : fmax(most, v.iw);
       whole x = v.x + centre_x, y = v.y + centre_y;
       left = clipped ? WHOLE(-32768) : min(left, (x + WHOLE(SUBPIXEL - 1)) >> 8);
       top = clipped ? WHOLE(-32768) : min(top, (y + WHOLE(SUBPIXEL - 1)) >> 8);
       right = clipped ? WHOLE(32767) : max(right, x >> 8);
       bottom = clipped ? WHOLE(32767) : max(bottom, y >> 8);
     }
+    store_real(most, nearest + (size_t)g * s.vertices, block);
     __global short *out = box + ((size_t)g * s.vertices + (size_t)block * LANES) * 4;
 #if LANES == 16
     short16 l = convert_short16(left), t = convert_short16(top), r = convert_short16(right), b = convert_short16(bottom);
