@@ -39,7 +39,9 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   input->mask_surface = surface_map(*mesh, scene.wetness.size);
   input->fur_scale = fur_scale(*mesh, scene.fur);
 
-  auto extent = rest_tips(skin, input->strands);
+  if (has_springs(scene.dynamics)) input->stick_normal.assign(skin.normal.begin(), skin.normal.end());
+  auto extent = has_springs(scene.dynamics) ? rest_tips(skin, input->stick_normal, scene.fur.length)
+                                            : rest_tips(skin, input->strands);
   extent.insert(extent.end(), mesh->position.begin(), mesh->position.end());
   input->camera = make_camera(scene.camera, scene.image, extent, scene.curl.radius);
   input->mesh = std::move(mesh);

@@ -80,4 +80,12 @@ std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& set) {
   return tips;
 }
 
+std::vector<glm::vec3> rest_tips(const Skin& skin, const std::vector<glm::vec3>& normal, float length) {
+  std::vector<glm::vec3> tips;
+  tips.reserve(normal.size());
+  for (std::size_t w = 0; w < normal.size(); ++w)
+    tips.push_back(glm::vec3(skin.position[w]) + length * normal[w]);
+  return tips;
+}
+
 }  // namespace pelage

@@ -13,4 +13,7 @@ StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& w
 /// Rest tips of the surface points: position plus the weighted mean of its strands' anchors.
 std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& strands);
 
+/// Those of a topology's sticks, `length` along the normals.
+std::vector<glm::vec3> rest_tips(const Skin& skin, const std::vector<glm::vec3>& normal, float length);
+
 }  // namespace pelage

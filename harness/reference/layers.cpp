@@ -5,8 +5,20 @@
 #include <numbers>
 
 #include "harness/reference/parallel.hpp"
+#include "harness/reference/vector.hpp"
 
 namespace pelage::reference {
+namespace {
+
+/// Where the bend alone brings layer n, R; the base for n = -1.
+glm::dvec3 bent(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
+  const FurScene& fur = input.scene.fur;
+  const double h = n < 0 ? 0.0 : layer_height(n, fur.layers, mutant);
+  if (has_springs(input.scene.dynamics)) return stick_displacement(input.scene.dynamics, bend, h, mutant);
+  return bezier(bend.a, bend.b, bezier_parameter(h, fur.layer_spacing));
+}
+
+}  // namespace
 
 double layer_height(int n, int layers, Mutant mutant) {
   return double(n + (mutant == Mutant::height_without_one ? 0 : 1)) / double(layers);
@@ -25,9 +37,23 @@ glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dv
   return alpha * (std::cos(omega * h) * u + std::sin(omega * h) * v);
 }
 
+Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& normal,
+                const glm::dvec3& top) {
+  const glm::dvec3 s = unit(top);
+  glm::dvec3 off = s - normal;
+  if (dynamics.bend == "tangent") off -= glm::dot(off, normal) * normal;
+  return {length * normal, length * (normal + off)};
+}
+
+glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h, Mutant mutant) {
+  const bool straight = dynamics.bend == "linear" || mutant == Mutant::sticks_straight;
+  return h * bend.a + std::pow(h, straight ? 1.0 : double(dynamics.bend_power)) * (bend.b - bend.a);
+}
+
 Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted,
-                   Mutant mutant)
-    : input_(&input), mutant_(mutant), separate_(input.scene.fur.binding == "separate") {
+                   Mutant mutant, const std::vector<glm::dvec3>& sticks)
+    : input_(&input), mutant_(mutant), separate_(parts(input.scene)) {
+  const bool on_sticks = has_springs(input.scene.dynamics);
   const Mesh& mesh = *input.mesh;
   const StrandSet& strands = input.strands;
   const std::size_t faces = mesh.triangle.size(), count = separate_ ? 3 * faces : mesh.position.size();
@@ -43,7 +69,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
       point_wanted[mesh.weld[mesh.triangle[f][int(c)]]] = 1;
     }
   }
-  if (!separate_)  // a surface point follows the strands of all its triangles
+  if (!separate_ && !on_sticks)  // a surface point follows the strands of all its triangles
     for (std::size_t p = 0; p < point_wanted.size(); ++p)
       if (point_wanted[p])
         for (std::uint32_t i = strands.row[p]; i < strands.row[p + 1]; ++i)
@@ -51,7 +77,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
 
   std::vector<Bend> of_strand(faces);
   for_each_index(faces, 256, [&](std::size_t f) {
-    if (!strand_wanted[f]) return;
+    if (!strand_wanted[f] || on_sticks) return;
     of_strand[f] = {double(input.scene.fur.length) * glm::dvec3(strands.normal[f]),
                     simulate(input, f, frames).tip};
   });
@@ -59,6 +85,13 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
     if (!wanted_[s]) return;
     const std::uint32_t point = mesh.weld[vertex(s)];
     rho_[s] = mask.nearest(glm::dvec2(input.curl.mask_uv[point])).wetness;
+    if (on_sticks) {
+      const glm::dvec3 normal(input.stick_normal[point]);
+      const std::size_t turned = mutant == Mutant::corners_turned ? s / 3 * 3 + (s + 1) % 3 : s;
+      bend_[s] = stick_bend(input.scene.dynamics, double(input.scene.fur.length), normal,
+                            sticks.empty() ? normal : sticks[separate_ ? turned : point]);
+      return;
+    }
     if (separate_) {
       bend_[s] = of_strand[s / 3];
       return;
@@ -89,18 +122,11 @@ glm::dvec3 Geometry::curl_offset(std::size_t slot, int n) const {
 glm::dvec3 Geometry::position(std::size_t slot, int n) const {
   const glm::dvec3 surface(input_->mesh->position[vertex(slot)]);
   if (n < 0) return surface;
-  const FurScene& fur = input_->scene.fur;
-  const double t = bezier_parameter(layer_height(n, fur.layers, mutant_), fur.layer_spacing);
-  return surface + bezier(bend_[slot].a, bend_[slot].b, t) + curl_offset(slot, n);
+  return surface + bent(*input_, bend_[slot], n, mutant_) + curl_offset(slot, n);
 }
 
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
-  const FurScene& fur = input.scene.fur;
-  const auto at = [&](int layer) {
-    const double h = layer < 0 ? 0.0 : layer_height(layer, fur.layers, mutant);
-    return bezier(bend.a, bend.b, bezier_parameter(h, fur.layer_spacing));
-  };
-  return at(n) - at(n - 1);
+  return bent(input, bend, n, mutant) - bent(input, bend, n - 1, mutant);
 }
 
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n) {

@@ -1,4 +1,4 @@
-// Where the shells are (S Eq. 1 and 4, the strand's Bezier curve).
+// Where the shells are (S Eq. 1 and 4, the strand's Bezier curve; B Eq. 3 and 4).
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -23,21 +23,29 @@ glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t);
 /// S Eq. 4 with alpha(h) = (1 - rho) K_alpha h; `radius` is K_alpha in R, `turns` omega / 2 pi.
 glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v);
 
-/// The control points of the curve that displaces a vertex.
+/// What displaces a vertex: the control points of its Bezier curve, or its stick.
 struct Bend {
-  glm::dvec3 a{0.0};  ///< p0 - root, R
-  glm::dvec3 b{0.0};  ///< p - root, R
+  glm::dvec3 a{0.0};  ///< p0 - root, R; with a stick L0 n
+  glm::dvec3 b{0.0};  ///< p - root, R; with a stick L0 s
 };
 
-/// The shells of a moment. A slot is what is displaced once: a vertex copy ("shared"), or a corner of a
-/// triangle
-/// ("separate").
+/// B Eq. 3: the stick whose top lies at `top` from its base, as if it were straight and L0 = `length` long.
+/// normal: unit. With the "tangent" form what sets it apart from L0 n is freed of its part along n.
+Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& normal,
+                const glm::dvec3& top);
+
+/// B Eq. 4: a layer rises by h L0 along n and is moved by h^k L0 (s - n); with "linear" k = 1.
+glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h,
+                              Mutant mutant = Mutant::none);
+
+/// The shells of a moment. A slot is what is displaced once: a vertex copy, or a corner of a triangle where
+/// layers part.
 class Geometry {
  public:
   /// Bends and curls every slot of the faces where `wanted` is not 0 (F; empty: all of them) after `frames`
-  /// frames.
+  /// frames; with a topology by `sticks`, as Options has them.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
-           Mutant mutant = Mutant::none);
+           Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
   std::size_t slots() const { return bend_.size(); }
   bool wanted(std::size_t slot) const { return wanted_[slot] != 0; }

@@ -1,6 +1,7 @@
 // The same picture by the naive road: double precision, N passes over the mesh, back to front, written from
 // the papers and docs/frame.md. Slow and plain on purpose; shares no line with kernels/.
 #pragma once
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "harness/picture/picture.hpp"
@@ -22,12 +23,18 @@ enum class Mutant {
   mask_bilinear,       ///< the wetness mask is interpolated
   droplets_reversed,   ///< Algorithm 1 takes the droplets from last to first
   log_negated,         ///< k = -ln N in S Eq. 5, as printed
+  sticks_straight,     ///< k = 1 in B Eq. 4: layers lie along the stick
+  corners_turned,      ///< a triangle's corners take each other's sticks
 };
 
 struct Options {
   int frames = 0;               ///< frames of strand motion since rest before the picture is drawn
   bool eight_bit = false;       ///< round the framebuffer to 8 bits after every layer, as a 2010 GPU did
   std::vector<Window> windows;  ///< draw only these; empty: the whole picture
+  /// Of a scene with a mass-spring topology, in place of `frames`: the tops less their bases, R, per surface
+  /// point, or per triangle corner where the topology is separable. Their motion is not this reference's: see
+  /// harness/topology/reference.hpp. Empty: at rest.
+  std::vector<glm::dvec3> sticks;
   Mutant mutant = Mutant::none;
 };
 

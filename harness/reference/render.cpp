@@ -232,7 +232,7 @@ void check(bool fits, const char* what) {
   if (!fits) throw InputError(fmt::format("a frame cannot be drawn: {}", what));
 }
 
-void check(const FrameInput& input) {
+void check(const FrameInput& input, const Options& options) {
   check(input.mesh != nullptr, "it has no mesh");
   const Mesh& mesh = *input.mesh;
   const std::size_t faces = mesh.triangle.size(), copies = mesh.position.size(), points = mesh.welded;
@@ -242,6 +242,12 @@ void check(const FrameInput& input) {
   check(input.strands.normal.size() == faces && input.strands.anchor.size() == faces &&
             input.strands.phase.size() == faces,
         "there must be one strand per triangle");
+  const bool sticks = has_springs(input.scene.dynamics);
+  check(!sticks || input.stick_normal.size() == points, "a topology needs a normal per surface point");
+  check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
+        "there must be a stick per surface point, or per corner where the topology is separable");
+  check(!sticks || !options.sticks.empty() || options.frames == 0,
+        "a topology's sticks must be given once they have moved");
   check(input.strands.row.size() == points + 1, "the strand weights need a row per surface point");
   check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
         "the curl frame needs one entry per surface point");
@@ -260,7 +266,7 @@ void check(const FrameInput& input) {
 }  // namespace
 
 Picture render(const FrameInput& input, const Options& options) {
-  check(input);
+  check(input, options);
   const Camera& camera = input.camera;
   const glm::vec4 background(input.scene.image.background, 0.0f);
   Picture picture{camera.width, camera.height, {}};
@@ -280,7 +286,7 @@ Picture render(const FrameInput& input, const Options& options) {
     for (const std::uint32_t face : tile.faces) wanted[face] = 1;
 
   const Mask mask = wetness_mask(input, options.mutant);
-  const Geometry geometry(input, mask, options.frames, wanted, options.mutant);
+  const Geometry geometry(input, mask, options.frames, wanted, options.mutant, options.sticks);
   Painter painter(input, options, mask, geometry);
   const int layers = input.scene.fur.layers;
   for (int n = -1; n < layers; ++n) {

@@ -55,8 +55,10 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
   // A layer moves a vertex by at most the fur's length (the curve stays in its control points' hull, and Eq.
   // 3 keeps these in the ball) and the curl's radius; 1% for weights that do not quite sum to 1.
+  // A layer on a stick lies within L0 too, within sqrt(2) L0 in its tangential form.
+  const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
-      1.01 * (double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;
+      1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;
 
   std::vector<std::uint32_t> faces;
   for (std::uint32_t f = 0; f < mesh.triangle.size(); ++f) {

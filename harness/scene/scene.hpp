@@ -87,16 +87,59 @@ struct WindScene {
   float wavelength = 2.0f;  ///< R, of the gusts travelling along direction
 };
 
-struct DynamicsScene {
-  float mass = 0.001f;                  ///< kg
-  float stiffness = 0.4f;               ///< k, N/m, with 1 R = 1 m
-  float drag = 0.01f;                   ///< c, N s/m
-  float step = 1.0f / 240.0f;           ///< dt of a substep, s
-  int substeps = 4;                     ///< per frame
-  float time = 0.0f;                    ///< simulated before the first picture, s
-  glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
-  WindScene wind;
+/// Springs of the mass-spring topologies (docs/topology.md); Silva's strand has none of them.
+struct SpringsScene {
+  float stiffness = 10;         ///< of a stick along itself, N/m, with 1 R = 1 m
+  float damping = 0.02f;        ///< of that, N s/m
+  float edge_stiffness = 2;     ///< of the springs between the tops, N/m
+  float edge_damping = 0.004f;  ///< of those, N s/m
+  float return_weight = 0.2f;   ///< w of B Eq. 5, N
+  float residual = 1e-5f;       ///< |r| / |b| at which backward Euler's conjugate gradients stop
 };
+
+/// The object's own motion, which the fur of a topology feels; the camera travels with it.
+struct MotionScene {
+  glm::vec3 velocity{0.0f};          ///< R/s
+  glm::vec3 shake{0.0f};             ///< R, amplitude of a shake to and fro
+  float shake_frequency = 1.0f;      ///< Hz
+  glm::vec3 axis{0.0f, 1.0f, 0.0f};  ///< of its turn, through the origin
+  float spin = 0.0f;                 ///< rad/s
+  float swing = 0.0f;                ///< rad, amplitude of a turn to and fro
+  float swing_frequency = 1.0f;      ///< Hz
+};
+
+/// A local force on the tops of every triangle whose centroid lies within `radius` of `point`.
+struct PokeScene {
+  glm::vec3 point{0.0f};              ///< R
+  float radius = 0.0f;                ///< R; 0: no poke
+  glm::vec3 force{0.0f};              ///< N
+  float spread = 0.0f;                ///< N, away from the line through the point along `along`
+  glm::vec3 along{0.0f, 0.0f, 1.0f};  ///< what fur is parted along
+};
+
+struct DynamicsScene {
+  std::string topology =
+      "silva";  ///< "silva" | "sticks" | "prisms" | "separable-sticks" | "separable-prisms"
+  std::string solver = "semi-implicit-euler";  ///< of a topology; Silva's strand knows this one only
+  std::string bend = "paper";                  ///< of a topology's layers: "linear" | "paper" | "tangent"
+  float bend_power = 2.0f;                     ///< k of B Eq. 4
+  float mass = 0.001f;                         ///< kg
+  float stiffness = 0.4f;                      ///< k of Silva's strand, N/m, with 1 R = 1 m
+  float drag = 0.01f;                          ///< c, N s/m
+  float step = 1.0f / 240.0f;                  ///< dt of a substep, s
+  int substeps = 4;                            ///< per frame
+  float time = 0.0f;                           ///< simulated before the first picture, s
+  glm::vec3 gravity{0.0f, 0.0f, 0.0f};         ///< R/s^2
+  WindScene wind;
+  SpringsScene springs;
+  MotionScene motion;
+  PokeScene poke;
+};
+
+/// Whether a mass-spring topology moves the fur, rather than Silva's strand per triangle.
+inline bool has_springs(const DynamicsScene& dynamics) {
+  return dynamics.topology != "silva";
+}
 
 /// Frames of strand motion that `time` stands for: they pass before the first picture's own frame.
 inline int frames_before(const DynamicsScene& dynamics) {
@@ -161,5 +204,11 @@ struct Scene {
   CameraScene camera;
   ImageScene image;
 };
+
+/// Whether every triangle's corners move by themselves, so that layers part between triangles.
+inline bool parts(const Scene& scene) {
+  return has_springs(scene.dynamics) ? scene.dynamics.topology.starts_with("separable")
+                                     : scene.fur.binding == "separate";
+}
 
 }  // namespace pelage

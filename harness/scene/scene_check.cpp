@@ -88,6 +88,31 @@ void check_lights(const ShadingScene& shading, const std::string& source) {
   }
 }
 
+/// What only a topology knows, and what only Silva's strand does. Whether a topology's step is stable depends
+/// on the mesh too: the kernels find out, and nothing is drawn from masses that flew apart.
+void check_topology(const Scene& scene, const std::string& source) {
+  const DynamicsScene& d = scene.dynamics;
+  const auto refuse = [&](const char* key, const std::string& what) {
+    throw InputError(fmt::format("{}: {}: {}", source, key, what));
+  };
+  if (has_springs(d)) {
+    if (scene.fur.binding != "shared")
+      refuse("fur.binding",
+             fmt::format("is silva's; with dynamics.topology \"{}\" leave it at \"shared\"", d.topology));
+    if (d.wind.strength > 0 && !(d.drag > 0))
+      refuse("dynamics.wind.strength",
+             "reaches a topology by its drag against the air; give dynamics.drag above 0");
+    return;
+  }
+  const std::string alone = "silva's strand does not know it; give a dynamics.topology such as \"sticks\"";
+  if (d.solver != "semi-implicit-euler") refuse("dynamics.solver", alone);
+  if (d.motion.velocity != glm::vec3(0)) refuse("dynamics.motion.velocity", alone);
+  if (d.motion.shake != glm::vec3(0)) refuse("dynamics.motion.shake", alone);
+  if (d.motion.spin != 0) refuse("dynamics.motion.spin", alone);
+  if (d.motion.swing != 0) refuse("dynamics.motion.swing", alone);
+  if (d.poke.radius != 0) refuse("dynamics.poke.radius", alone);
+}
+
 /// Semi-implicit Euler on a damped spring is stable while 2 dt c/m + dt^2 k/m < 4 (Jury's criterion on its 2
 /// x 2 step).
 void check_step(const DynamicsScene& dynamics, const std::string& source) {
@@ -166,7 +191,8 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_droplets(scene.wetness, source);
   check_lights(scene.shading, source);
   check_sizes(scene, source);
-  check_step(scene.dynamics, source);
+  check_topology(scene, source);
+  if (!has_springs(scene.dynamics)) check_step(scene.dynamics, source);
   check_time(scene.dynamics, source);
   check_camera(scene.camera, source);
 }

@@ -17,6 +17,9 @@ std::vector<Key> scene_keys(Scene& s) {
   ClumpScene& clump = s.clump;
   DynamicsScene& dynamics = s.dynamics;
   WindScene& wind = s.dynamics.wind;
+  SpringsScene& springs = s.dynamics.springs;
+  MotionScene& motion = s.dynamics.motion;
+  PokeScene& poke = s.dynamics.poke;
   ShadingScene& shading = s.shading;
   CoatScene& coat = s.coat;
   CameraScene& camera = s.camera;
@@ -73,8 +76,12 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "clump.scale", .slot = &clump.scale, .unit = "", .help = "factor of the displacement: gain, or the literal r_mask", .choices = {"relative", "literal"}},
       {.name = "clump.cells", .slot = &clump.cells, .unit = "", .help = "a clump also ends where its neighbour begins, or as Algorithm 2 is printed", .choices = {"separate", "literal"}},
 
+      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "what moves the fur: Silva's strand per triangle, or the masses and springs of docs/topology.md", .choices = {"silva", "sticks", "prisms", "separable-sticks", "separable-prisms"}},
+      {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "of a topology; silva knows semi-implicit Euler only", .choices = {"explicit-euler", "backward-euler", "semi-implicit-euler", "rk4"}},
+      {.name = "dynamics.bend", .slot = &dynamics.bend, .unit = "", .help = "of a topology's layers: along the stick, as B Eq. 4 is printed, or its tangential part only", .choices = {"linear", "paper", "tangent"}},
+      {"dynamics.bend_power", &dynamics.bend_power, "", 1, 16, "k of B Eq. 4"},
       {"dynamics.mass", &dynamics.mass, "kg", 1e-9, 1000, "m, the mass at a strand's tip"},
-      {"dynamics.stiffness", &dynamics.stiffness, "N/m, with 1 R = 1 m", 1e-6, 1e6, "k of the strand's spring"},
+      {"dynamics.stiffness", &dynamics.stiffness, "N/m, with 1 R = 1 m", 1e-6, 1e6, "k of the spring of silva's strand"},
       {"dynamics.drag", &dynamics.drag, "N s/m", 0, 1e6, "c"},
       {"dynamics.step", &dynamics.step, "s", 1e-6, 1, "dt of a substep"},
       {"dynamics.substeps", &dynamics.substeps, "", 1, 1000, "substeps per frame"},
@@ -85,6 +92,24 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.wind.gust", &wind.gust, "of the strength", 0, 100, "amplitude of the gusts"},
       {"dynamics.wind.frequency", &wind.frequency, "Hz", 0, 1000, "of the gusts"},
       {"dynamics.wind.wavelength", &wind.wavelength, "R", 0.001, 1000, "of the gusts, which travel along the wind"},
+      {"dynamics.springs.stiffness", &springs.stiffness, "N/m, with 1 R = 1 m", 0, 1e6, "k of a topology's sticks, along themselves"},
+      {"dynamics.springs.damping", &springs.damping, "N s/m", 0, 1e6, "of those"},
+      {"dynamics.springs.edge_stiffness", &springs.edge_stiffness, "N/m", 0, 1e6, "k of the springs between a topology's tops"},
+      {"dynamics.springs.edge_damping", &springs.edge_damping, "N s/m", 0, 1e6, "of those"},
+      {"dynamics.springs.return_weight", &springs.return_weight, "N", 0, 1e6, "w of B Eq. 5; 0: nothing returns"},
+      {"dynamics.springs.residual", &springs.residual, "of the right-hand side", 1e-7, 0.1, "at which backward Euler's conjugate gradients stop"},
+      {"dynamics.motion.velocity", &motion.velocity, "R/s", -1000, 1000, "of the object; fur on a topology feels it, the camera travels along"},
+      {"dynamics.motion.shake", &motion.shake, "R", -10, 10, "amplitude of its shake to and fro"},
+      {"dynamics.motion.shake_frequency", &motion.shake_frequency, "Hz", 0, 1000, "of the shake"},
+      {"dynamics.motion.axis", &motion.axis, "direction", -1e6, 1e6, "of its turn, through the origin"},
+      {"dynamics.motion.spin", &motion.spin, "rad/s", -1000, 1000, "steady turn"},
+      {"dynamics.motion.swing", &motion.swing, "rad", -100, 100, "amplitude of a turn to and fro"},
+      {"dynamics.motion.swing_frequency", &motion.swing_frequency, "Hz", 0, 1000, "of the swing"},
+      {"dynamics.poke.point", &poke.point, "R", -1e6, 1e6, "centre of a local force on a topology's tops"},
+      {"dynamics.poke.radius", &poke.radius, "R", 0, 1e6, "triangles whose centroid is so near are poked; 0: none"},
+      {"dynamics.poke.force", &poke.force, "N", -1000, 1000, "on each of their tops"},
+      {"dynamics.poke.spread", &poke.spread, "N", -1000, 1000, "on each, away from the line through the point along `along`: parts the fur"},
+      {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "of that line"},
 
       {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "S Eq. 6, or W Eq. 2-5", .choices = {"curling", "wet"}},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, self-shadow of the curling model"},

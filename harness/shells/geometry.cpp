@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "harness/error.hpp"
 #include "kernels/rasterize/params.h"
 #include "kernels/simulate/params.h"
 
@@ -31,8 +32,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const Mesh& mesh = *input.mesh;
   const StrandSet& strands = input.strands;
   std::vector<Vertex> vertices;
-  if (input.scene.fur.binding == "separate") {
-    // Three corners per triangle, each bent by the triangle's own strand alone.
+  if (parts(input.scene)) {
+    // Three corners per triangle, each bent by the triangle's own strand, or by its own stick.
     static_assert(sizeof(std::uint32_t) == 4);
     for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
       for (int k = 0; k < 3; ++k) vertices.push_back({mesh.triangle[f][k], {}, {&whole_weight, 1}});
@@ -40,7 +41,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   }
   for (std::uint32_t copy = 0; copy < mesh.position.size(); ++copy) {
     const std::uint32_t point = mesh.weld[copy];
-    const std::size_t first = strands.row[point], count = strands.row[point + 1] - first;
+    const std::size_t first = strands.row[point],
+                      count = has_springs(input.scene.dynamics) ? 0 : strands.row[point + 1] - first;
     vertices.push_back({copy, std::span(strands.face).subspan(first, count),
                         std::span(strands.weight).subspan(first, count)});
   }
@@ -76,11 +78,13 @@ void lay_out_strands(const StrandSet& strands, Geometry& g) {
 Geometry lay_out(const FrameInput& input, int lanes) {
   const Mesh& mesh = *input.mesh;
   const StrandSet& strands = input.strands;
-  const bool separate = input.scene.fur.binding == "separate";
+  const bool separate = parts(input.scene), sticks = has_springs(input.scene.dynamics);
+  if (sticks && input.stick_normal.size() != mesh.welded)
+    throw InputError("a frame on a topology needs a normal per surface point");
   std::vector<std::uint32_t> own(separate ? mesh.triangle.size() : 0);
   for (std::uint32_t f = 0; f < own.size(); ++f) own[f] = f;
   std::vector<Vertex> vertices = drawn_vertices(input);
-  if (separate)
+  if (separate && !sticks)
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i].faces = std::span(own).subspan(i / 3, 1);
 
   Geometry g;
@@ -97,6 +101,10 @@ Geometry lay_out(const FrameInput& input, int lanes) {
     glm::dvec3 a(0.0);
     for (std::size_t e = 0; e < v.faces.size(); ++e)
       a += double(v.weights[e]) * glm::dvec3(strands.normal[v.faces[e]]);
+    if (sticks) {
+      a = input.stick_normal[point];
+      g.stick.push_back(separate ? std::uint32_t(i) : point);
+    }
     set_column3(g.vertex, VERTEX_X, g.vertices, row, mesh.position[v.copy]);
     set_column3(g.vertex, ROOT_X, g.vertices, row, glm::vec3(double(input.scene.fur.length) * a));
     set_column3(g.vertex, CURL_UX, g.vertices, row, input.curl.u[point]);

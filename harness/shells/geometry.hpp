@@ -8,7 +8,7 @@
 
 namespace pelage::shells {
 
-/// Vertices of the drawn mesh: the mesh's copies ("shared"), or three corners per triangle ("separate").
+/// Vertices of the drawn mesh: the mesh's copies, or three corners per triangle where layers part (parts()).
 struct Geometry {
   int vertices = 0;            ///< columns' length: a multiple of 16 and at least one more than there are
   int triangles = 0;           ///< columns' length: a multiple of 16; the last ones may be empty
@@ -18,7 +18,8 @@ struct Geometry {
   std::vector<float> mask_uv;  ///< two columns: where the vertex samples the wetness mask
   std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv, two unused
   std::vector<std::int32_t> corner;  ///< four per triangle: its vertices and 0
-  // Which strands bend a vertex, padded per block of `lanes` vertices.
+  std::vector<std::uint32_t> stick;  ///< per vertex but for the padding: a topology's stick; else empty
+  // Which of Silva's strands bend a vertex, padded per block of `lanes` vertices.
   std::vector<std::int32_t> slice;  ///< blocks + 1
   std::vector<std::int32_t> strand;
   std::vector<float> weight;

@@ -50,6 +50,7 @@ std::vector<float> gust_table(const DynamicsScene& dynamics, int frame) {
 std::vector<float> layer_table(const Scene& scene) {
   const int layers = scene.fur.layers;
   const double omega = 2.0 * std::numbers::pi * double(scene.curl.turns);
+  const double power = scene.dynamics.bend == "linear" ? 1.0 : double(scene.dynamics.bend_power);
   std::vector<float> table(std::size_t(LAYER_COLUMNS) * std::size_t(layers));
   for (int n = 0; n < layers; ++n) {
     const double h = (1.0 + n) / layers;
@@ -58,6 +59,7 @@ std::vector<float> layer_table(const Scene& scene) {
     row[LAYER_COS] = float(std::cos(omega * h));
     row[LAYER_SIN] = float(std::sin(omega * h));
     row[LAYER_LOG] = float(std::log(h));
+    row[LAYER_POWER] = float(std::pow(h, power));
   }
   return table;
 }
@@ -80,6 +82,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.triangles = geometry.triangles;
   p.layers = scene.fur.layers;
   p.uniform_spacing = scene.fur.layer_spacing == "uniform";
+  p.sticks = has_springs(scene.dynamics);
   p.length = scene.fur.length;
   p.curl_radius = scene.curl.radius;
   p.mask_size = scene.wetness.size;

@@ -192,14 +192,16 @@ cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program
   return kernel.enqueue(queue, std::min(tiles, 32 * std::size_t(queue.device().info().compute_units)), 1);
 }
 
-void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
+void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>* strand_state, int strand_stride,
                         PhaseEvents* events) {
   const auto keep = [&](const char* phase, cl::Event event) {
     if (events) events->emplace_back(phase, std::move(event));
   };
   const std::size_t blocks = std::size_t(params_.vertices / lanes_);
-  tips_.with(params_, slice_, strand_, weight_, strand_state, std::int32_t(strand_stride), tip_);
-  keep("transform", tips_.enqueue(queue, blocks));
+  if (strand_state) {
+    tips_.with(params_, slice_, strand_, weight_, *strand_state, std::int32_t(strand_stride), tip_);
+    keep("transform", tips_.enqueue(queue, blocks));
+  }
   layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_, nearest_);
   keep("transform", layers_.enqueue(queue, blocks));
   records_.with(params_, vertex_, tip_, uv_, record_);

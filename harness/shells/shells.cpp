@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 
+#include "harness/shells/springs.hpp"
 #include "harness/shells/stages.hpp"
 
 namespace pelage {
@@ -12,7 +13,8 @@ struct Shells::State {
   std::shared_ptr<const FrameInput> input;
   int lanes;
   shells::Geometry geometry;
-  shells::SimulateStage simulate;
+  std::optional<shells::SimulateStage> simulate;  // Silva's strands
+  std::optional<shells::SpringStage> springs;     // or a topology
   shells::WetStage wet;
   shells::RasterStage raster;
   int frames = 0;
@@ -22,9 +24,29 @@ struct Shells::State {
         input(std::move(from)),
         lanes(options.mapping == "pixel" ? 1 : device.info().lanes),
         geometry(shells::lay_out(*input, lanes)),
-        simulate(queue, *input, geometry, lanes, options.tuning),
         wet(queue, *input, options.tuning),
-        raster(queue, *input, geometry, wet, options, lanes) {}
+        raster(queue, *input, geometry, wet, options, lanes) {
+    if (has_springs(input->scene.dynamics))
+      springs.emplace(queue, *input, geometry, lanes);
+    else
+      simulate.emplace(queue, *input, geometry, lanes, options.tuning);
+  }
+
+  void move(shells::PhaseEvents* events) {
+    if (springs)
+      springs->frame(queue, events);
+    else
+      simulate->frame(queue, frames, events);
+  }
+
+  void draw(shells::PhaseEvents* events) {
+    if (springs) {
+      springs->tips(queue, raster, events);
+      raster.frame(queue, nullptr, 0, events);
+    } else {
+      raster.frame(queue, &simulate->state(), simulate->stride(), events);
+    }
+  }
 };
 
 Shells::Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options)
@@ -37,13 +59,14 @@ FrameTiming Shells::frame() {
   State& s = *state_;
   shells::PhaseEvents events;
   const auto begin = std::chrono::steady_clock::now();
-  s.simulate.frame(s.queue, s.frames, &events);
-  s.raster.frame(s.queue, s.simulate.state(), s.simulate.stride(), &events);
+  s.move(&events);
+  s.draw(&events);
   s.queue.finish();
   FrameTiming timing;
   timing.wall_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   ++s.frames;
+  if (s.springs) s.springs->check(s.queue);
   for (const auto& [phase, event] : events) {
     const std::optional<double> ms = event.milliseconds(s.queue.device());
     if (!ms) {
@@ -59,8 +82,9 @@ FrameTiming Shells::frame() {
 
 void Shells::advance(int frames) {
   State& s = *state_;
-  for (int i = 0; i < frames; ++i) s.simulate.frame(s.queue, s.frames++, nullptr);
+  for (int i = 0; i < frames; ++i, ++s.frames) s.move(nullptr);
   s.queue.finish();
+  if (s.springs) s.springs->check(s.queue);
 }
 
 Picture Shells::read() const {
@@ -84,7 +108,9 @@ double Shells::wet_ms() const {
   return state_->wet.mask_ms();
 }
 double Shells::build_ms() const {
-  return state_->simulate.build_ms() + state_->wet.build_ms() + state_->raster.build_ms();
+  const State& s = *state_;
+  return (s.springs ? s.springs->build_ms() : s.simulate->build_ms()) + s.wet.build_ms() +
+         s.raster.build_ms();
 }
 
 std::vector<glm::vec4> Shells::mask() const {
@@ -96,8 +122,9 @@ std::vector<glm::vec4> Shells::mask() const {
 }
 
 std::vector<glm::vec3> Shells::tips() const {
-  const std::vector<float> values = state_->simulate.state().read(state_->queue);
-  const auto stride = std::size_t(state_->simulate.stride());
+  if (state_->springs) return state_->springs->offsets(state_->queue);
+  const std::vector<float> values = state_->simulate->state().read(state_->queue);
+  const auto stride = std::size_t(state_->simulate->stride());
   std::vector<glm::vec3> tips(state_->input->strands.root.size());
   for (std::size_t f = 0; f < tips.size(); ++f)
     tips[f] = {values[TIP_X * stride + f], values[TIP_Y * stride + f], values[TIP_Z * stride + f]};

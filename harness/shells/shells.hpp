@@ -48,12 +48,13 @@ class Shells {
   Shells(Shells&&) noexcept;
   Shells& operator=(Shells&&) noexcept;
 
+  // Both throw springs::Diverged where a topology's masses flew apart: nothing is drawn from those.
   FrameTiming frame();                  ///< one timed frame
   void advance(int frames);             ///< strands only
   Picture read() const;                 ///< the last frame's own buffer
   int frames_simulated() const;         ///< frames since rest, the last one included
   std::vector<glm::vec4> mask() const;  ///< wetness.size^2: c_u, c_v, r, rho
-  std::vector<glm::vec3> tips() const;  ///< F, p minus root
+  std::vector<glm::vec3> tips() const;  ///< F, p minus root; of a topology one per stick, top minus base
   Tally tally();            ///< fragments of the last frame, all layers (an extra, slow pass, a pixel at a time)
   /// Floating-point operations of the last frame's kernels by name; `wet_share` of the surface is wet.
   std::map<std::string, double> operations(const Tally& tally, double wet_share) const;

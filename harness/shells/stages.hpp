@@ -64,11 +64,15 @@ class RasterStage {
  public:
   RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
               const ShellOptions& options, int lanes);
-  void frame(const cl::Queue& queue, const cl::Buffer<float>& strand_state, int strand_stride,
+  /// Draws with the strands' tips of the simulation; without a state the vertices' own, in tip(), are there
+  /// already.
+  void frame(const cl::Queue& queue, const cl::Buffer<float>* strand_state, int strand_stride,
              PhaseEvents* events);
+  const RasterParams& params() const { return params_; }
+  const cl::Buffer<float>& vertex() const { return vertex_; }  ///< VERTEX_COLUMNS columns
+  cl::Buffer<float>& tip() { return tip_; }                    ///< B of docs/frame.md, 3: three columns
   std::uint64_t count(const cl::Queue& queue);
   Tally tally(const cl::Queue& queue);  ///< of the last frame, by an extra pass that leaves its picture alone
-  const RasterParams& params() const { return params_; }
   Picture read(const cl::Queue& queue) const;
   double build_ms() const;
 

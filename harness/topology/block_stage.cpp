@@ -58,14 +58,15 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solv
       units_(blocks_ * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 
-void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers) {
+void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
+                         std::vector<cl::Event>* launches) {
   params.blocks = blocks_;
   params.blocks_per_item = per_item_;
   const std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
-  frame_
-      .with(params, buffers.moments, buffers.sites, buffers.push, sides_, buffers.offset, buffers.speed,
-            buffers.diverged_at, buffers.first)
-      .enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
+  frame_.with(params, buffers.moments, buffers.sites, buffers.push, sides_, buffers.offset, buffers.speed,
+              buffers.diverged_at, buffers.first);
+  cl::Event event = frame_.enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
+  if (launches) launches->push_back(std::move(event));
 }
 
 }  // namespace pelage::springs

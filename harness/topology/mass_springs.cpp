@@ -110,7 +110,7 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
   s.params.pushed = 1;
 }
 
-void MassSprings::enqueue(const cl::Queue& queue, int substeps) {
+void MassSprings::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches) {
   State& s = *state_;
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; at least one", substeps));
   if (s.steps > never - 1 - substeps) throw InputError("substeps: 2^31 steps are the most of one run");
@@ -123,9 +123,9 @@ void MassSprings::enqueue(const cl::Queue& queue, int substeps) {
   params.substeps = substeps;
   params.first_step = int(s.steps);
   if (s.prisms)
-    s.prisms->enqueue(queue, params, s.buffers);
+    s.prisms->enqueue(queue, params, s.buffers, launches);
   else
-    s.blocks->enqueue(queue, params, s.buffers);
+    s.blocks->enqueue(queue, params, s.buffers, launches);
   s.steps += substeps;
 }
 
@@ -154,6 +154,18 @@ std::vector<glm::vec3> MassSprings::offsets(const cl::Queue& queue) const {
 
 std::vector<glm::vec3> MassSprings::speeds(const cl::Queue& queue) const {
   return state_->by_stick(queue, state_->buffers.speed, state_->prisms.has_value());
+}
+
+const cl::Buffer<float>& MassSprings::offset() const {
+  return state_->buffers.offset;
+}
+
+std::vector<std::int32_t> MassSprings::offset_columns() const {
+  std::vector<std::int32_t> columns;
+  columns.reserve(state_->layout.place.size());
+  for (const std::uint32_t place : state_->layout.place)
+    columns.push_back(std::int32_t(column_of(place, 3, 0)));
+  return columns;
 }
 
 long MassSprings::steps() const {

@@ -42,8 +42,9 @@ class MassSprings {
   /// InputError for another count, or a force that is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues that many steps. Waits for nothing but the host's own tables, and for conjugate gradients.
-  void enqueue(const cl::Queue& queue, int substeps);
+  /// Enqueues that many steps. Waits for nothing but the host's own tables, and for conjugate gradients. Adds
+  /// every launch to `launches`, where one is given.
+  void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
 
   /// Throws Diverged when a step enqueued so far went wrong; waits for the queue.
   void check(const cl::Queue& queue) const;
@@ -53,8 +54,11 @@ class MassSprings {
 
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< per stick, top less base, R
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< per stick, of the top, R/s
-  long steps() const;                                            ///< done or enqueued
-  std::size_t bytes() const;                                     ///< of device memory, as memory() counts it
+  /// Those offsets on the device; where each stick's x lies there, y and z being 16 further each.
+  const cl::Buffer<float>& offset() const;
+  std::vector<std::int32_t> offset_columns() const;
+  long steps() const;         ///< done or enqueued
+  std::size_t bytes() const;  ///< of device memory, as memory() counts it
   const LinearSolves& solves() const;
   double build_ms() const;
 

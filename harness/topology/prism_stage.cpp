@@ -84,10 +84,13 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
-  kernel.enqueue(queue, (std::size_t(items) + group_ - 1) / group_ * group_, group_);
+  cl::Event event = kernel.enqueue(queue, (std::size_t(items) + group_ - 1) / group_ * group_, group_);
+  if (launches_) launches_->push_back(std::move(event));
 }
 
-void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers) {
+void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
+                         std::vector<cl::Event>* launches) {
+  launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
   for (int i = 0; i < params.substeps; ++i) {
@@ -98,6 +101,7 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
     else
       euler(queue, params, buffers, i);
   }
+  launches_ = nullptr;
 }
 
 void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {

@@ -33,7 +33,8 @@ class BlockStage {
  public:
   BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
              const MassSpringOptions& options);
-  void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers);
+  void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
+               std::vector<cl::Event>* launches);
   std::size_t bytes() const { return sides_.size() * sizeof(float); }
   double build_ms() const { return program_.build_ms(); }
 
@@ -51,7 +52,8 @@ class PrismStage {
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
              const MassSpringOptions& options);
   /// Waits for the queue where conjugate gradients have to be tested.
-  void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers);
+  void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
+               std::vector<cl::Event>* launches);
   const LinearSolves& solves() const { return solves_; }
   std::size_t bytes() const;
   double build_ms() const { return program_.build_ms(); }
@@ -62,6 +64,8 @@ class PrismStage {
   void backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
   bool converged(const cl::Queue& queue);
   void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
+
+  std::vector<cl::Event>* launches_ = nullptr;  // where they are noted during enqueue(), if anywhere
 
   Solver solver_;
   double residual_;

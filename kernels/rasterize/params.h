@@ -14,6 +14,7 @@ typedef struct {
   int triangles;
   int layers;                                 // N
   int uniform_spacing;                        // 0: t = h; 1: t = 1 - sqrt(1 - h)
+  int sticks;                                 // 1: layers lie by B Eq. 4, not on the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
   // Tiles and the triangles in them.
@@ -53,7 +54,7 @@ typedef struct {
 } RasterParams;
 
 // A layer's numbers that only the host computes, so that every device sees the same bits.
-enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_COLUMNS };
+enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
 // Columns of the vertex array: position, A = sum weight L0 normal, the curl frame, and 1 - rho.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,

@@ -53,6 +53,23 @@ const Bad files[] = {
     {"camera.up = [1.3, 1.15, 2.35]", "camera.up: is along the view"},
     {"dynamics.step = 0", "dynamics.step: 0 is out of range"},
     {"dynamics.step = 0.5", "dynamics.step: 0.5 s is unstable"},
+    {"dynamics.topology = 'grass'", "dynamics.topology: \"grass\" is not known; give \"silva\", \"sticks\""},
+    {"dynamics.topology = 'sticks'\nfur.binding = 'separate'",
+     "fur.binding: is silva's; with dynamics.topology"},
+    {"dynamics.topology = 'prisms'\ndynamics.drag = 0\ndynamics.wind.strength = 0.01",
+     "dynamics.wind.strength: reaches a topology by its drag"},
+    {"dynamics.topology = 'sticks'\ndynamics.step = 0", "dynamics.step: 0 is out of range"},
+    {"dynamics.topology = 'sticks'\ndynamics.mass = -1", "dynamics.mass: -1 is out of range"},
+    {"dynamics.topology = 'sticks'\ndynamics.springs.stiffness = -1",
+     "dynamics.springs.stiffness: -1 is out of range"},
+    {"dynamics.springs.return_weight = nan", "dynamics.springs.return_weight: nan is not a finite number"},
+    {"dynamics.bend = 'cubic'", "give \"linear\", \"paper\" or \"tangent\""},
+    {"dynamics.bend_power = 0", "dynamics.bend_power: 0 is out of range; give 1 to 16"},
+    {"dynamics.solver = 'rk4'", "dynamics.solver: silva's strand does not know it; give a dynamics.topology"},
+    {"dynamics.motion.spin = 1", "dynamics.motion.spin: silva's strand does not know it"},
+    {"dynamics.motion.axis = [0, 0, 0]", "dynamics.motion.axis: points nowhere"},
+    {"dynamics.poke.radius = 1", "dynamics.poke.radius: silva's strand does not know it"},
+    {"dynamics.springs = 3", "dynamics.springs: is a whole number; give a table of keys"},
     {"dynamics.time = 3600\ndynamics.step = 0.000001", "dynamics.time: 3600 s are "},
     {"image.width = 16385", "image.width: 16385 is out of range"},
     {"image = {width = 16384, height = 16384}", "268435456 pixels; give at most"},
@@ -116,6 +133,17 @@ TEST(SceneErrors, EveryBadOverrideIsRefused) {
           << bad.text << "\n-> " << error.what();
     }
   }
+}
+
+TEST(SceneErrors, ATopologyTakesWhatSilvasStrandDoesNot) {
+  const Scene scene = parse_scene(
+      "dynamics.topology = 'separable-prisms'\ndynamics.solver = 'backward-euler'\ndynamics.motion.spin = 2\n"
+      "dynamics.poke.radius = 0.3\ndynamics.stiffness = 1e6\ndynamics.springs.stiffness = 0",
+      "s.toml");
+  EXPECT_TRUE(has_springs(scene.dynamics));
+  EXPECT_TRUE(parts(scene));
+  EXPECT_FALSE(parts(parse_scene("dynamics.topology = 'prisms'", "s.toml")));
+  EXPECT_FALSE(parts(Scene{}));
 }
 
 TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {

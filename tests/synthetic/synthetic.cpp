@@ -46,6 +46,18 @@ StrandSet strands(const Scene& scene, const Mesh& mesh) {
   return set;
 }
 
+/// Area-weighted normals of the surface points.
+std::vector<glm::vec3> normals(const Mesh& mesh) {
+  std::vector<glm::dvec3> sum(mesh.welded, glm::dvec3(0.0));
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
+    for (int k = 0; k < 3; ++k) sum[mesh.weld[t[k]]] += glm::cross(b - a, c - a);
+  }
+  std::vector<glm::vec3> unit;
+  for (const glm::dvec3& n : sum) unit.emplace_back(glm::normalize(n));
+  return unit;
+}
+
 /// Upright cones on a jittered grid, wrapped; shade per cone. Coverage falls off over one texel.
 FurTexture cones(int size, int layers) {
   FurTexture fur{size, layers, {}};
@@ -185,6 +197,7 @@ FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int
   input.scene = scene;
   const Mesh mesh = grid(surface, nu, nv);
   input.strands = strands(scene, mesh);
+  if (has_springs(scene.dynamics)) input.stick_normal = normals(mesh);
   input.curl.u.resize(mesh.welded);
   input.curl.v.resize(mesh.welded);
   input.curl.mask_uv.resize(mesh.welded);

@@ -1,0 +1,46 @@
+// The stage that a mass-spring topology takes in place of Silva's strands, and what it is to move.
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "harness/prepare/frame_input.hpp"
+#include "harness/shells/stages.hpp"
+#include "harness/topology/mass_springs.hpp"
+
+namespace pelage::shells {
+
+/// The scene's dynamics in the topology's terms. The wind is air of speed strength / drag, which pushes a
+/// mass at rest with the scene's strength: the same force as on Silva's strand.
+springs::Dynamics dynamics_of(const DynamicsScene& scene);
+
+/// Sticks over surface points; those of a separable topology over every triangle's own corners.
+springs::Topology topology_of(const FrameInput& input);
+
+/// The scene's poke, N per stick; empty where there is none.
+std::vector<glm::vec3> pushes(const springs::Topology& topology, const Mesh& mesh, const PokeScene& poke);
+
+/// The topology on the device.
+class SpringStage {
+ public:
+  SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
+  /// The scene's substeps.
+  void frame(const cl::Queue& queue, PhaseEvents* events);
+  /// B of docs/frame.md, 3, at every vertex that `raster` draws.
+  void tips(const cl::Queue& queue, RasterStage& raster, PhaseEvents* events);
+  /// Throws springs::Diverged when a mass was lost in a step so far; waits for the queue.
+  void check(const cl::Queue& queue) const { masses_.check(queue); }
+  /// Top less base of every stick, R.
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
+  double build_ms() const { return program_.build_ms() + masses_.build_ms(); }
+
+ private:
+  springs::MassSprings masses_;
+  cl::Program program_;
+  cl::Kernel tips_;
+  cl::Buffer<std::int32_t> stick_;
+  int substeps_, lanes_;
+  std::int32_t level_;
+};
+
+}  // namespace pelage::shells
