@@ -10,7 +10,8 @@
 namespace pelage::shells {
 namespace {
 
-// Layers that share a bin list: long lists cost set-ups, many lists cost binning.
+// Layers of which a tile decides together what it leaves out: deciding costs, and so does what need not be
+// set up.
 int default_group(int layers) {
   return std::max(4, (layers + 5) / 6);
 }
@@ -111,18 +112,19 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   const cl::Device& device = queue.device();
   const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(params_.layers + 1);
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
-  const std::size_t lists = tiles * std::size_t(params_.groups);
+  const std::size_t lists = tiles * LISTS;
   const std::size_t pixels = std::size_t(params_.width) * std::size_t(params_.height);
   dry_ = cl::Buffer<float>(device, vertices);
   tip_ = cl::Buffer<float>(device, 3 * vertices);
   record_ = cl::Buffer<float>(device, RECORD * vertices);
   screen_ = cl::Buffer<float>(device, 4 * screens);
-  box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups));
+  box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups + 1));
   nearest_ = cl::Buffer<float>(device, vertices * std::size_t(params_.groups));
   chunk_count_ = cl::Buffer<std::int32_t>(device, lists * std::size_t(params_.chunks));
   length_ = cl::Buffer<std::int32_t>(device, lists);
   list_start_ = cl::Buffer<std::int32_t>(device, lists + 1);
   list_ = cl::Buffer<std::int32_t>(device, 1);
+  shown_ = cl::Buffer<std::int32_t>(device, 1);
   next_tile_ = cl::Buffer<std::int32_t>(device, 1);
   image_ = cl::Buffer<glm::vec4>(device, pixels);
   covered_ = cl::Buffer<std::uint32_t>(device, per_pixel_ ? pixels : tiles);
@@ -160,19 +162,20 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   const auto keep = [&](cl::Event event) {
     if (events) events->emplace_back("bin", std::move(event));
   };
-  const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), std::size_t(params_.groups)};
+  const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), LISTS};
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
   count_.with(params_, corner_, box_, chunk_count_);
   keep(count_.enqueue(queue, chunks, {1, 1}));
   sum_.with(params_, chunk_count_, length_);
-  keep(sum_.enqueue(queue, {tiles, std::size_t(params_.groups)}));
+  keep(sum_.enqueue(queue, {tiles, LISTS}));
   start_.with(params_, length_, list_start_, next_tile_);
   keep(start_.enqueue(queue, 1));
   // The lists are as long as they need to be: no triangle is ever dropped.
   std::array<std::int32_t, 1> total{};
   list_start_.read(queue, total, length_.size());
   if (std::size_t(total[0]) > list_.size())
-    list_ = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
+    for (auto* lists : {&list_, &shown_})
+      *lists = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
   fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
   keep(fill_.enqueue(queue, chunks, {1, 1}));
 }
@@ -185,7 +188,7 @@ cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program
     return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   }
   kernel.with(params_, table_, corner_, screen_, box_, nearest_, vertex_, tip_, dry_, list_start_, list_,
-              record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
+              shown_, record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
   // Work-items fetch tiles until there are none. Platforms hand them to threads by the dozen: more than
   // threads.
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);

@@ -88,7 +88,8 @@ class RasterStage {
   cl::Program transform_, bin_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
   cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_, nearest_;
-  cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_, next_tile_;
+  cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_, shown_,
+      next_tile_;
   cl::Buffer<std::int16_t> box_;
   cl::Buffer<std::int32_t> fur_, coat_;
   const cl::Buffer<float>* mask_;

@@ -11,7 +11,7 @@ Tally RasterStage::tally(const cl::Queue& queue) {
   const auto pixels = std::size_t(params_.width) * std::size_t(params_.height);
   const cl::Buffer<std::uint32_t> parts(queue.device(), 3 * pixels);
   cl::Kernel kernel(program, "pixel_shells");
-  // The frame has shortened its lists; coverage counts in every layer.
+  // Coverage counts in every layer.
   const int every_layer = std::exchange(params_.every_layer, 1);
   bin(queue, nullptr);
   kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,

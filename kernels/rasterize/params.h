@@ -19,8 +19,8 @@ typedef struct {
   float curl_radius;                          // K_alpha, R
   // Tiles and the triangles in them.
   int tiles_x, tiles_y;
-  int group;                                  // layers per bin list
-  int groups;                                 // bin lists per tile: one for the base, then ceil(N / group)
+  int group;                                  // layers of which a tile decides together what it leaves out
+  int groups;                                 // one for the base, then ceil(N / group)
   int chunk;                                  // triangles counted together
   int chunks;
   int every_layer;                            // 1: draw triangles in layers that their clumps do not reach, too
@@ -63,9 +63,12 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 // One attribute record per vertex: u, v, A, B; and, for the wet model, dX/du and dX/dv.
 #define RECORD 8
 
+// Bin lists per tile: one for the base, one for all layers.
+#define LISTS 2
+
 // A tile's pixels: multiples of 4, at most 32 (tuning axes).
 #ifndef TILE_W
-#define TILE_W 16
+#define TILE_W 32
 #endif
 #ifndef TILE_H
 #define TILE_H 32

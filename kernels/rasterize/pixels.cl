@@ -106,8 +106,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   uint fragments = 0, shaded = 0, blended = 0;
   for (int n = s.layers - 1; n >= 0; --n) {
     Layer l = layer_at(&s, table, n);
-    int g = 1 + n / s.group;
-    for (int k = list_start[g * tiles + tile + 1] - 1; k >= list_start[g * tiles + tile]; --k) {
+    for (int k = list_start[tiles + tile + 1] - 1; k >= list_start[tiles + tile]; --k) {
       Hit h = triangle_hit(&s, m, l, n, list[k], origin_x, origin_y, vertices);
       if (!h.covered) continue;
       ++fragments;

@@ -121,7 +121,8 @@ static bool anything_seen_through(const Tile *tile) {
 }
 
 // The base, then the layers from the outermost one. Returns the fragments of all layers, when counting.
-static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, __global int *list, __global float4 *image) {
+static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
+                      __global float4 *image) {
   const RasterParams *s = pass->s;
   int tiles = s->tiles_x * s->tiles_y;
   Place *place = &pass->place;
@@ -147,15 +148,19 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 #endif
 
   uint fragments = 0;
+  int first = list_start[tiles + number], last = list_start[tiles + number + 1];
   for (int g = s->groups - 1; g > 0; --g) {
-    int first = list_start[g * tiles + number], entries = list_start[g * tiles + number + 1] - first;
-#ifndef COUNT_FRAGMENTS
-    entries = drop_hidden(pass, m, g, &hidden, list + first, entries);
+#ifdef COUNT_FRAGMENTS
+    TABLE(int) drawn_here = list + first;
+    int count = last - first;
+#else
+    TABLE(int) drawn_here = shown + first;
+    int count = may_be_seen(pass, m, g, &hidden, list + first, last - first, shown + first);
 #endif
     for (int n = min(g * s->group, s->layers) - 1; n >= (g - 1) * s->group && anything_seen_through(&tile); --n) {
       pass->n = n;
       pass->layer = layer_at(s, m.table, n);
-      fragments += (uint)draw_layer(pass, m, list + first, entries, least_iw, &batch, &drawn, &tile);
+      fragments += (uint)draw_layer(pass, m, drawn_here, count, least_iw, &batch, &drawn, &tile);
     }
   }
 #ifndef COUNT_FRAGMENTS
@@ -167,11 +172,11 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 }
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-// next: the first tile that nobody draws yet, 0 at first; so no work-item is left with all the furry tiles.
+// shown: room for as much as list. next: the first tile that nobody draws yet, 0 at first; so no work-item is left with all the furry tiles.
 __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(int) box,
                           TABLE(float) nearest, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                          TABLE(int) list_start, __global int *list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
-                          TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
+                          TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
+                          TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
                           __global int *next) {
   Geometry m = {corners, screen, vertex, tip, dry, table, box, nearest};
   Pass pass;
@@ -183,7 +188,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   pass.from.textures.coat = coat;
   pass.from.textures.mask = mask;
   for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
-    uint fragments = draw_tile(&pass, m, number, list_start, list, image);
+    uint fragments = draw_tile(&pass, m, number, list_start, list, shown, image);
 #ifdef COUNT_FRAGMENTS
     covered[number] = fragments;
 #endif

@@ -38,48 +38,74 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   return c;
 }
 
+// The box of pixels whose centres LANES vertices bound in some layers, from the image's corner.
+typedef struct { whole left, top, right, bottom; } Bounds;
+
+static inline Bounds nothing(void) {
+  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768)};
+  return b;
+}
+
+static inline Bounds both(Bounds a, Bounds b) {
+  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom)};
+  return c;
+}
+
+// A vertex that needs clipping may lie anywhere.
+static inline Bounds bounds_of(const RasterParams *s, Screen v) {
+  truth clipped = v.iw == REAL(0.0f);
+  whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);
+  Bounds b;
+  b.left = clipped ? WHOLE(-32768) : (x + WHOLE(SUBPIXEL - 1)) >> 8;
+  b.top = clipped ? WHOLE(-32768) : (y + WHOLE(SUBPIXEL - 1)) >> 8;
+  b.right = clipped ? WHOLE(32767) : x >> 8;
+  b.bottom = clipped ? WHOLE(32767) : y >> 8;
+  return b;
+}
+
+static inline void store_bounds(Bounds b, __global short *box, int block) {
+  __global short *out = box + (size_t)block * LANES * 4;
+#if LANES == 16
+  short16 l = convert_short16(b.left), t = convert_short16(b.top), r = convert_short16(b.right), o = convert_short16(b.bottom);
+  vstore16((short16)(l.s0, t.s0, r.s0, o.s0, l.s1, t.s1, r.s1, o.s1, l.s2, t.s2, r.s2, o.s2, l.s3, t.s3, r.s3, o.s3), 0, out);
+  vstore16((short16)(l.s4, t.s4, r.s4, o.s4, l.s5, t.s5, r.s5, o.s5, l.s6, t.s6, r.s6, o.s6, l.s7, t.s7, r.s7, o.s7), 1, out);
+  vstore16((short16)(l.s8, t.s8, r.s8, o.s8, l.s9, t.s9, r.s9, o.s9, l.sa, t.sa, r.sa, o.sa, l.sb, t.sb, r.sb, o.sb), 2, out);
+  vstore16((short16)(l.sc, t.sc, r.sc, o.sc, l.sd, t.sd, r.sd, o.sd, l.se, t.se, r.se, o.se, l.sf, t.sf, r.sf, o.sf), 3, out);
+#else
+  out[0] = (short)b.left;
+  out[1] = (short)b.top;
+  out[2] = (short)b.right;
+  out[3] = (short)b.bottom;
+#endif
+}
+
 // Every layer's vertices, base first: rows of screen x, y (1/256 pixel from the image centre, integers' bits) and 1/w at
-// [(n + 1) vertices + i]; and for each group of layers the box of pixels whose centres they bound, at
-// [(group vertices + i) 4]: left, top, right, bottom from the image's corner; and the greatest 1/w in the group, at
-// [group vertices + i]. A vertex that needs clipping has 1/w = 0, a box without limits and an infinite greatest 1/w.
+// [(n + 1) vertices + i]; for each group of layers, and last for all layers together, the vertices' bounds at
+// [(group vertices + i) 4]; for each group the greatest 1/w, at [group vertices + i]. A vertex that needs clipping has
+// 1/w = 0 and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global short *box, __global float *nearest) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   Corner c = corner(&s, vertex, tip, dry, block);
-  whole centre_x = WHOLE(128 * s.width - 128), centre_y = WHOLE(128 * s.height - 128);
+  Bounds all = nothing();
   for (int g = 0; g < s.groups; ++g) {
     int first = g == 0 ? -1 : (g - 1) * s.group;
     int last = g == 0 ? 0 : min(first + s.group, s.layers);
-    whole left = WHOLE(32767), top = WHOLE(32767), right = WHOLE(-32768), bottom = WHOLE(-32768);
+    Bounds bounds = nothing();
     real most = REAL(0.0f);
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
       real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
       store_rows(row, screen + 4 * (size_t)(n + 1) * s.vertices, block);
-      truth clipped = v.iw == REAL(0.0f);
-      most = clipped ? REAL(INFINITY) : fmax(most, v.iw);
-      whole x = v.x + centre_x, y = v.y + centre_y;
-      left = clipped ? WHOLE(-32768) : min(left, (x + WHOLE(SUBPIXEL - 1)) >> 8);
-      top = clipped ? WHOLE(-32768) : min(top, (y + WHOLE(SUBPIXEL - 1)) >> 8);
-      right = clipped ? WHOLE(32767) : max(right, x >> 8);
-      bottom = clipped ? WHOLE(32767) : max(bottom, y >> 8);
+      bounds = both(bounds, bounds_of(&s, v));
+      most = v.iw == REAL(0.0f) ? REAL(INFINITY) : fmax(most, v.iw);
     }
+    store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
     store_real(most, nearest + (size_t)g * s.vertices, block);
-    __global short *out = box + ((size_t)g * s.vertices + (size_t)block * LANES) * 4;
-#if LANES == 16
-    short16 l = convert_short16(left), t = convert_short16(top), r = convert_short16(right), b = convert_short16(bottom);
-    vstore16((short16)(l.s0, t.s0, r.s0, b.s0, l.s1, t.s1, r.s1, b.s1, l.s2, t.s2, r.s2, b.s2, l.s3, t.s3, r.s3, b.s3), 0, out);
-    vstore16((short16)(l.s4, t.s4, r.s4, b.s4, l.s5, t.s5, r.s5, b.s5, l.s6, t.s6, r.s6, b.s6, l.s7, t.s7, r.s7, b.s7), 1, out);
-    vstore16((short16)(l.s8, t.s8, r.s8, b.s8, l.s9, t.s9, r.s9, b.s9, l.sa, t.sa, r.sa, b.sa, l.sb, t.sb, r.sb, b.sb), 2, out);
-    vstore16((short16)(l.sc, t.sc, r.sc, b.sc, l.sd, t.sd, r.sd, b.sd, l.se, t.se, r.se, b.se, l.sf, t.sf, r.sf, b.sf), 3, out);
-#else
-    out[0] = (short)left;
-    out[1] = (short)top;
-    out[2] = (short)right;
-    out[3] = (short)bottom;
-#endif
+    if (g > 0) all = both(all, bounds);
   }
+  store_bounds(all, box + (size_t)s.groups * s.vertices * 4, block);
 }
 
 // One attribute record per vertex for the fragments: u, v, A, B.

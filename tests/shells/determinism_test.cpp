@@ -38,8 +38,8 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
     const auto input = small_frame(shading);
     const Picture first = drawn(input, "tile", {});
     for (const Tuning& tuning :
-         {Tuning{{"TILE_W", 32}}, Tuning{{"TILE_H", 16}}, Tuning{{"TILE_W", 8}, {"TILE_H", 8}},
-          Tuning{{"GROUP", 1}}, Tuning{{"GROUP", 16}}, Tuning{{"TILE_W", 32}, {"GROUP", 5}}}) {
+         {Tuning{{"TILE_W", 16}}, Tuning{{"TILE_H", 16}}, Tuning{{"TILE_W", 8}, {"TILE_H", 8}},
+          Tuning{{"GROUP", 1}}, Tuning{{"GROUP", 16}}, Tuning{{"TILE_W", 24}, {"GROUP", 5}}}) {
       std::string given;
       for (const auto& [name, value] : tuning) given += name + "=" + std::to_string(value) + " ";
       EXPECT_TRUE(same_bits(first, drawn(input, "tile", tuning))) << shading << ", " << given;
