@@ -14,6 +14,8 @@
 #include "harness/reference/reference.hpp"
 #include "harness/reference/strands.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "harness/shells/springs.hpp"
+#include "harness/shells/springs_reference.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
@@ -38,6 +40,10 @@ std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   std::vector<glm::vec3> normals(input.mesh->position.size());
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const std::uint32_t point = input.mesh->weld[v];
+    if (has_springs(input.scene.dynamics)) {
+      normals[v] = input.stick_normal[point];
+      continue;
+    }
     glm::dvec3 mean(0.0);
     for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i) {
       mean += double(strands.weight[i]) * glm::dvec3(strands.normal[strands.face[i]]);
@@ -78,9 +84,12 @@ void write_fur(Hdf5File& file, const FurTexture& fur) {
 }
 
 /// B(t_n) + phi of every vertex and layer, by the reference from the scene's own strands.
-void write_layers(Hdf5File& file, const FrameInput& input, int frames) {
+void write_layers(Hdf5File& file, const FrameInput& input, int frames, const std::vector<glm::vec3>& tips) {
   const reference::Mask mask = reference::wetness_mask(input);
-  const reference::Geometry geometry(input, mask, frames);
+  const bool springs = has_springs(input.scene.dynamics);
+  const reference::Geometry geometry(
+      input, mask, springs ? 0 : frames, {}, reference::Mutant::none,
+      springs ? std::vector<glm::dvec3>(tips.begin(), tips.end()) : std::vector<glm::dvec3>());
   const auto layers = static_cast<std::size_t>(input.scene.fur.layers);
   std::vector<glm::vec3> offset;
   offset.reserve(layers * geometry.slots());
@@ -90,19 +99,39 @@ void write_layers(Hdf5File& file, const FrameInput& input, int frames) {
       offset.push_back(glm::vec3(geometry.position(slot, static_cast<int>(n)) - base));
     }
   }
-  const bool separate = input.scene.fur.binding == "separate";
+  const bool separate = parts(input.scene);
   file.write(
       "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
       fmt::format("from the mesh's surface, per layer and {}; computed by the double-precision reference",
                   separate ? "triangle corner" : "vertex"));
 }
 
+void write_strands(Hdf5File& file, const FrameInput& input, const std::vector<glm::vec3>& tips) {
+  std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
+  std::string where = "centroids of the triangles";
+  if (has_springs(input.scene.dynamics)) {
+    const springs::Topology topology = shells::topology_of(input);
+    const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
+    root.assign(topology.mass.begin(), tops);
+    rest.assign(tops, topology.mass.end());
+    where = parts(input.scene) ? "corners of the triangles" : "surface points";
+  }
+  const std::size_t count = root.size();
+  file.write("strand/root", {count, 3}, flat<float>(root), "R", where);
+  file.write("strand/rest", {count, 3}, flat<float>(rest), "R", "tips at rest");
+  file.write("strand/tip", {count, 3}, flat<float>(sum(root, tips)), "R", "tips in this frame");
+}
+
 }  // namespace
 
 FrameOutput reference_motion(const FrameInput& input, int frames) {
   FrameOutput output{"reference", frames, {}, {}, {}};
-  for (const reference::Strand& strand : reference::simulate(input, frames))
-    output.tips.push_back(glm::vec3(strand.tip));
+  if (has_springs(input.scene.dynamics))
+    for (const glm::dvec3& stick : shells::reference_sticks(input, frames))
+      output.tips.push_back(glm::vec3(stick));
+  else
+    for (const reference::Strand& strand : reference::simulate(input, frames))
+      output.tips.push_back(glm::vec3(strand.tip));
   for (const reference::Clump& clump : reference::wetness_mask(input).texel) {
     output.mask.push_back(glm::vec4(glm::vec2(clump.centre), clump.radius, clump.wetness));
   }
@@ -114,6 +143,7 @@ FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit
   reference::Options options;
   options.frames = frames;
   options.eight_bit = eight_bit;
+  if (has_springs(input.scene.dynamics)) options.sticks.assign(output.tips.begin(), output.tips.end());
   output.image = reference::render(input, options);
   return output;
 }
@@ -149,17 +179,13 @@ void dump_frame(const std::filesystem::path& path, const FrameInput& input, cons
                "vertex numbers, counter-clockwise seen from outside");
     file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
     file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
-    file.write("strand/root", {faces, 3}, flat<float>(input.strands.root), "R", "centroids of the triangles");
-    file.write("strand/rest", {faces, 3}, flat<float>(sum(input.strands.root, input.strands.anchor)), "R",
-               "tips at rest");
-    file.write("strand/tip", {faces, 3}, flat<float>(sum(input.strands.root, output.tips)), "R",
-               "tips in this frame");
+    write_strands(file, input, output.tips);
     file.write("mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
                "v, u, (c_u, c_v, r, rho) of Algorithm 1; all 0 where dry");
     write_fur(file, input.fur);
     file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1 / 255",
                "v, u, (R, G, B, unused) of the coat, gamma space");
-    write_layers(file, input, output.frames);
+    write_layers(file, input, output.frames, output.tips);
     write_camera(file, input.camera);
     const Picture& image = output.image;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},

@@ -12,9 +12,11 @@
 #include "harness/mesh/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/reference/reference.hpp"
+#include "harness/results/sticks_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/shells.hpp"
+#include "harness/shells/springs.hpp"
 
 namespace pelage {
 namespace {
@@ -30,18 +32,28 @@ class ShellsSubject : public Subject {
   ShellsSubject(const cl::Device& device, std::shared_ptr<const FrameInput> input,
                 const ShellOptions& options, std::uint32_t seed)
       : input_(std::move(input)), options_(options), seed_(seed), shells_(device, input_, options) {
-    shells_.advance(frames_before(input_->scene.dynamics));
+    bounded([&] { shells_.advance(frames_before(input_->scene.dynamics)); });
+    if (has_springs(input_->scene.dynamics)) before_ = shells_.tips();
   }
 
   FrameSample frame() override {
-    const FrameTiming timing = shells_.frame();
+    FrameTiming timing;
+    bounded([&] { timing = shells_.frame(); });
     return {timing.wall_ms, timing.phase_event_ms};
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {
-    const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_);
+    const bool springs = has_springs(input_->scene.dynamics);
+    const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_,
+                                                       springs ? shells_.tips() : std::vector<glm::vec3>());
     agreement_ = result.agreement;
-    return result.checks;
+    std::vector<Check> checks = result.checks;
+    // The masses after the motion that precedes the first picture; the picture with the masses of its own
+    // frame.
+    if (springs)
+      for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
+        checks.push_back(std::move(check));
+    return checks;
   }
   void describe(Row& row) override {
     row.build_ms = shells_.build_ms();
@@ -52,6 +64,11 @@ class ShellsSubject : public Subject {
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};
     row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
     row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
+    if (has_springs(input_->scene.dynamics)) {
+      const springs::Topology topology = shells::topology_of(*input_);
+      row.metrics["masses"] = {double(topology.mass.size()), "masses"};
+      row.metrics["springs"] = {double(topology.spring.size()), "springs"};
+    }
     // Where to look when a check fails.
     row.metrics["worst_difference"] = {agreement_.worst, "1"};
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
@@ -62,19 +79,30 @@ class ShellsSubject : public Subject {
   }
 
  private:
+  template <class F>
+  static void bounded(F&& move) {
+    try {
+      move();
+    } catch (const springs::Diverged& error) {
+      throw OutOfBounds(error.what());
+    }
+  }
+
   std::shared_ptr<const FrameInput> input_;
   ShellOptions options_;
   std::uint32_t seed_;
   Agreement agreement_;
   Shells shells_;
+  std::vector<glm::vec3> before_;  ///< a topology's sticks when the first frame was timed
 };
 
 }  // namespace
 
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
-                                    std::uint32_t seed) {
+                                    std::uint32_t seed, const std::vector<glm::vec3>& sticks) {
   reference::Options options;
   options.frames = frames;
+  options.sticks.assign(sticks.begin(), sticks.end());
   options.windows = fur_windows(timed, kCheckWindows, kCheckSide, seed);
   const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
   if (options.windows.empty()) return {{windows}, {}};

@@ -29,8 +29,9 @@ struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;
 };
+/// `sticks`: those of the timed frame, where a topology moves the fur.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
-                                    std::uint32_t seed);
+                                    std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 
 /// Share of the picture's rows that hold fur, 0..1.
 double model_height(const Picture& picture);

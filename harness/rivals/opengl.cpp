@@ -37,6 +37,9 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (mask.size() != size * size)
     throw InputError(
         fmt::format("OpenGL: a wetness mask of {0} x {0} texels, but {1} were given", size, mask.size()));
+  if (has_springs(input.scene.dynamics))
+    throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl moves silva's strands only",
+                                 input.scene.dynamics.topology));
   if (input.scene.fur.substeps > 1)
     throw InputError(
         fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "
