@@ -40,6 +40,7 @@ inline bool some(truth m) {
 }  // namespace pelage::in_double
 
 #define TABLE(type) const type*
+#define INLINE static inline
 #define to_real (real)
 #define to_whole (whole)
 #define to_wide (wide)

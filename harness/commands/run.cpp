@@ -23,6 +23,7 @@
 #include "harness/results/statistics.hpp"
 #include "harness/results/tuning.hpp"
 #include "harness/rivals/subjects.hpp"
+#include "harness/solvers/study.hpp"
 
 namespace pelage {
 namespace {
@@ -150,8 +151,9 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     progress.finish(told(row));
   };
   const auto note = [&](const std::string& text) { progress.note("  " + text); };
-  const MakeSubject make =
-      with_rivals(shells_on(device, sweep.experiment, tuning, note), sweep.experiment, note);
+  const MakeSubject make = springs::with_solvers(
+      with_rivals(shells_on(device, sweep.experiment, tuning, note), sweep.experiment, note), device,
+      sweep.experiment, note);
   return run_cases(plan, make, journal, listener);
 }
 

@@ -29,29 +29,25 @@ PELAGE_INLINE V<T> cross(V<T> a, V<T> b) {
 
 template <class T>
 struct Constants {
-  T length, mass, inverse_mass, stiffness, damping, edge_stiffness, edge_damping, drag, weight, gust, step;
+  T length, mass, inverse_mass, stiffness, damping, edge_stiffness, edge_damping, drag, weight, step;
   bool moving;
 };
 template <class T>
 PELAGE_INLINE Constants<T> constants(const TopologyParams& p) {
   return {T(p.length),       T(p.mass), T(1) / T(p.mass),   T(p.stiffness), T(p.damping), T(p.edge_stiffness),
-          T(p.edge_damping), T(p.drag), T(p.return_weight), T(p.gust),      T(p.step),    p.moving != 0};
+          T(p.edge_damping), T(p.drag), T(p.return_weight),      T(p.step),    p.moving != 0};
 }
 
 template <class T>
 struct Outside {
-  V<T> gravity, wind, speed, turn, turn_up;
+  V<T> steady, gust, turn, turn_up;
   T gust_sin, gust_cos;
 };
 template <class T>
 PELAGE_INLINE Outside<T> outside(const Moment& m) {
-  return {{T(m.gravity_x), T(m.gravity_y), T(m.gravity_z)},
-          {T(m.wind_x), T(m.wind_y), T(m.wind_z)},
-          {T(m.speed_x), T(m.speed_y), T(m.speed_z)},
-          {T(m.turn_x), T(m.turn_y), T(m.turn_z)},
-          {T(m.turn_up_x), T(m.turn_up_y), T(m.turn_up_z)},
-          T(m.gust_sin),
-          T(m.gust_cos)};
+  return {{T(m.steady_x), T(m.steady_y), T(m.steady_z)}, {T(m.gust_x), T(m.gust_y), T(m.gust_z)},
+          {T(m.turn_x), T(m.turn_y), T(m.turn_z)}, {T(m.turn_up_x), T(m.turn_up_y), T(m.turn_up_z)},
+          T(m.gust_sin), T(m.gust_cos)};
 }
 
 template <class T>
@@ -75,16 +71,14 @@ template <class T>
 PELAGE_INLINE V<T> stick_force(const Constants<T>& p, const Outside<T>& t, const Place<T>& at, V<T> q,
                                V<T> v) {
   const Span<T> stick = span_of(q);
-  const T wind = T(1) + p.gust * (t.gust_sin * at.phase_cos - t.gust_cos * at.phase_sin);
-  V<T> relative = wind * t.wind - t.speed - v, rate = t.gravity;
+  V<T> f = t.steady + (t.gust_sin * at.phase_cos - t.gust_cos * at.phase_sin) * t.gust - p.drag * v;
   if (p.moving) {
     const V<T> r = at.root + q, carried = cross(t.turn, r);
-    relative = relative - carried;
-    rate = rate - cross(t.turn_up, r) - cross(t.turn, carried + T(2) * v);
+    f = f - p.mass * (cross(t.turn_up, r) + cross(t.turn, carried + T(2) * v)) - p.drag * carried;
   }
   const T tension = p.stiffness * (stick.length - p.length) + p.damping * dot(v, stick.s);
   const T back = p.weight * (T(1) - dot(at.normal, stick.s));
-  return p.mass * rate + p.drag * relative - tension * stick.s + back * (at.normal - stick.s);
+  return f - tension * stick.s + back * (at.normal - stick.s);
 }
 
 template <class T>

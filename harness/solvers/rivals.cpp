@@ -165,6 +165,10 @@ void add_eigen(std::vector<NamedRival>& rivals, const Topology& topology, const 
 
 }  // namespace
 
+std::unique_ptr<SolverRival> serial_in_double(const Topology& topology, const Dynamics& dynamics) {
+  return std::make_unique<SerialRival<double>>(topology, dynamics, plain_loops(0.0));
+}
+
 std::vector<NamedRival> solver_rivals(const Topology& topology, const Dynamics& dynamics,
                                       std::size_t most_direct) {
   std::vector<NamedRival> rivals;

@@ -39,4 +39,7 @@ struct NamedRival {
 std::vector<NamedRival> solver_rivals(const Topology& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 
+/// The serial loops in double; not backward Euler on prisms.
+std::unique_ptr<SolverRival> serial_in_double(const Topology& topology, const Dynamics& dynamics);
+
 }  // namespace pelage::springs

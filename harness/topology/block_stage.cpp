@@ -21,9 +21,11 @@ const char* frame_kernel(Solver solver) {
   return "rk4_frame";
 }
 
-// A stick's step is a chain of dependent operations: four slices at a time keep a vector unit busy.
-int corners_of(const Layout& layout, int lanes) {
-  return layout.corners == 1 && lanes == 16 ? 4 : layout.corners;
+// An Euler step of a stick is a short chain of dependent operations: two slices at a time keep a vector unit
+// busy. The longer schemes run out of registers.
+int corners_of(const Layout& layout, Solver solver, int lanes) {
+  const bool brief = solver == Solver::explicit_euler || solver == Solver::semi_implicit_euler;
+  return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
 }
 
 }  // namespace
@@ -42,19 +44,19 @@ std::size_t group_size(int lanes, std::size_t wanted) {
   return lanes == 1 ? 64 : 1;
 }
 
-std::string build_options(int lanes) {
-  return fmt::format("-D LANES={}", lanes);
+std::string build_options(int lanes, bool turning) {
+  return fmt::format("-D LANES={} -D TURNING={}", lanes, int(turning));
 }
 
-BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
+BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
                        const MassSpringOptions& options)
     : program_(queue.device(), "topology/blocks.cl",
-               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes), corners_of(layout, lanes),
-                           int(layout.corners == 3))),
-      frame_(program_, frame_kernel(solver)),
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
+                           corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
+      frame_(program_, frame_kernel(dynamics.solver)),
       sides_(queue, std::span(layout.sides)),
       group_(group_size(lanes, options.group)),
-      blocks_(layout.slices / corners_of(layout, lanes)),
+      blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
       units_(blocks_ * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 

@@ -57,26 +57,15 @@ Moment moment(const Dynamics& d, double time) {
   const glm::dvec3 air = double(d.wind.speed) * glm::normalize(glm::dvec3(d.wind.direction));
 
   const auto seen = [&](glm::dvec3 v) { return glm::vec3(seen_turned(v, axis, angle)); };
-  const glm::vec3 g = seen(glm::dvec3(d.gravity) - acceleration), w = seen(air), s = seen(speed);
+  const double drag = double(d.drag);
+  const glm::vec3 steady =
+      seen(double(d.mass) * (glm::dvec3(d.gravity) - acceleration) + drag * (air - speed));
+  const glm::vec3 gusts = seen(drag * double(d.wind.gust) * air);
   const glm::vec3 o(rate * axis), u(rate_up * axis);
   const double gust = turn * double(d.wind.frequency) * time;
-  return {g.x,
-          g.y,
-          g.z,
-          w.x,
-          w.y,
-          w.z,
-          s.x,
-          s.y,
-          s.z,
-          o.x,
-          o.y,
-          o.z,
-          u.x,
-          u.y,
-          u.z,
-          float(std::sin(gust)),
-          float(std::cos(gust))};
+  return {
+      steady.x, steady.y, steady.z, gusts.x, gusts.y, gusts.z, float(std::sin(gust)), float(std::cos(gust)),
+      o.x,      o.y,      o.z,      u.x,     u.y,     u.z};
 }
 
 }  // namespace
@@ -129,6 +118,10 @@ void check(const Dynamics& d) {
   not_negative("frequency of the swing, Hz", d.motion.swing_frequency);
 }
 
+bool turns(const Dynamics& d) {
+  return d.motion.spin != 0 || (d.motion.swing != 0 && d.motion.swing_frequency != 0);
+}
+
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps) {
   std::vector<Moment> found;
   for (int i = 0; i <= 2 * substeps; ++i)
@@ -147,10 +140,9 @@ TopologyParams params(const Dynamics& d, float length) {
   p.edge_damping = d.edge_damping;
   p.drag = d.drag;
   p.return_weight = d.return_weight;
-  p.gust = d.wind.gust;
   p.step = d.step;
   p.most_square = most_stretch * length * most_stretch * length;
-  p.moving = d.motion.spin != 0 || (d.motion.swing != 0 && d.motion.swing_frequency != 0);
+  p.moving = turns(d);
   return p;
 }
 

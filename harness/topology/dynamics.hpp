@@ -68,6 +68,9 @@ struct Dynamics {
 /// negative constant, anything that is not finite, a direction without a length.
 void check(const Dynamics& dynamics);
 
+/// Whether the object turns: its frame is not an inertial one then.
+bool turns(const Dynamics& dynamics);
+
 /// The outside world at the times (first + i / 2) dt, i = 0 .. 2 substeps; computed in double, rounded once.
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps);
 

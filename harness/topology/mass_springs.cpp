@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::int32_t never = std::numeric_limits<std::int32_t>::max();
 
+bool finite(glm::vec3 v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 template <class T>
 std::size_t bytes_of(const cl::Buffer<T>& buffer) {
   return buffer.size() * sizeof(T);
@@ -39,6 +43,20 @@ struct MassSprings::State {
   std::optional<BlockStage> blocks;
   std::optional<PrismStage> prisms;
   long steps = 0;
+  long known_from = 0, known_to = 0;  // the steps whose moments are on the device
+
+  // Moments far ahead: a transfer to the device would cost a small launch as much again.
+  void know_moments(const cl::Queue& queue, int substeps) {
+    if (known_from <= steps && steps + substeps <= known_to) return;
+    const int count = std::max(substeps, 512);
+    const std::vector<Moment> table = moments(dynamics, steps, count);
+    if (buffers.moments.size() != table.size())
+      buffers.moments = cl::Buffer<Moment>(queue, std::span<const Moment>(table));
+    else
+      buffers.moments.write(queue, std::span<const Moment>(table));
+    known_from = steps;
+    known_to = steps + count;
+  }
 
   // Of three columns, or of rows of four.
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
@@ -86,11 +104,38 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
   if (prisms)
     s.prisms.emplace(queue, s.layout, dynamics, lanes, options);
   else
-    s.blocks.emplace(queue, s.layout, dynamics.solver, lanes, options);
+    s.blocks.emplace(queue, s.layout, dynamics, lanes, options);
 }
 MassSprings::~MassSprings() = default;
 MassSprings::MassSprings(MassSprings&&) noexcept = default;
 MassSprings& MassSprings::operator=(MassSprings&&) noexcept = default;
+
+void MassSprings::set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
+                      const std::vector<glm::vec3>& speeds, long steps) {
+  State& s = *state_;
+  const std::size_t sticks = s.layout.place.size();
+  if (offsets.size() != sticks || speeds.size() != sticks)
+    throw InputError(
+        fmt::format("state: {} offsets and {} speeds for {} sticks", offsets.size(), speeds.size(), sticks));
+  if (steps < 0 || steps >= never) throw InputError(fmt::format("state: {} steps done; 0 to 2^31", steps));
+  std::vector<float> q = s.layout.offset, v(s.buffers.speed.size(), 0.0f);
+  for (std::size_t i = 0; i < sticks; ++i) {
+    if (!finite(offsets[i]) || !finite(speeds[i]))
+      throw InputError(fmt::format("state of stick {}: all values have to be finite numbers", i));
+    const std::size_t place = s.layout.place[i];
+    for (std::size_t c = 0; c < 3; ++c) {
+      q[column_of(place, 3, c)] = offsets[i][int(c)];
+      v[s.prisms ? 4 * place + c : column_of(place, 3, c)] = speeds[i][int(c)];
+    }
+  }
+  s.buffers.offset.write(queue, std::span<const float>(q));
+  s.buffers.speed.write(queue, std::span<const float>(v));
+  const std::vector<std::int32_t> all_never(s.layout.places(), never);
+  s.buffers.diverged_at.write(queue, std::span(all_never));
+  s.buffers.first.write(queue, std::span(all_never).first(1));
+  if (s.prisms) s.prisms->set(queue, s.layout, q);
+  s.steps = steps;
+}
 
 void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& force) {
   State& s = *state_;
@@ -101,7 +146,7 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
   std::vector<float> columns(3 * s.layout.places(), 0.0f);
   for (std::size_t i = 0; i < force.size(); ++i) {
     const glm::vec3 f = force[i];
-    if (!std::isfinite(f.x) || !std::isfinite(f.y) || !std::isfinite(f.z))
+    if (!finite(f))
       throw InputError(fmt::format(
           "local force on stick {}: ({}, {}, {}) N; all three have to be finite numbers", i, f.x, f.y, f.z));
     for (std::size_t c = 0; c < 3; ++c) columns[column_of(s.layout.place[i], 3, c)] = f[int(c)];
@@ -114,14 +159,11 @@ void MassSprings::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::
   State& s = *state_;
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; at least one", substeps));
   if (s.steps > never - 1 - substeps) throw InputError("substeps: 2^31 steps are the most of one run");
-  const std::vector<Moment> table = moments(s.dynamics, s.steps, substeps);
-  if (s.buffers.moments.size() != table.size())
-    s.buffers.moments = cl::Buffer<Moment>(queue, std::span<const Moment>(table));
-  else
-    s.buffers.moments.write(queue, std::span<const Moment>(table));
+  s.know_moments(queue, substeps);
   TopologyParams params = s.params;
   params.substeps = substeps;
   params.first_step = int(s.steps);
+  params.first_moment = int(2 * (s.steps - s.known_from));
   if (s.prisms)
     s.prisms->enqueue(queue, params, s.buffers, launches);
   else

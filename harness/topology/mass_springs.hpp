@@ -38,6 +38,12 @@ class MassSprings {
   MassSprings(MassSprings&&) noexcept;
   MassSprings& operator=(MassSprings&&) noexcept;
 
+  /// Puts every top where these say, R and R/s per stick, as if `steps` steps were done; none is lost, and
+  /// conjugate gradients start from nothing. Throws InputError for another count, or a value that is not
+  /// finite.
+  void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
+           const std::vector<glm::vec3>& speeds, long steps = 0);
+
   /// Local forces on the tops from now on, N, one per stick, in the object's frame; empty: none. Throws
   /// InputError for another count, or a force that is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);

@@ -41,6 +41,16 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
+// Rows of root + q.
+std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
+  std::vector<float> found(4 * layout.places(), 0.0f);
+  for (std::size_t place = 0; place < layout.places(); ++place)
+    for (std::size_t c = 0; c < 3; ++c)
+      found[4 * place + c] =
+          layout.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] + offset[column_of(place, 3, c)];
+  return found;
+}
+
 }  // namespace
 
 PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
@@ -49,7 +59,8 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       residual_(double(dynamics.residual)),
       most_iterations_(dynamics.most_iterations),
       program_(queue.device(), file_of(solver_),
-               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes), int(queue.device().info().fp64))),
+               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics)),
+                           int(queue.device().info().fp64))),
       group_(group_size(lanes, options.group)),
       units_(layout.slices * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
@@ -64,12 +75,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   const auto floats = [&](std::size_t columns) {
     return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
   };
-  std::vector<float> tips(4 * places, 0.0f);
-  for (std::size_t place = 0; place < places; ++place)
-    for (std::size_t c = 0; c < 3; ++c)
-      tips[4 * place + c] =
-          layout.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] + layout.offset[column_of(place, 3, c)];
-  tip_ = cl::Buffer<float>(queue, std::span<const float>(tips));
+  tip_ = cl::Buffer<float>(queue, std::span<const float>(tips(layout, layout.offset)));
   if (solver_ == Solver::backward_euler) {
     diagonal_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4), along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 4 * layout.neighbour.size());
@@ -81,6 +87,12 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
       sum_speed_ = floats(3);
   }
+}
+
+void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
+  tip_.write(queue, std::span<const float>(tips(layout, offset)));
+  if (change_.size() > 0)
+    change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
@@ -106,9 +118,9 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
 
 void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
   const int in_turn = solver_ == Solver::semi_implicit_euler;
-  kernels_[0].with(params, in_turn, 2 * substep, params.first_step + substep, b.moments, b.sites, b.push,
-                   start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_,
-                   b.diverged_at, b.first);
+  kernels_[0].with(params, in_turn, params.first_moment + 2 * substep, params.first_step + substep, b.moments,
+                   b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_,
+                   other_speed_, b.diverged_at, b.first);
   launch(queue, kernels_[0], ceiling(units_, per_item_));
   std::swap(tip_, other_tip_);
   std::swap(b.speed, other_speed_);
@@ -119,7 +131,7 @@ void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffe
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {
-    const int at = 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
+    const int at = params.first_moment + 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
     kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.sites, b.push, start_,
                      neighbour_, rest_, *tips[stage], *speeds[stage], stage == 0 ? b.offset : stage_offset_,
                      b.offset, b.speed, sum_offset_, sum_speed_, *tips[next], *speeds[next], stage_offset_,
@@ -148,8 +160,9 @@ bool PrismStage::converged(const cl::Queue& queue) {
 
 void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
                                 int substep) {
-  kernels_[SET_UP].with(params, chunks_, 2 * substep + 2, b.moments, b.sites, b.push, start_, neighbour_,
-                        rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_, way_, sums_);
+  kernels_[SET_UP].with(params, chunks_, params.first_moment + 2 * substep + 2, b.moments, b.sites, b.push,
+                        start_, neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_,
+                        left_, way_, sums_);
   launch(queue, kernels_[SET_UP], chunks_);
   int done = 0;
   const auto iterate = [&] {

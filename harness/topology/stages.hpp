@@ -11,14 +11,14 @@ namespace pelage::springs {
 
 /// Columns per place, as places.clh lays them out; on shared prisms speed lies in rows of four.
 struct Buffers {
-  cl::Buffer<Moment> moments;  ///< of the launch in hand
+  cl::Buffer<Moment> moments;  ///< from params.first_moment on of the launch in hand
   cl::Buffer<float> sites, push, offset, speed;
   cl::Buffer<std::int32_t> diverged_at;  ///< per place, the first step after which the mass was lost
   cl::Buffer<std::int32_t> first;        ///< one: the least of those
 };
 
-/// "-D NAME=value" for a build at `lanes` lanes.
-std::string build_options(int lanes);
+/// "-D NAME=value" for a build at `lanes` lanes; turning: the object turns.
+std::string build_options(int lanes, bool turning);
 
 /// How many units (16 / LANES to a slice) one work-item goes through; `wanted`: slices, 0 for the device's
 /// own.
@@ -31,7 +31,7 @@ std::size_t group_size(int lanes, std::size_t wanted);
 /// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps.
 class BlockStage {
  public:
-  BlockStage(const cl::Queue& queue, const Layout& layout, Solver solver, int lanes,
+  BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
              const MassSpringOptions& options);
   void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                std::vector<cl::Event>* launches);
@@ -51,6 +51,8 @@ class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
              const MassSpringOptions& options);
+  /// Other offsets, columns as the layout's; what follows from them, and conjugate gradients from the start.
+  void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
   /// Waits for the queue where conjugate gradients have to be tested.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
                std::vector<cl::Event>* launches);

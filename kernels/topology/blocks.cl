@@ -16,36 +16,55 @@ static inline Block load_block(TopologyParams p, TABLE(scalar) sites, TABLE(scal
   return block;
 }
 
-// moments: at the start of substep i in entry 2 i, in its middle in 2 i + 1. offset, speed: the state, q and v.
-#define FRAME(name, stepped)                                                                                   \
-  __kernel void name(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,         \
-                     TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                     \
-                     __global int *diverged_at, __global int *first) {                                         \
-    int item = (int)get_global_id(0);                                                                          \
-    for (int u = first_unit(p, item); u < last_unit(p, item); ++u) {                                           \
-      Block block = load_block(p, sites, push, sides, u);                                                      \
-      Tops a;                                                                                                  \
-      whole lost[CORNERS];                                                                                     \
-      UNROLL for (int c = 0; c < CORNERS; ++c) {                                                               \
-        a.top[c].q = load3(offset, place_of(u, CORNERS, c), 3, 0);                                             \
-        a.top[c].v = load3(speed, place_of(u, CORNERS, c), 3, 0);                                              \
-        lost[c] = WHOLE(NEVER);                                                                                \
-      }                                                                                                        \
-      for (int i = 0; i < p.substeps; ++i) {                                                                   \
-        a = stepped;                                                                                           \
-        UNROLL for (int c = 0; c < CORNERS; ++c)                                                               \
-          lost[c] = diverged(p, a.top[c]) && lost[c] == WHOLE(NEVER) ? WHOLE(p.first_step + i) : lost[c];      \
-      }                                                                                                        \
-      UNROLL for (int c = 0; c < CORNERS; ++c) {                                                               \
-        int place = place_of(u, CORNERS, c);                                                                   \
-        store3(a.top[c].q, offset, place, 3, 0);                                                               \
-        store3(a.top[c].v, speed, place, 3, 0);                                                                \
-        note_diverged(lost[c], place, diverged_at, first);                                                     \
-      }                                                                                                        \
-    }                                                                                                          \
+INLINE Tops load_tops(__global const scalar *offset, __global const scalar *speed, int u) {
+  Tops a;
+  UNROLL for (int c = 0; c < CORNERS; ++c) {
+    a.top[c].q = load3(offset, place_of(u, CORNERS, c), 3, 0);
+    a.top[c].v = load3(speed, place_of(u, CORNERS, c), 3, 0);
+  }
+  return a;
+}
+
+// moment: at the start of substep i in entry 2 i, in its middle in 2 i + 1. offset, speed: the state, q and v. Whether
+// a mass was lost is asked in every substep; in which one by a second run, apart from the first, whose registers it
+// would take.
+#define FRAME(name, stepped)                                                                                          \
+  static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
+                                                    TABLE(scalar) push, TABLE(scalar) sides,                          \
+                                                    __global scalar *offset, __global scalar *speed,                  \
+                                                    __global int *diverged_at, __global int *first, int u) {          \
+    Block block = load_block(p, sites, push, sides, u);                                                               \
+    Tops a = load_tops(offset, speed, u);                                                                             \
+    TABLE(Moment) moment = moments + p.first_moment;                                                                  \
+    for (int i = 0; i < p.substeps; ++i) {                                                                            \
+      a = stepped;                                                                                                    \
+      UNROLL for (int c = 0; c < CORNERS; ++c)                                                                        \
+        note_diverged(diverged(p, a.top[c]) ? WHOLE(p.first_step + i) : WHOLE(NEVER), place_of(u, CORNERS, c),        \
+                      diverged_at, first);                                                                            \
+    }                                                                                                                 \
+  }                                                                                                                   \
+  __kernel void name(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,                \
+                     TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                            \
+                     __global int *diverged_at, __global int *first) {                                                \
+    int item = (int)get_global_id(0);                                                                                 \
+    TABLE(Moment) moment = moments + p.first_moment;                                                                  \
+    for (int u = first_unit(p, item); u < last_unit(p, item); ++u) {                                                  \
+      Block block = load_block(p, sites, push, sides, u);                                                             \
+      Tops a = load_tops(offset, speed, u);                                                                           \
+      truth lost = WHOLE(0) != WHOLE(0);                                                                              \
+      for (int i = 0; i < p.substeps; ++i) {                                                                          \
+        a = stepped;                                                                                                  \
+        UNROLL for (int c = 0; c < CORNERS; ++c) lost = lost | diverged(p, a.top[c]);                                 \
+      }                                                                                                               \
+      if (some(lost)) name##_lost(p, moments, sites, push, sides, offset, speed, diverged_at, first, u);              \
+      UNROLL for (int c = 0; c < CORNERS; ++c) {                                                                      \
+        store3(a.top[c].q, offset, place_of(u, CORNERS, c), 3, 0);                                                    \
+        store3(a.top[c].v, speed, place_of(u, CORNERS, c), 3, 0);                                                     \
+      }                                                                                                               \
+    }                                                                                                                 \
   }
 
-FRAME(explicit_euler_frame, explicit_euler(p, moments[2 * i], block, a))
-FRAME(semi_implicit_euler_frame, semi_implicit_euler(p, moments[2 * i], block, a))
-FRAME(rk4_frame, rk4(p, moments[2 * i], moments[2 * i + 1], moments[2 * i + 2], block, a))
-FRAME(backward_euler_frame, backward_euler(p, moments[2 * i + 2], block, a))
+FRAME(explicit_euler_frame, explicit_euler(p, moment[2 * i], block, a))
+FRAME(semi_implicit_euler_frame, semi_implicit_euler(p, moment[2 * i], block, a))
+FRAME(rk4_frame, rk4(p, moment[2 * i], moment[2 * i + 1], moment[2 * i + 2], block, a))
+FRAME(backward_euler_frame, backward_euler(p, moment[2 * i + 2], block, a))

@@ -12,11 +12,11 @@ typedef struct {
   float edge_damping;    // of it along itself, N s/m
   float drag;            // c against the air, N s/m
   float return_weight;   // w of Eq. 5, N
-  float gust;            // fraction of the wind
   float step;            // dt, s
   float most_square;     // a stick whose squared length is beyond this has diverged, R^2
   int substeps;          // of this launch
   int first_step;        // number of its first substep
+  int first_moment;      // where the moments of its start lie in their table
   int moving;            // 1: the object turns, the frame is not an inertial one
   int pushed;            // 1: the array of local forces is not all zero
   int sticks;            // rows beyond these belong to nothing
@@ -24,14 +24,13 @@ typedef struct {
   int blocks_per_item;   // that one work-item goes through, in units of LANES / 16
 } TopologyParams;
 
-// The outside world at an instant, in the object's own frame.
+// The outside world at an instant, in the object's own frame: what it does to a top that rests there.
 typedef struct {
-  float gravity_x, gravity_y, gravity_z;     // gravity less the object's own acceleration, m/s^2
-  float wind_x, wind_y, wind_z;              // mean velocity of the air, m/s
-  float speed_x, speed_y, speed_z;           // of the object, m/s
-  float turn_x, turn_y, turn_z;              // its angular velocity, rad/s
-  float turn_up_x, turn_up_y, turn_up_z;     // the derivative of that, rad/s^2
+  float steady_x, steady_y, steady_z;        // weight less the object's acceleration, drag of the mean wind, N
+  float gust_x, gust_y, gust_z;              // amplitude of the gusts' drag, N
   float gust_sin, gust_cos;                  // of 2 pi f t
+  float turn_x, turn_y, turn_z;              // the object's angular velocity, rad/s
+  float turn_up_x, turn_up_y, turn_up_z;     // the derivative of that, rad/s^2
 } Moment;
 
 // Columns of what a stick never changes; root and normal are three each, phases of the gust at the root.

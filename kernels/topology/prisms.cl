@@ -7,8 +7,7 @@
   Top a;                                                                                                       \
   a.q = load3(offset, u, 3, 0);                                                                                \
   a.v = xyz(load_rows(speed, u));                                                                              \
-  real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed); \
-  real3 rate = scale3(REAL(p.inverse_mass), f);
+  real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
 #define EACH_UNIT(u)                  \
   int item = (int)get_global_id(0);   \
@@ -23,8 +22,8 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
   EACH_UNIT(u) {
     TOPS(u)
     Top b;
-    if (in_turn) b = advanced_in_turn(a, p.step, rate);
-    else b = advanced(a, p.step, a.v, rate);
+    if (in_turn) b = advanced_in_turn(p, a, p.step, f);
+    else b = advanced(p, a, p.step, a.v, f);
     store3(b.q, offset, u, 3, 0);
     store_rows(row_of(b.v), next_speed, u);
     store_rows(row_of(add3(site.root, b.q)), next_tip, u);
@@ -51,9 +50,9 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
       sum.q = load3(sum_offset, u, 3, 0);
       sum.v = load3(sum_speed, u, 3, 0);
     }
-    sum = advanced(sum, weight, a.v, rate);
+    sum = advanced(p, sum, weight, a.v, f);
     Top next = sum;
-    if (stage < 3) next = advanced(base, reach, a.v, rate);
+    if (stage < 3) next = advanced(p, base, reach, a.v, f);
     store_rows(row_of(add3(site.root, next.q)), next_tip, u);
     if (stage < 3) {
       store3(sum.q, sum_offset, u, 3, 0);

@@ -61,6 +61,40 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
   }
 }
 
+// What is read back, set again with its number of steps, goes on with the same bits; conjugate gradients,
+// which then start from nothing, end where they did but for their residual.
+TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
+  const Mesh mesh = sphere(2);
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, mesh, fur_length);
+      const Dynamics d = lively(solver);
+      MassSprings one(queue(), topology, d), other(queue(), topology, d);
+      one.advance(queue(), 40);
+      const Offsets offsets = one.offsets(queue()), speeds = one.speeds(queue());
+      one.advance(queue(), 7);
+      other.advance(queue(), 3);
+      other.set(queue(), offsets, speeds, 40);
+      EXPECT_EQ(other.steps(), 40);
+      EXPECT_TRUE(same_bits(other.offsets(queue()), offsets));
+      EXPECT_TRUE(same_bits(other.speeds(queue()), speeds));
+      other.advance(queue(), 7);
+      if (kind == Kind::prisms && solver == Solver::backward_euler) {
+        EXPECT_LT(largest_difference(one.offsets(queue()), other.offsets(queue())),
+                  1e-4 * double(fur_length));
+      } else {
+        EXPECT_TRUE(same_bits(one.offsets(queue()), other.offsets(queue())))
+            << name(kind) << ' ' << name(solver);
+      }
+    }
+  const Topology topology = build(Kind::prisms, mesh, fur_length);
+  MassSprings springs(queue(), topology, lively(Solver::rk4));
+  const Offsets none(topology.sticks(), glm::vec3(0));
+  EXPECT_THROW(springs.set(queue(), none, Offsets(3)), InputError);
+  EXPECT_THROW(springs.set(queue(), Offsets(topology.sticks(), glm::vec3(NAN)), none), InputError);
+  EXPECT_THROW(springs.set(queue(), none, none, -1), InputError);
+}
+
 // Drivers compile a kernel anew for every size of group, which takes seconds: two schemes have to do.
 TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
   const Mesh mesh = sphere(2);

@@ -51,9 +51,9 @@ void Shim::advance(int substeps) {
       else
         prism_substep(dynamics_.solver, memory_, i);
   else if (kind_ == Kind::separable_prisms)
-    launch_triangles(dynamics_.solver, memory_);
+    launch_blocks(triangle_kernels(), dynamics_.solver, memory_);
   else
-    launch_sticks(dynamics_.solver, memory_);
+    launch_blocks(stick_kernels(), dynamics_.solver, memory_);
   steps_ += substeps;
 }
 

@@ -17,9 +17,17 @@ struct Memory {
   std::vector<double> tip, change;  ///< shared prisms, rows: root + q, and the last step's dv
 };
 
-/// One launch of the block kernel of `solver` over all blocks.
-void launch_sticks(Solver solver, Memory& memory);
-void launch_triangles(Solver solver, Memory& memory);
+using BlockKernel = void (*)(TopologyParams, const Moment*, const double*, const double*, const double*,
+                             double*, double*, int*, int*);
+/// blocks.cl's, built for one kind of block.
+struct BlockKernels {
+  BlockKernel explicit_euler, backward_euler, semi_implicit_euler, rk4;
+};
+BlockKernels stick_kernels();
+BlockKernels triangle_kernels();
+
+/// One launch over all blocks.
+void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
 /// Substep number `substep` of a launch on shared prisms; backward Euler's conjugate gradients until |r| is
 /// `residual` |b|.

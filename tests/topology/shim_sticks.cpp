@@ -16,15 +16,10 @@ using namespace in_double;
 
 namespace pelage::springs::test {
 
-void launch_sticks(Solver solver, Memory& m) {
+BlockKernels stick_kernels() {
   namespace kernels = sticks_in_double;
-  const auto kernel = solver == Solver::explicit_euler        ? kernels::explicit_euler_frame
-                      : solver == Solver::semi_implicit_euler ? kernels::semi_implicit_euler_frame
-                      : solver == Solver::rk4                 ? kernels::rk4_frame
-                                                              : kernels::backward_euler_frame;
-  for (in_double::work_item = 0; in_double::work_item < 16 * m.params.blocks; ++in_double::work_item)
-    kernel(m.params, m.moments.data(), m.sites.data(), m.push.data(), m.sides.data(), m.offset.data(),
-           m.speed.data(), m.diverged_at.data(), m.first.data());
+  return {kernels::explicit_euler_frame, kernels::backward_euler_frame, kernels::semi_implicit_euler_frame,
+          kernels::rk4_frame};
 }
 
 }  // namespace pelage::springs::test
