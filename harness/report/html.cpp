@@ -150,6 +150,12 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         escaped(report.tables[i].device), escaped(report.tables[i].variant), stem, stem);
     body += table_html(report.tables[i]);
   }
+  for (std::size_t i = 0; i < report.topologies.size(); ++i)
+    body += fmt::format(
+        "<h2>Which topology costs what</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
+        "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
+        escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
+        report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
   body += failures_html(report);
   for (const ReportPlot& plot : report.plots)
     body += fmt::format(

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "harness/report/csv.hpp"
+#include "harness/report/topology_table.hpp"
 #include "harness/results/provenance.hpp"
 
 namespace pelage {
@@ -132,7 +133,7 @@ std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const Model
       groups;
   for (const Cell& c : cells)
     if (c.overrides.empty() && c.axes.contains("model") && c.axes.contains("layers") &&
-        c.axes.contains("size"))
+        c.axes.contains("size") && !has_topology_axis(c))
       groups[{c.experiment, c.device, c.host, c.reading(), c.variant}].push_back(c);
   std::vector<PaperTable> tables;
   tables.reserve(groups.size());

@@ -46,23 +46,40 @@ void write_tables(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
+/// Draws plots/STEM by the program of that name; what went wrong is noted once.
+void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
+          const std::string& table, const std::string& title) {
+  const fs::path place = folder / "plots";
+  std::string problem;
+  try {
+    write_file(place / (stem + ".csv"), table);
+    fs::copy_file(plot_program(program), place / (stem + ".py"), fs::copy_options::overwrite_existing);
+    problem = draw_plot(place / (stem + ".py"), place / (stem + ".csv"), place / stem);
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  if (problem.empty())
+    report.plots.push_back({title, stem});
+  else if (std::find(report.notes.begin(), report.notes.end(), problem) == report.notes.end())
+    report.notes.push_back(problem);
+}
+
 void draw_plots(Report& report, const fs::path& folder, bool several_devices) {
-  for (std::size_t i = 0; i < report.tables.size(); ++i) {
-    const std::string stem = report.table_stems[i] + "-frame-time";
-    const fs::path place = folder / "plots";
-    std::string problem;
-    try {
-      write_file(place / (stem + ".csv"), csv_of(report.tables[i]));
-      fs::copy_file(plot_program("frame_time"), place / (stem + ".py"), fs::copy_options::overwrite_existing);
-      problem = draw_plot(place / (stem + ".py"), place / (stem + ".csv"), place / stem);
-    } catch (const InputError& error) {
-      problem = error.what();
-    }
-    if (problem.empty())
-      report.plots.push_back(
-          {"Frame time against triangles: " + title_of(report.tables[i], several_devices), stem});
-    else if (std::find(report.notes.begin(), report.notes.end(), problem) == report.notes.end())
-      report.notes.push_back(problem);
+  for (std::size_t i = 0; i < report.tables.size(); ++i)
+    draw(report, folder, "frame_time", report.table_stems[i] + "-frame-time", csv_of(report.tables[i]),
+         "Frame time against triangles: " + title_of(report.tables[i], several_devices));
+  for (std::size_t i = 0; i < report.topologies.size(); ++i)
+    draw(report, folder, "topologies", report.topology_stems[i] + "-cost", csv_of(report.topologies[i]),
+         "What a topology costs: " + report.topology_stems[i]);
+}
+
+void write_topologies(Report& report, const fs::path& folder, bool several_devices) {
+  for (const TopologyTable& table : report.topologies) {
+    const std::string stem = file_name_of(
+        table.experiment + (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
+    write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
+    report.topology_stems.push_back(stem);
   }
 }
 
@@ -100,10 +117,12 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   Report report;
   report.cells = cells_of(rows);
   report.tables = paper_tables(report.cells, note);
+  report.topologies = topology_tables(rows);
   add_titles(report.tables);
   std::set<std::pair<std::string, std::string>> devices;
   for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
   write_tables(report, folder, devices.size() > 1);
+  write_topologies(report, folder, devices.size() > 1);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   draw_plots(report, folder, devices.size() > 1);
   copy_pictures(report, folder);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/report/paper_table.hpp"
+#include "harness/report/topology_table.hpp"
 
 namespace pelage {
 
@@ -21,6 +22,8 @@ struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
   std::vector<std::string> table_stems;  ///< tables/STEM.csv, .tex, one per table
+  std::vector<TopologyTable> topologies;
+  std::vector<std::string> topology_stems;  ///< tables/STEM.csv, .tex, one per such table
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::vector<std::string> notes;  ///< what is missing and why
