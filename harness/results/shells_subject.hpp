@@ -24,10 +24,11 @@ MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
 std::string kernel_hash();
 
 /// The timed picture compared with the double-precision reference in kCheckWindows seeded windows over fur
-/// pixels.
+/// pixels; where these fall short, in the whole picture, which decides.
 struct WindowCheck {
   std::vector<Check> checks;
-  Agreement agreement;
+  Agreement agreement;  ///< what decided
+  Agreement sample;     ///< in the windows
 };
 /// `sticks`: those of the timed frame, where a topology moves the fur.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
