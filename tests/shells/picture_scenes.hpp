@@ -1,33 +1,16 @@
-// The scenes on which the device's picture is held against the reference's, and how both are drawn.
+// How the device draws the scenes on which it is held against the reference.
 #pragma once
 #include <memory>
 #include <string>
 
-#include "harness/picture/metrics.hpp"
-#include "harness/reference/reference.hpp"
 #include "harness/shells/shells.hpp"
+#include "tests/pictures/pictures.hpp"
 
 namespace pelage::pictures {
-
-/// Curly, wet and windy fur on a named model, 320 x 200: what Table 1 times, at a test's size.
-std::shared_ptr<const FrameInput> model_frame(const std::string& model, int layers,
-                                              const std::string& shading);
-
-/// A torus made of formulas, 160 x 100, with combed, curly, wet and windy fur: small enough for many
-/// pictures.
-std::shared_ptr<const FrameInput> small_frame(const std::string& shading,
-                                              const std::string& binding = "shared", int layers = 16);
-
-/// Frames of motion before a picture is compared: the gust has bent the fur.
-constexpr int frames = 16;
 
 /// The device of $PELAGE_DEVICE, else the first usable one.
 cl::Device device();
 
 Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping);
-Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none);
-
-/// "74.3 dB, 99.9% within 0.0002, worst 0.03 at (143, 26), 25378 pixels": for a failed test's message.
-std::string describe(const Agreement& agreement);
 
 }  // namespace pelage::pictures
