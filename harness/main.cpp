@@ -17,6 +17,7 @@
 #include "harness/commands/mesh.hpp"
 #include "harness/commands/render.hpp"
 #include "harness/commands/report.hpp"
+#include "harness/commands/roofline.hpp"
 #include "harness/commands/run.hpp"
 #include "harness/commands/scene.hpp"
 #include "harness/commands/topology.hpp"
@@ -72,6 +73,7 @@ int main(int argc, char** argv) {
   add_topology(app, chosen);
   add_check(app, chosen);
   add_tune(app, chosen);
+  add_roofline(app, chosen);
   add_list(app, chosen);
   add_run(app, chosen);
   add_export(app, chosen);

@@ -96,8 +96,8 @@ int Shells::frames_simulated() const {
 std::uint64_t Shells::count() {
   return state_->raster.count(state_->queue);
 }
-Tally Shells::tally() {
-  return state_->raster.tally(state_->queue);
+Tally Shells::tally(int every) {
+  return state_->raster.tally(state_->queue, every);
 }
 std::map<std::string, double> Shells::operations(const Tally& tally, double wet_share) const {
   const State& s = *state_;

@@ -72,7 +72,7 @@ class RasterStage {
   const cl::Buffer<float>& vertex() const { return vertex_; }  ///< VERTEX_COLUMNS columns
   cl::Buffer<float>& tip() { return tip_; }                    ///< B of docs/frame.md, 3: three columns
   std::uint64_t count(const cl::Queue& queue);
-  Tally tally(const cl::Queue& queue);  ///< of the last frame, by an extra pass that leaves its picture alone
+  Tally tally(const cl::Queue& queue, int every);  ///< of the last frame; its picture is left alone
   Picture read(const cl::Queue& queue) const;
   double build_ms() const;
 

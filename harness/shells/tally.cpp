@@ -1,15 +1,20 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
 
-Tally RasterStage::tally(const cl::Queue& queue) {
-  const cl::Program program(queue.device(), "rasterize/pixels.cl", one_lane_ + " -D TALLY");
+Tally RasterStage::tally(const cl::Queue& queue, int every) {
+  if (every == 0) every = std::max(1, params_.width * params_.height / 8192);
+  const cl::Program program(queue.device(), "rasterize/pixels.cl",
+                            fmt::format("{} -D TALLY={}", one_lane_, every));
   const auto pixels = std::size_t(params_.width) * std::size_t(params_.height);
-  const cl::Buffer<std::uint32_t> parts(queue.device(), 3 * pixels);
+  // Pixels that are passed over write nothing.
+  const cl::Buffer<std::uint32_t> parts(
+      queue, std::span<const std::uint32_t>(std::vector<std::uint32_t>(3 * pixels)));
   cl::Kernel kernel(program, "pixel_shells");
   // Coverage counts in every layer.
   const int every_layer = std::exchange(params_.every_layer, 1);
@@ -25,7 +30,8 @@ Tally RasterStage::tally(const cl::Queue& queue) {
     sum.shaded += counted[3 * i + 1];
     sum.blended += counted[3 * i + 2];
   }
-  return sum;
+  const auto scale = static_cast<std::uint64_t>(every);
+  return {scale * sum.covered, scale * sum.shaded, scale * sum.blended};
 }
 
 }  // namespace pelage::shells

@@ -83,6 +83,12 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
                            TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
+#ifdef TALLY
+  // One pixel in TALLY, spread at random.
+  uint pick = (uint)i * 0x9e3779b1u ^ (uint)j * 0x85ebca77u;
+  pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
+  if ((pick ^ pick >> 12) % TALLY != 0) return;
+#endif
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
   Attributes from = {records, tangents, curls};

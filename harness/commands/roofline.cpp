@@ -1,0 +1,165 @@
+// pelage roofline: time, bytes and operations of every kernel of a frame.
+#include "harness/commands/roofline.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "harness/atomic_file.hpp"
+#include "harness/cl/measure.hpp"
+#include "harness/commands/scene_options.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/report/plot.hpp"
+#include "harness/report/roofline.hpp"
+#include "harness/results/experiment.hpp"
+#include "harness/results/results_folder.hpp"
+#include "harness/results/shells_subject.hpp"
+#include "harness/results/statistics.hpp"
+#include "harness/results/tuning.hpp"
+#include "harness/shells/shells.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RooflineOptions {
+  std::string experiment = "silva2010-table1", preset = "quick", device, mapping = "tile",
+              tuning = "defaults", output;
+  std::string filter = "^(torus-16|torus-64|bunny-16|lion-16)-800x600$";
+  int frames = 15;
+};
+
+/// Medians over frames of each kernel's launches together, in the order of a frame.
+std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
+                                   const std::map<std::string, double>& operations) {
+  std::vector<KernelWork> kernels;
+  std::vector<std::vector<double>> times;
+  for (std::size_t i = 0; i < timings.size(); ++i)
+    for (const KernelTime& k : timings[i].kernels) {
+      std::size_t at = 0;
+      while (at < kernels.size() && kernels[at].kernel != k.kernel) ++at;
+      if (at == kernels.size()) {
+        const auto found = operations.find(k.kernel);
+        kernels.push_back({k.kernel, k.phase, 0, 0, found == operations.end() ? 0 : found->second});
+        times.emplace_back(timings.size(), 0.0);
+      }
+      times[at][i] += k.ms;
+      if (i == 0) kernels[at].bytes += double(k.bytes);
+    }
+  for (std::size_t at = 0; at < kernels.size(); ++at) kernels[at].ms = median(times[at]);
+  return kernels;
+}
+
+/// Empty, with a line on stderr, when the picture is not the reference's.
+std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
+                                 const ShellOptions& how, int frames) {
+  const Scene scene = scene_of(experiment, which);
+  const auto input = prepare(scene, load_scene_mesh(scene));
+  Shells shells(device, input, how);
+  shells.advance(frames_before(scene.dynamics));
+  for (int i = 0; i < 3; ++i) shells.frame();
+  std::vector<FrameTiming> timings;
+  std::vector<double> wall;
+  for (int i = 0; i < frames; ++i) {
+    timings.push_back(shells.frame());
+    wall.push_back(timings.back().wall_ms);
+  }
+  for (const Check& c : check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks)
+    if (!c.holds()) {
+      fmt::print(stderr, "pelage: {}: {} against {} is {:.6g}, must be {} {:.6g}: left out\n", which.name,
+                 c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
+      return {};
+    }
+  const Tally tally = shells.tally();
+  const double wet = wet_share(*input->mesh, shells.mask(), scene.wetness.size);
+  FrameWork work{which.name,
+                 double(input->mesh->triangle.size()),
+                 median(wall),
+                 double(tally.covered),
+                 double(tally.shaded),
+                 double(tally.blended),
+                 {}};
+  work.kernels = kernels_of(timings, shells.operations(tally, wet));
+  return work;
+}
+
+void write(const fs::path& file, const std::string& text) {
+  write_atomically(file, [&](const fs::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << text << std::flush;
+    if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
+  });
+}
+
+int roofline(const RooflineOptions& options) {
+  const Experiment experiment = read_experiment(experiment_file(options.experiment));
+  const std::vector<Case> cases =
+      filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
+  if (cases.empty())
+    throw InputError(fmt::format("--filter '{}': {} has no such case with preset {}", options.filter,
+                                 experiment.name, options.preset));
+  ShellOptions how{options.mapping, {}};
+  if (options.tuning != "defaults") how.tuning = read_tuning(options.tuning);
+  const fs::path folder = options.output;
+  if (!folder.empty()) {
+    refuse_recordings(folder);
+    fs::create_directories(folder);
+  }
+  const cl::Device device = cl::choose_device(options.device);
+  const cl::DeviceSpeed speed = cl::measure_device(device);
+  if (!speed.timer.real)
+    throw InputError(fmt::format("{}: {}: kernels have no times of their own on it, see run",
+                                 device.info().name, speed.timer.reason));
+  const Ceilings ceilings{device.info().name, speed.triad_gb_s, speed.fma_gflop_s};
+  std::vector<FrameWork> frames;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    fmt::print(stderr, "{}/{} {}\n", i + 1, cases.size(), cases[i].name);
+    if (auto work = work_of(device, experiment, cases[i], how, options.frames))
+      frames.push_back(std::move(*work));
+  }
+  fmt::print("{}", text_of(frames, ceilings));
+  if (!folder.empty() && !frames.empty()) {
+    write(folder / "roofline.csv", csv_of(frames, ceilings));
+    fs::copy_file(plot_program("roofline"), folder / "roofline.py", fs::copy_options::overwrite_existing);
+    if (const std::string problem =
+            draw_plot(folder / "roofline.py", folder / "roofline.csv", folder / "roofline");
+        !problem.empty())
+      fmt::print(stderr, "pelage: {}\n", problem);
+    fmt::print(stderr, "pelage: {}/roofline.csv, .py, .svg, .pdf\n", options.output);
+  }
+  return frames.size() == cases.size() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_roofline(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<RooflineOptions>();
+  CLI::App* command = app.add_subcommand(
+      "roofline", "Where a frame's time goes, kernel by kernel, against the device's measured ceilings");
+  command
+      ->add_option("experiment", options->experiment,
+                   "Whose scenes: a name that `pelage list` shows, or FILE.toml")
+      ->type_name("EXPERIMENT|FILE.toml")
+      ->capture_default_str();
+  command->add_option("--preset", options->preset, "Whose cases")->type_name("NAME")->capture_default_str();
+  command->add_option("--filter", options->filter, "Only the cases whose name holds a match")
+      ->type_name("REGEX")
+      ->capture_default_str();
+  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+      ->type_name("DEVICE");
+  command->add_option("--mapping", options->mapping, "How a work-item draws: tile, pixel")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command->add_option("--tuning", options->tuning, "Values of the kernels' tuning axes")
+      ->type_name("defaults|FILE")
+      ->capture_default_str();
+  command->add_option("--frames", options->frames, "Frames whose median counts")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("-o,--output", options->output, "Folder for the table and the plot")->type_name("DIR");
+  command->callback([options, &chosen] { chosen = [options] { return roofline(*options); }; });
+}
+
+}  // namespace pelage
