@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <regex>
 
 #include "harness/error.hpp"
 #include "harness/mesh/archive.hpp"
@@ -24,6 +27,7 @@ constexpr int recipe = 3;
 constexpr int procedural_recipe = 3;  // the same for procedural shapes alone
 
 constexpr std::uint32_t most_faces = 4'000'000;
+constexpr int most_torus_faces = 8'000'000;  // it needs no preparation
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
 const std::filesystem::path glmark2_folder = "/usr/share/glmark2/models";
 
@@ -50,13 +54,25 @@ glm::dvec3 up_before(glm::dvec3 rotation) {
   return {matrix[0].y, matrix[1].y, matrix[2].y};
 }
 
+// "torus-AxB": the torus of A x B quads, however fine; empty for other names.
+std::optional<glm::ivec2> finer_torus(const std::string& name) {
+  std::smatch quads;
+  if (!std::regex_match(name, quads, std::regex("torus-([0-9]{1,4})x([0-9]{1,4})"))) return {};
+  const glm::ivec2 count{std::stoi(quads[1]), std::stoi(quads[2])};
+  if (std::min(count.x, count.y) < 3 || 2 * count.x * count.y > most_torus_faces)
+    throw InputError(
+        fmt::format("{}: 3 quads or more each way, and {} faces in all at most", name, most_torus_faces));
+  return count;
+}
+
 Surface shape_of(const Source& source, const MeshOptions& options) {
   if (source.kind == "procedural") {
     if (source.item == "torus") return make_torus(72, 65, 0.4);
+    if (const auto quads = finer_torus(source.item)) return make_torus(quads->x, quads->y, 0.4);
     if (source.item == "pear") return make_pear(6);
     if (source.item.starts_with("square-"))
       return make_square(std::clamp(std::atoi(source.item.c_str() + 7), 1, 1000));
-    throw InputError(fmt::format("{}: no procedural shape {}; there are torus, pear and square-N",
+    throw InputError(fmt::format("{}: no procedural shape {}; there are torus, torus-AxB, pear and square-N",
                                  source.label, source.item));
   }
   Soup soup;
@@ -148,6 +164,10 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   Model model;
   if (named != known.end()) {
     model = *named;
+  } else if (finer_torus(name_or_file)) {
+    model.name = name_or_file;
+    model.source = "procedural:" + name_or_file;
+    model.rotation = {25, 0, 0};  // as the torus of the tables stands
   } else {
     if (!std::filesystem::exists(name_or_file)) {
       std::string names;

@@ -12,6 +12,7 @@
 #include "harness/mesh/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/reference/reference.hpp"
+#include "harness/results/memory.hpp"
 #include "harness/results/sticks_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -43,6 +44,7 @@ class ShellsSubject : public Subject {
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {
+    peak_ = peak_memory();  // before the reference takes its own
     const bool springs = has_springs(input_->scene.dynamics);
     const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_,
                                                        springs ? shells_.tips() : std::vector<glm::vec3>());
@@ -64,6 +66,7 @@ class ShellsSubject : public Subject {
     row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};
     row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
+    if (peak_ > 0) row.metrics["peak_memory"] = {double(peak_), "bytes"};
     row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
     if (has_springs(input_->scene.dynamics)) {
       const springs::Topology topology = shells::topology_of(*input_);
@@ -94,6 +97,7 @@ class ShellsSubject : public Subject {
   ShellOptions options_;
   std::uint32_t seed_;
   Agreement agreement_, sample_;
+  std::uint64_t peak_ = 0;
   Shells shells_;
   std::vector<glm::vec3> before_;  ///< a topology's sticks when the first frame was timed
 };
@@ -179,6 +183,7 @@ MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
       mesh = load_model(scene.model, options);
     }
     const ShellOptions options{which.mapping, tuning};
+    reset_peak_memory();
     return std::make_unique<ShellsSubject>(device, prepare(scene, mesh), options, seed_of(which.name));
   };
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 
 namespace pelage {
@@ -36,6 +37,15 @@ TEST(Torus, is_72_by_65_quads_with_a_map_that_wraps) {
     const glm::vec3 normal = glm::cross(b - a, c - a);
     EXPECT_GT(glm::length(normal), 0.0f);
   }
+}
+
+TEST(Torus, is_as_fine_as_its_name_says) {
+  const auto coarse = load_model("torus-12x10");
+  EXPECT_EQ(coarse->triangle.size(), 240u);
+  EXPECT_EQ(coarse->welded, 120u);
+  EXPECT_TRUE(load_model("torus-72x65")->position == load_model("torus")->position);
+  EXPECT_THROW(load_model("torus-2x9"), InputError);
+  EXPECT_THROW(load_model("torus-9999x9999"), InputError);
 }
 
 TEST(Square, of_the_grass_has_13_vertices_and_16_faces) {

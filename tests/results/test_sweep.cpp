@@ -52,6 +52,7 @@ std::set<std::string> said(const std::string& folder) {
     row.build_ms = row.first_launch_ms = 0;
     row.metrics.erase("wet_ms");
     row.metrics.erase("fragments_per_s");
+    row.metrics.erase("peak_memory");
     for (auto& [phase, samples] : row.samples) {
       std::fill(samples.wall_ms.begin(), samples.wall_ms.end(), 0.0);
       std::fill(samples.event_ms.begin(), samples.event_ms.end(), 0.0);
