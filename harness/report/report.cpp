@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 #include "harness/atomic_file.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/plot.hpp"
+#include "harness/report/scaling.hpp"
 #include "harness/results/provenance.hpp"
 
 namespace pelage {
@@ -83,6 +85,31 @@ void write_topologies(Report& report, const fs::path& folder, bool several_devic
   }
 }
 
+/// How time grows with layers, pixels and triangles: a table, a plot, and the fit that the plot's program
+/// makes.
+void write_scaling(Report& report, const fs::path& folder) {
+  const std::vector<Cell> cells = scaling_cells(report.cells);
+  if (cells.empty()) return;
+  report.scaling = scaling_text(cells);
+  std::string problem;
+  const fs::path place = folder / "plots";
+  try {
+    write_file(place / "scaling.csv", scaling_csv(cells));
+    fs::copy_file(plot_program("scaling"), place / "scaling.py", fs::copy_options::overwrite_existing);
+    problem = draw_plot(place / "scaling.py", place / "scaling.csv", place / "scaling");
+  } catch (const InputError& error) {
+    problem = error.what();
+  }
+  if (problem.empty()) {
+    std::ifstream fit(place / "scaling.txt");
+    report.scaling += std::string(std::istreambuf_iterator<char>(fit), {});
+    report.plots.push_back({"Frame time against layers, pixels and triangles", "scaling"});
+  } else {
+    report.notes.push_back("scaling: " + problem);
+  }
+  write_file(folder / "tables" / "scaling.txt", report.scaling);
+}
+
 /// One picture per experiment, reading and model: the most layers, then the smallest size.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
@@ -125,6 +152,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   write_topologies(report, folder, devices.size() > 1);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   draw_plots(report, folder, devices.size() > 1);
+  write_scaling(report, folder);
   copy_pictures(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));
   write_file(folder / "provenance.txt", provenance_of(rows));

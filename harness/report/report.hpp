@@ -26,6 +26,7 @@ struct Report {
   std::vector<std::string> topology_stems;  ///< tables/STEM.csv, .tex, one per such table
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
+  std::string scaling;             ///< what doubling the layers costs; tables/scaling.txt has the fit as well
   std::vector<std::string> notes;  ///< what is missing and why
 };
 

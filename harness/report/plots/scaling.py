@@ -1,0 +1,154 @@
+#!/usr/bin/env python3
+"""Frame time against layers, pixels and triangles: a model fitted to the smaller cases, tested on those left out.
+
+usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
+
+TABLE.csv is the table that stands beside this file in a report. Writes the fit beside the first output, as .txt.
+The model is a sum of costs, none of them negative:
+
+    ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
+
+fitted by least squares of relative errors. Intervals are percentiles over 1000 resamplings of the cases. Left out of the fit
+are every third case (in the order of their names) and all that lie beyond: more than 64 layers, more pixels than
+1680 x 1050, more than a million triangles. Only matplotlib and numpy are needed.
+"""
+import csv
+import os
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
+MARKERS = ["o", "s", "^", "D", "v", "P"]
+TERMS = [("frame", "ms", 1), ("triangle", "ns", 1e6), ("triangle and layer", "ns", 1e6), ("pixel", "ns", 1e6),
+         ("pixel and layer", "ns", 1e6)]
+
+
+def features(case):
+    t, n, p = case["triangles"], case["layers"], case["pixels"]
+    return np.array([1.0, t, t * n, p, p * n])
+
+
+def fitted(cases):
+    """Non-negative least squares of relative errors: the term that would be most negative is dropped until none is."""
+    rows = np.array([features(c) / c["ms"] for c in cases])
+    kept = list(range(len(TERMS)))
+    while kept:
+        scale = np.abs(rows[:, kept]).max(axis=0)
+        solution = np.linalg.lstsq(rows[:, kept] / scale, np.ones(len(cases)), rcond=None)[0] / scale
+        if (solution >= 0).all():
+            break
+        kept.remove(kept[int(np.argmin(solution * scale))])
+    result = np.zeros(len(TERMS))
+    if kept:
+        result[kept] = solution
+    return result
+
+
+def beyond(case):
+    return case["layers"] > 64 or case["pixels"] > 1680 * 1050 or case["triangles"] > 1e6
+
+
+def read(table):
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = [r for r in csv.DictReader(file) if r["median_ms"]]
+    cases = [{"name": r["case"], "device": r["device"], "triangles": float(r["triangles"]), "layers": float(r["layers"]),
+              "pixels": float(r["width"]) * float(r["height"]), "ms": float(r["median_ms"]),
+              "low": float(r["median_ms_low"]), "high": float(r["median_ms_high"])} for r in rows]
+    cases.sort(key=lambda c: c["name"])
+    inside = [c for c in cases if not beyond(c)]
+    for i, c in enumerate(inside):
+        c["use"] = "held out" if i % 3 == 2 else "fit"
+    for c in cases:
+        c.setdefault("use", "beyond")
+    return cases
+
+
+def report(cases, fit, samples):
+    used = [c for c in cases if c["use"] == "fit"]
+    lines = [f"{cases[0]['device']}: time of a frame, fitted to {len(used)} cases",
+             "ms = frame + triangle T + triangle and layer T N + pixel P + pixel and layer P N, none negative"]
+    low, high = np.percentile(samples, [2.5, 97.5], axis=0)
+    for i, (name, unit, scale) in enumerate(TERMS):
+        lines.append(f"  per {name:<20} {fit[i] * scale:10.3f} {unit}  (95%: {low[i] * scale:.3f} to {high[i] * scale:.3f})")
+    for use, words in (("fit", "fitted"), ("held out", "held out"), ("beyond", "beyond the fit")):
+        mine = [c for c in cases if c["use"] == use]
+        if not mine:
+            continue
+        errors = np.array([features(c) @ fit / c["ms"] - 1 for c in mine])
+        lines.append(f"{len(mine)} cases {words}: predicted / measured - 1 is {100 * np.median(np.abs(errors)):.0f}% in the "
+                     f"middle, {100 * errors.min():+.0f}% to {100 * errors.max():+.0f}%")
+    for c in cases:
+        if c["use"] != "fit":
+            band = np.percentile(samples @ features(c), [2.5, 97.5])
+            lines.append(f"  {c['name']:<34} {c['ms']:9.1f} ms measured, {features(c) @ fit:9.1f} predicted "
+                         f"({band[0]:.1f} to {band[1]:.1f}), {c['use']}")
+    return "\n".join(lines) + "\n"
+
+
+def panel(axis, cases, fit, x, label, series, names):
+    drawn = 0
+    for key in sorted({tuple(c[s] for s in series) for c in cases}):
+        mine = sorted((c for c in cases if tuple(c[s] for s in series) == key), key=lambda c: c[x])
+        if len({c[x] for c in mine}) < 2:
+            continue
+        colour, marker = COLOURS[drawn % 6], MARKERS[drawn % 6]
+        drawn += 1
+        grid = np.geomspace(mine[0][x], mine[-1][x], 60)
+        axis.plot(grid, [features({**mine[0], x: g}) @ fit for g in grid], color=colour, linewidth=1)
+        for c in mine:
+            axis.errorbar(c[x], c["ms"], yerr=[[max(0, c["ms"] - c["low"])], [max(0, c["high"] - c["ms"])]], color=colour,
+                          marker=marker, markersize=5, capsize=2, linestyle="none",
+                          markerfacecolor=colour if c["use"] == "fit" else "white")
+        axis.plot([], [], color=colour, marker=marker, markersize=5, linewidth=1, label=names(mine[0]))
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    axis.set_xlabel(label)
+    axis.grid(True, which="major", color="0.88", linewidth=0.6)
+    axis.legend(frameon=False, fontsize=7, loc="upper left")
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+
+
+def main(table, outputs):
+    cases = read(table)
+    used = [c for c in cases if c["use"] == "fit"]
+    if len(used) < 2 * len(TERMS):
+        sys.exit(f"{len(used)} cases are too few for a fit of {len(TERMS)} terms")
+    fit = fitted(used)
+    random = np.random.default_rng(1)
+    samples = np.array([fitted([used[i] for i in random.integers(len(used), size=len(used))]) for _ in range(1000)])
+    with open(os.path.splitext(outputs[0])[0] + ".txt", "w", encoding="utf-8") as file:
+        file.write(report(cases, fit, samples))
+
+    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
+    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.7), sharey=True, constrained_layout=True)
+    thousand = lambda t: f"{t / 1e3:.0f}k" if t < 1e6 else f"{t / 1e6:.1f}M"  # noqa: E731
+    several = [c for c in cases if c["layers"] > 16] or cases
+    fewest, most = min(c["triangles"] for c in several), max(c["triangles"] for c in several)
+    ends = [c for c in cases if c["triangles"] in (fewest, most)]
+    few = [c for c in cases if c["layers"] == 16]
+    panel(axes[0], [c for c in ends if c["pixels"] in (480000, 1764000)], fit, "layers", "layers", ("triangles", "pixels"),
+          lambda c: f"{thousand(c['triangles'])} triangles, {c['pixels'] / 1e6:.2g} Mpixel")
+    panel(axes[1], ends, fit, "pixels", "pixels", ("triangles", "layers"),
+          lambda c: f"{thousand(c['triangles'])} triangles, {c['layers']:.0f} layers")
+    panel(axes[2], few, fit, "triangles", "triangles", ("pixels",),
+          lambda c: f"{c['pixels'] / 1e6:.2g} Mpixel, 16 layers")
+    layers = sorted({int(c["layers"]) for c in cases})
+    axes[0].set_xticks(layers, [str(n) for n in layers])
+    axes[0].minorticks_off()
+    axes[0].set_ylabel("frame time, ms")
+    figure.suptitle(f"{cases[0]['device']}; lines: the fit; filled: fitted, open: left out of it", fontsize=9, color="0.35")
+    for output in outputs:
+        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
+        figure.savefig(output, bbox_inches="tight", metadata=meta, dpi=150)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])

@@ -1,0 +1,20 @@
+// What the experiment "scaling" says: what doubling the layers costs, how much memory the cases take, and the
+// table that plots/scaling.py fits its model to.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "harness/report/cells.hpp"
+
+namespace pelage {
+
+/// Cells of that experiment as shipped that have a time, a triangle count, layers and a size.
+std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
+
+/// One line per cell, for programs and for plots/scaling.py.
+std::string scaling_csv(const std::vector<Cell>& cells);
+
+/// Twice and four times the layers against the same case with fewer, and the most memory; for a terminal.
+std::string scaling_text(const std::vector<Cell>& cells);
+
+}  // namespace pelage
