@@ -66,13 +66,16 @@ void draw(Report& report, const fs::path& folder, const std::string& program, co
     report.notes.push_back(problem);
 }
 
-void draw_plots(Report& report, const fs::path& folder, bool several_devices) {
+void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder,
+                bool several_devices) {
   for (std::size_t i = 0; i < report.tables.size(); ++i)
     draw(report, folder, "frame_time", report.table_stems[i] + "-frame-time", csv_of(report.tables[i]),
          "Frame time against triangles: " + title_of(report.tables[i], several_devices));
   for (std::size_t i = 0; i < report.topologies.size(); ++i)
     draw(report, folder, "topologies", report.topology_stems[i] + "-cost", csv_of(report.topologies[i]),
          "What a topology costs: " + report.topology_stems[i]);
+  for (const SpringsChart& chart : springs_charts(rows))
+    draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
 void write_topologies(Report& report, const fs::path& folder, bool several_devices) {
@@ -151,7 +154,9 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   write_tables(report, folder, devices.size() > 1);
   write_topologies(report, folder, devices.size() > 1);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
-  draw_plots(report, folder, devices.size() > 1);
+  report.solvers = solver_lines(rows);
+  if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
+  draw_plots(report, rows, folder, devices.size() > 1);
   write_scaling(report, folder);
   copy_pictures(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));
