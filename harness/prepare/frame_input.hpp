@@ -75,7 +75,8 @@ struct FrameInput {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
   StrandSet strands;
-  std::vector<glm::vec3> stick_normal;  ///< W, unit: where a topology's sticks rest; empty for Silva's strands
+  std::vector<glm::vec3>
+      stick_normal;  ///< W, unit: where a topology's sticks rest; empty for Silva's strands
   CurlFrame curl;
   SurfaceTangents tangents;
   FurTexture fur;

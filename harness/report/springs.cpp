@@ -41,7 +41,8 @@ std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows) {
         continue;
       const bool several = by_device.size() > 1;
       found.push_back({several ? fmt::format("{}, {}", title, device) : title,
-                       several ? fmt::format("{}@{}", experiment, file_name_of(device)) : experiment, std::move(own)});
+                       several ? fmt::format("{}@{}", experiment, file_name_of(device)) : experiment,
+                       std::move(own)});
     }
   }
   return found;
