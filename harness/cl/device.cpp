@@ -10,6 +10,7 @@
 
 #include "harness/cl/buffer.hpp"
 #include "harness/cl/choose.hpp"
+#include "harness/cl/drivers.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::cl {
@@ -99,6 +100,7 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
 }
 
 std::vector<cl_platform_id> platform_ids() {
+  announce_drivers();
   cl_uint count = 0;
   // -1001 (no platform found) is the loader's way of saying zero.
   const cl_int code = clGetPlatformIDs(0, nullptr, &count);

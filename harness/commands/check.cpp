@@ -125,12 +125,12 @@ std::vector<Finding> compare_pictures(const std::string& mapping, const Picture&
           {"picture", fmt::format("99.9th percentile, {}", mapping), agreement.p999, limits.p999}};
 }
 
-std::vector<Finding> compare_mappings(const Picture& tile, const Picture& pixel) {
+std::vector<Finding> compare_mappings(const std::string& mapping, const Picture& tile, const Picture& pixel) {
   double covered = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     covered += (tile.pixel[i].w > 0) != (pixel.pixel[i].w > 0);
-  return {{"mappings", "pixels covered in one only", covered, 0},
-          {"mappings", "largest difference", compare(tile, pixel).worst, 1.0 / 255.0}};
+  return {{"mappings", fmt::format("pixels covered in one only, {}", mapping), covered, 0},
+          {"mappings", fmt::format("largest difference, {}", mapping), compare(tile, pixel).worst, 1.0 / 255.0}};
 }
 
 FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> input,
@@ -159,9 +159,11 @@ std::vector<Finding> check_case(const cl::Device& device, const Case& which,
   if (stages.contains("mask") && !input->droplets.empty()) add(compare_masks(tile, reference));
   if (picture) add(compare_pictures("tile", tile.image, reference.image));
   if (!picture && !mappings) return findings;
-  const FrameOutput pixel = draw(device, input, "pixel");
-  if (picture) add(compare_pictures("pixel", pixel.image, reference.image));
-  if (mappings) add(compare_mappings(tile.image, pixel.image));
+  for (const char* mapping : {"pixel", "group"}) {
+    const FrameOutput other = draw(device, input, mapping);
+    if (picture) add(compare_pictures(mapping, other.image, reference.image));
+    if (mappings) add(compare_mappings(mapping, tile.image, other.image));
+  }
   return findings;
 }
 

@@ -19,7 +19,7 @@ namespace {
 struct RenderOptions {
   SceneOptions scene;
   std::string output, dump, device;
-  std::string pipeline = "shells", mapping = "tile", opengl;
+  std::string pipeline = "shells", mapping, opengl;
   int bits = 32;
 };
 
@@ -94,9 +94,12 @@ void add_render(CLI::App& app, Chosen& chosen) {
       ->add_option("--opengl", options->opengl,
                    "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
-  command->add_option("--mapping", options->mapping, "A work-item of the shells draws a tile, or a pixel")
-      ->check(CLI::IsMember({"tile", "pixel"}))
-      ->capture_default_str();
+  command
+      ->add_option("--mapping", options->mapping,
+                   "How the shells' pixels are spread: a work-item draws a tile, or a pixel, or a work-group a "
+                   "tile; default: group on a GPU, else tile")
+      ->check(CLI::IsMember(mappings()))
+      ->type_name("NAME");
   command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
       ->type_name("DEVICE");
   command->add_option("--dump", options->dump, "Write every intermediate of the frame as HDF5")

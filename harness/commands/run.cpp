@@ -23,6 +23,7 @@
 #include "harness/results/statistics.hpp"
 #include "harness/results/tuning.hpp"
 #include "harness/rivals/subjects.hpp"
+#include "harness/shells/shells.hpp"
 #include "harness/solvers/study.hpp"
 
 namespace pelage {
@@ -59,6 +60,15 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
   return all;
 }
 
+/// The case as the device draws it, where the experiment does not name a mapping.
+Case settled(Case which, const RunOptions& options, const cl::Device& device) {
+  if (!which.mapping.empty()) return which;
+  which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
+  const std::string usual = "shells/tile";
+  if (which.variant.starts_with(usual)) which.variant.replace(0, usual.size(), "shells/" + which.mapping);
+  return which;
+}
+
 /// The device's name, with its place where two have the same name.
 std::string file_stem_of(const cl::Device& device, const std::vector<cl::Device>& all) {
   const auto same = std::count_if(all.begin(), all.end(), [&](const cl::Device& other) {
@@ -74,7 +84,8 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
   for (const Sweep& sweep : sweeps)
     for (const cl::Device& device : devices)
       for (const Case& which : sweep.cases)
-        fmt::print("{}\t{}\t{}\t{}\n", sweep.experiment.name, which.name, which.variant, device.spec());
+        fmt::print("{}\t{}\t{}\t{}\n", sweep.experiment.name, which.name,
+                   settled(which, options, device).variant, device.spec());
   fmt::print(
       stderr, "pelage: {} cases, preset {}; nothing was run\n",
       std::accumulate(sweeps.begin(), sweeps.end(), std::size_t(0),
@@ -115,7 +126,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   plan.experiment = sweep.experiment.name;
   plan.device = device.info().name;
   plan.repeat = std::max(0, options.repeat_index);
-  plan.cases = sweep.cases;
+  for (const Case& which : sweep.cases) plan.cases.push_back(settled(which, options, device));
   plan.limits = sweep.limits;
   plan.budget_s = budget_s;
   const fs::path place = folder / sweep.experiment.name;

@@ -12,6 +12,7 @@
 
 #include "harness/error.hpp"
 #include "harness/results/provenance.hpp"
+#include "harness/shells/shells.hpp"
 
 namespace pelage {
 namespace {
@@ -98,6 +99,12 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--repeat", options.repeat, "Fresh processes that run all of it")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  command
+      .add_option("--mapping", options.mapping,
+                  "How the shells' pixels are spread, where the experiment does not say; default: group on a GPU, "
+                  "else tile")
+      ->check(CLI::IsMember(mappings()))
+      ->type_name("NAME");
   command.add_option("--tuning", options.tuning, "Values of the kernels' tuning axes")
       ->type_name("defaults|FILE")
       ->capture_default_str();

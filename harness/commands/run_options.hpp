@@ -12,7 +12,8 @@ namespace pelage {
 
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
-  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", budget, output, resume;
+  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, budget, output,
+      resume;
   int repeat = 1;
   int repeat_index = -1;  ///< which process of --repeat this is; -1: none of them
   std::optional<std::uint64_t> order_seed;

@@ -112,7 +112,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     return variant->second.at(key);
   };
   result.pipeline = part("pipeline", "shells");
-  result.mapping = part("mapping", "tile");
+  result.mapping = part("mapping", "");
   result.opengl = part("opengl", "");
 
   if (result.overrides.empty()) result.require = experiment.require;

@@ -49,7 +49,8 @@ struct Experiment {
 struct Case {
   std::string name;     ///< unique in the experiment, fit for a file name: "torus-16-800x600"
   std::string variant;  ///< "shells/tile"
-  std::string pipeline, mapping;
+  std::string pipeline;
+  std::string mapping;  ///< of the shells; "": the device's own
   std::string opengl;  ///< how the OpenGL rival is written (docs/rival.md)
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;

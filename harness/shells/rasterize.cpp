@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
 #include "harness/error.hpp"
+#include "harness/shells/group_bins.hpp"
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
@@ -18,8 +20,8 @@ int default_group(int layers) {
 
 // Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in
 // rasterize/coverage.clh).
-int tile_side(const ShellOptions& options, const std::string& axis, int otherwise) {
-  const int side = tuned(options.tuning, axis, otherwise);
+int tile_side(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise) {
+  const int side = tuned(tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)
     throw InputError(fmt::format("tuning: {} is {}: a multiple of 4 from 4 to 32", axis, side));
   return side;
@@ -65,32 +67,47 @@ cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
 
 constexpr std::int32_t triangles_per_chunk = 1024;
 
-RasterParams tiled(RasterParams p, const ShellOptions& options, const cl::Device& device) {
-  p.group = std::clamp(tuned(options.tuning, "GROUP", default_group(p.layers)), 1, p.layers);
+// The tile of the mapping "group" is a part of its kernels.
+std::map<std::string, int> tuning_of(const Mapping& mapping, std::map<std::string, int> tuning) {
+  if (mapping.name == "group") tuning["TILE_W"] = tuning["TILE_H"] = group_tile;
+  return tuning;
+}
+
+RasterParams tiled(RasterParams p, const std::map<std::string, int>& tuning, const cl::Device& device) {
+  p.group = std::clamp(tuned(tuning, "GROUP", default_group(p.layers)), 1, p.layers);
   p.groups = 1 + (p.layers + p.group - 1) / p.group;
-  const int tile_w = tile_side(options, "TILE_W", TILE_W), tile_h = tile_side(options, "TILE_H", TILE_H);
+  const int tile_w = tile_side(tuning, "TILE_W", TILE_W), tile_h = tile_side(tuning, "TILE_H", TILE_H);
   p.tiles_x = (p.width + tile_w - 1) / tile_w;
   p.tiles_y = (p.height + tile_h - 1) / tile_h;
-  const int wanted = std::max(1, tuned(options.tuning, "CHUNKS", 4)) * int(device.info().compute_units);
+  const int wanted = std::max(1, tuned(tuning, "CHUNKS", 4)) * int(device.info().compute_units);
   p.chunks = std::clamp((p.triangles + triangles_per_chunk - 1) / triangles_per_chunk, 1, wanted);
-  p.every_layer = tuned(options.tuning, "REACH", 1) == 0 ? 1 : 0;
+  p.every_layer = tuned(tuning, "REACH", 1) == 0 ? 1 : 0;
   p.chunk = ((p.triangles + p.chunks - 1) / p.chunks + 15) / 16 * 16;
   return p;
 }
 
 }  // namespace
 
+Mapping mapping_of(const std::string& name, const cl::Device& device) {
+  const std::string wanted = name.empty() ? default_mapping(device.info()) : name;
+  if (wanted == "tile") return {wanted, "rasterize/tiles.cl", "tile_shells", device.info().lanes};
+  if (wanted == "pixel") return {wanted, "rasterize/pixels.cl", "pixel_shells", 1};
+  if (wanted == "group") return {wanted, "rasterize/group.cl", "group_shells", 1};
+  throw InputError(fmt::format("mapping '{}': one of {}", name, fmt::join(mappings(), ", ")));
+}
+
+RasterStage::~RasterStage() = default;
+
 RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& g,
-                         const WetStage& wet, const ShellOptions& options, int lanes)
-    : params_(tiled(raster_params(input, g), options, queue.device())),
-      per_pixel_(options.mapping == "pixel"),
-      lanes_(lanes),
-      options_(build_options(queue.device(), lanes, options.tuning)),
-      one_lane_(build_options(queue.device(), 1, options.tuning)),
+                         const WetStage& wet, const ShellOptions& options)
+    : mapping_(mapping_of(options.mapping, queue.device())),
+      tuning_(tuning_of(mapping_, options.tuning)),
+      params_(tiled(raster_params(input, g), tuning_, queue.device())),
+      options_(build_options(queue.device(), mapping_.lanes, tuning_)),
+      one_lane_(build_options(queue.device(), 1, tuning_)),
       transform_(queue.device(), "rasterize/transform.cl", options_),
       bin_(queue.device(), "rasterize/bin.cl", options_),
-      raster_(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",
-              build_options(queue.device(), per_pixel_ ? 1 : lanes, options.tuning)),
+      raster_(queue.device(), mapping_.file, options_),
       tips_(transform_, "vertex_tips"),
       layers_(transform_, "layer_vertices"),
       records_(transform_, "vertex_records"),
@@ -120,19 +137,20 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   screen_ = cl::Buffer<float>(device, 4 * screens);
   box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups + 1));
   nearest_ = cl::Buffer<float>(device, vertices * std::size_t(params_.groups));
-  chunk_count_ = cl::Buffer<std::int32_t>(device, lists * std::size_t(params_.chunks));
+  if (mapping_.name == "group") group_bins_ = std::make_unique<GroupBins>(device, params_, options_);
   length_ = cl::Buffer<std::int32_t>(device, lists);
-  list_start_ = cl::Buffer<std::int32_t>(device, lists + 1);
+  list_start_ =
+      cl::Buffer<std::int32_t>(device, 1 + (group_bins_ ? tiles * std::size_t(params_.groups) : lists));
   list_ = cl::Buffer<std::int32_t>(device, 1);
   shown_ = cl::Buffer<std::int32_t>(device, 1);
   next_tile_ = cl::Buffer<std::int32_t>(device, 1);
   image_ = cl::Buffer<glm::vec4>(device, pixels);
-  covered_ = cl::Buffer<std::uint32_t>(device, per_pixel_ ? pixels : tiles);
+  covered_ = cl::Buffer<std::uint32_t>(device, mapping_.name == "tile" ? tiles : pixels);
 
   const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
   cl::Kernel dryness(transform_, "vertex_dryness");
   dryness.with(params_, mask_uv, *mask_, dry_);
-  const cl::Event event = dryness.enqueue(queue, vertices / std::size_t(lanes_));
+  const cl::Event event = dryness.enqueue(queue, vertices / std::size_t(mapping_.lanes));
   // Only sub-steps read them.
   curl_ = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
   cl::Event curls;
@@ -155,15 +173,19 @@ void RasterStage::reach(const cl::Queue& queue) {
 }
 
 double RasterStage::build_ms() const {
-  return transform_.build_ms() + bin_.build_ms() + raster_.build_ms();
+  return transform_.build_ms() + bin_.build_ms() + raster_.build_ms() +
+         (group_bins_ ? group_bins_->build_ms() : 0);
 }
 
 void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
+  if (group_bins_) return group_bins_->make(queue, params_, corner_, box_, list_start_, list_, events);
   const auto keep = [&](cl::Event event) {
     if (events) events->emplace_back("bin", std::move(event));
   };
   const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), LISTS};
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
+  if (chunk_count_.size() == 0)
+    chunk_count_ = cl::Buffer<std::int32_t>(queue.device(), tiles * LISTS * chunks[0]);
   count_.with(params_, corner_, box_, chunk_count_);
   keep(count_.enqueue(queue, chunks, {1, 1}));
   sum_.with(params_, chunk_count_, length_);
@@ -181,17 +203,18 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
 }
 
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {
-  cl::Kernel kernel(program, per_pixel_ ? "pixel_shells" : "tile_shells");
-  if (per_pixel_) {
+  cl::Kernel kernel(program, mapping_.kernel);
+  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
+  if (mapping_.name != "tile") {
     kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
                 curl_, fur_, coat_, *mask_, image_, covered_);
+    if (mapping_.name == "group") return kernel.enqueue(queue, tiles * group_items, group_items);
     return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   }
   kernel.with(params_, table_, corner_, screen_, box_, nearest_, vertex_, tip_, dry_, list_start_, list_,
               shown_, record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
   // Work-items fetch tiles until there are none. Platforms hand them to threads by the dozen: more than
   // threads.
-  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
   return kernel.enqueue(queue, std::min(tiles, 32 * std::size_t(queue.device().info().compute_units)), 1);
 }
 
@@ -200,7 +223,7 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>* strand_
   const auto keep = [&](const char* phase, cl::Event event) {
     if (events) events->emplace_back(phase, std::move(event));
   };
-  const std::size_t blocks = std::size_t(params_.vertices / lanes_);
+  const std::size_t blocks = std::size_t(params_.vertices / mapping_.lanes);
   if (strand_state) {
     tips_.with(params_, slice_, strand_, weight_, *strand_state, std::int32_t(strand_stride), tip_);
     keep("transform", tips_.enqueue(queue, blocks));
@@ -214,8 +237,7 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>* strand_
 }
 
 std::uint64_t RasterStage::count(const cl::Queue& queue) {
-  const cl::Program counting(queue.device(), per_pixel_ ? "rasterize/pixels.cl" : "rasterize/tiles.cl",
-                             options_ + " -D COUNT_FRAGMENTS");
+  const cl::Program counting(queue.device(), mapping_.file, options_ + " -D COUNT_FRAGMENTS");
   // Coverage is a matter of geometry: triangles that their clumps hide count too.
   const int every_layer = std::exchange(params_.every_layer, 1);
   bin(queue, nullptr);
@@ -231,3 +253,16 @@ Picture RasterStage::read(const cl::Queue& queue) const {
 }
 
 }  // namespace pelage::shells
+
+namespace pelage {
+
+const std::vector<std::string>& mappings() {
+  static const std::vector<std::string> names{"tile", "pixel", "group"};
+  return names;
+}
+
+std::string default_mapping(const cl::DeviceInfo& device) {
+  return device.gpu ? "group" : "tile";
+}
+
+}  // namespace pelage

@@ -22,10 +22,10 @@ struct Shells::State {
   State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
       : queue(device),
         input(std::move(from)),
-        lanes(options.mapping == "pixel" ? 1 : device.info().lanes),
+        lanes(shells::mapping_of(options.mapping, device).lanes),
         geometry(shells::lay_out(*input, lanes)),
         wet(queue, *input, options.tuning),
-        raster(queue, *input, geometry, wet, options, lanes) {
+        raster(queue, *input, geometry, wet, options) {
     if (has_springs(input->scene.dynamics))
       springs.emplace(queue, *input, geometry, lanes);
     else

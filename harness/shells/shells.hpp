@@ -11,8 +11,15 @@
 
 namespace pelage {
 
+/// "tile": a work-item draws a tile, in 16 lanes where these pay; "pixel": one draws a pixel, plainly;
+/// "group": a work-group draws a tile, a work-item a pixel, and all of them share its triangles.
+const std::vector<std::string>& mappings();
+
+/// "group" on GPUs, else "tile".
+std::string default_mapping(const cl::DeviceInfo& device);
+
 struct ShellOptions {
-  std::string mapping = "tile";  ///< "tile": a work-item per tile, 16 lanes | "pixel": a work-item per pixel
+  std::string mapping;                ///< one of mappings(); "": default_mapping() of the device
   std::map<std::string, int> tuning;  ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
 };
 

@@ -1,6 +1,7 @@
 // The stages of a frame on a device, each owning its buffers and kernels: simulate, wet, rasterize.
 #pragma once
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,17 @@ int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int
 
 /// "-D NAME=value ..." for a kernel build on `device`.
 std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning);
+
+/// How the pixels are spread over a device's work-items.
+struct Mapping {
+  std::string name, file, kernel;
+  int lanes;  ///< of the vertices' work too
+};
+
+/// The mapping of that name; "": default_mapping() of the device. Throws InputError naming those there are.
+Mapping mapping_of(const std::string& name, const cl::Device& device);
+
+class GroupBins;
 
 /// S Eq. 2 and 3 for all strands.
 class SimulateStage {
@@ -63,7 +75,8 @@ class WetStage {
 class RasterStage {
  public:
   RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
-              const ShellOptions& options, int lanes);
+              const ShellOptions& options);
+  ~RasterStage();
   /// Draws with the strands' tips of the simulation; without a state the vertices' own, in tip(), are there
   /// already.
   void frame(const cl::Queue& queue, const cl::Buffer<float>* strand_state, int strand_stride,
@@ -81,12 +94,13 @@ class RasterStage {
   void bin(const cl::Queue& queue, PhaseEvents* events);
   cl::Event raster(const cl::Queue& queue, const cl::Program& program);
 
+  Mapping mapping_;
+  std::map<std::string, int> tuning_;
   RasterParams params_;
-  bool per_pixel_;
-  int lanes_;
   std::string options_, one_lane_;  // -D of kernels on all lanes, and on one
   cl::Program transform_, bin_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
+  std::unique_ptr<GroupBins> group_bins_;  // of the mapping "group", in place of bin_
   cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_, nearest_;
   cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_, shown_,
       next_tile_;

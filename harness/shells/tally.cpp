@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "harness/shells/group_bins.hpp"
 #include "harness/shells/stages.hpp"
 
 namespace pelage::shells {
@@ -18,7 +19,10 @@ Tally RasterStage::tally(const cl::Queue& queue, int every) {
   cl::Kernel kernel(program, "pixel_shells");
   // Coverage counts in every layer.
   const int every_layer = std::exchange(params_.every_layer, 1);
+  // The lists of the mapping "pixel".
+  auto group_bins = std::exchange(group_bins_, nullptr);
   bin(queue, nullptr);
+  group_bins_ = std::move(group_bins);
   kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
               curl_, fur_, coat_, *mask_, image_, parts);
   const cl::Event event = kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});

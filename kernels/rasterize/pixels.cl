@@ -1,10 +1,7 @@
 // The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's lists and shades each fragment
 // as it comes. The same equations on one lane; nothing queued, nothing skipped but what cannot be seen.
 #include "rasterize/fan.clh"
-#include "rasterize/fragment.clh"
-
-typedef struct { bool covered; float iw, b1, b2; } Hit;
-typedef struct { TABLE(float) records; TABLE(float) tangents; TABLE(float) curls; } Attributes;
+#include "rasterize/surface.clh"
 
 // The centre of the pixel at the origin of the setup's coordinates.
 static Hit hit_at(Setup t) {
@@ -44,37 +41,6 @@ static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int t
     return h;
   }
   return none;
-}
-
-static float8 interpolated(TABLE(float) table, Hit h, const int *vertex) {
-  float8 r0 = vload8(vertex[0], table), r1 = vload8(vertex[1], table), r2 = vload8(vertex[2], table);
-  return fma((float8)(h.b2), r2 - r0, fma((float8)(h.b1), r1 - r0, r0));
-}
-
-static Surface surface_at(const RasterParams *s, Attributes from, Hit h, const int *vertex, float x, float y) {
-  float8 r = interpolated(from.records, h, vertex);
-  Surface p;
-  p.uv = vec2(r.s0, r.s1);
-  p.a = vec3(r.s2, r.s3, r.s4);
-  p.b = vec3(r.s5, r.s6, r.s7);
-  p.along_u = p.a;
-  p.along_v = p.a;
-  p.curl_u = p.a;
-  p.curl_v = p.a;
-  if (s->wet_model || s->substeps > 1) {
-    float8 t = interpolated(from.tangents, h, vertex);
-    p.along_u = vec3(t.s0, t.s1, t.s2);
-    p.along_v = vec3(t.s3, t.s4, t.s5);
-  }
-  if (s->substeps > 1) {
-    float8 c = interpolated(from.curls, h, vertex);
-    p.curl_u = vec3(c.s0, c.s1, c.s2);
-    p.curl_v = vec3(c.s3, c.s4, c.s5);
-  }
-  p.w = 1.0f / h.iw;
-  p.x = x;
-  p.y = y;
-  return p;
 }
 
 __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,

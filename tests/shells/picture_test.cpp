@@ -98,7 +98,7 @@ TEST_P(Mappings, AnyPictureSize) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Device, Mappings, testing::Values("tile", "pixel"),
+INSTANTIATE_TEST_SUITE_P(Device, Mappings, testing::Values("tile", "pixel", "group"),
                          [](const auto& given) { return std::string(given.param); });
 
 }  // namespace

@@ -38,6 +38,7 @@ void PrintTo(const Mapping& mapping, std::ostream* out) {
 const Mapping mappings[] = {
     {"tile", {"tile", {}}, 20, 50000, 3, 1, 1500, 1e7},
     {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000, 1, 1, 300, 3e6},
+    {"group", {"group", {}}, 1, 5000, 1, 16, 24, 1e5},
     {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // slow where a tile holds many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};

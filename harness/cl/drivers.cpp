@@ -1,0 +1,102 @@
+#include "harness/cl/drivers.hpp"
+
+#include <CL/cl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+namespace pelage::cl {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* usual_folders[] = {"/usr/lib/x86_64-linux-gnu",
+                                         "/usr/lib/x86_64-linux-gnu/nvidia/current",
+                                         "/usr/lib64",
+                                         "/usr/lib64/nvidia",
+                                         "/usr/lib/aarch64-linux-gnu",
+                                         "/usr/local/nvidia/lib64",
+                                         "/usr/lib/wsl/lib",
+                                         "/run/opengl-driver/lib"};
+
+std::string text_of(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
+
+void append(std::vector<fs::path>& folders, const std::string& list) {
+  std::istringstream stream(list);
+  for (std::string folder; std::getline(stream, folder, ':');)
+    if (!folder.empty()) folders.emplace_back(folder);
+}
+
+std::vector<fs::path> driver_folders() {
+  std::vector<fs::path> folders;
+  append(folders, text_of("PELAGE_DRIVERS"));
+  if (!folders.empty()) return folders;
+  append(folders, text_of("LD_LIBRARY_PATH"));
+  folders.insert(folders.end(), std::begin(usual_folders), std::end(usual_folders));
+  return folders;
+}
+
+fs::path vendor_folder() {
+  const std::string given = text_of("OPENCL_VENDOR_PATH");
+  return given.empty() ? "/etc/OpenCL/vendors" : given;
+}
+
+}  // namespace
+
+std::optional<fs::path> nvidia_library(const std::vector<fs::path>& folders) {
+  const std::string stem = "libnvidia-opencl.so.";
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    if (fs::exists(folder / (stem + "1"), ignored)) return folder / (stem + "1");
+    for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end;
+         entry.increment(ignored))
+      if (entry->path().filename().string().starts_with(stem)) return entry->path();
+  }
+  return {};
+}
+
+bool names_nvidia(const fs::path& vendors) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(vendors, ignored), end; !ignored && entry != end;
+       entry.increment(ignored)) {
+    if (entry->path().extension() != ".icd") continue;
+    std::ifstream stream(entry->path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (text.find("nvidia") != std::string::npos) return true;
+  }
+  return false;
+}
+
+void announce_drivers() {
+  static const bool done = [] {
+    const fs::path vendors = vendor_folder();
+    if (!text_of("OCL_ICD_VENDORS").empty() || names_nvidia(vendors)) return true;
+    const std::optional<fs::path> library = nvidia_library(driver_folders());
+    if (!library) return true;
+    std::error_code failed;
+    const fs::path folder =
+        fs::temp_directory_path(failed) / ("pelage-vendors-" + std::to_string(::getpid()));
+    if (failed || !fs::create_directories(folder, failed)) return true;
+    for (fs::directory_iterator entry(vendors, failed), end; !failed && entry != end; entry.increment(failed))
+      fs::copy_file(entry->path(), folder / entry->path().filename(), failed);
+    std::ofstream(folder / "nvidia.icd") << fs::absolute(*library).string() << '\n';
+    // The loader reads the folder at its first call, and never again; child processes look for themselves.
+    const std::string before = text_of("OPENCL_VENDOR_PATH");
+    ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
+    cl_uint count = 0;
+    clGetPlatformIDs(0, nullptr, &count);
+    before.empty() ? ::unsetenv("OPENCL_VENDOR_PATH") : ::setenv("OPENCL_VENDOR_PATH", before.c_str(), 1);
+    fs::remove_all(folder, failed);
+    return true;
+  }();
+  (void)done;
+}
+
+}  // namespace pelage::cl

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# On a machine with a GPU: everything that pelage claims of a device, checked and timed there, gathered in one folder with
+# its provenance. Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]; DEVICE as --device takes it (default: the first
+# GPU), PRESET of the runs (default quick). Nothing is installed, and a device's settings are left alone. A step that fails
+# is told at the end, and the others run all the same. PELAGE: the binary.
+set -uo pipefail
+cd "$(dirname "$0")/.." || exit
+if (($# < 1 || $# > 3)); then
+  sed -n 's/^# //p' "$0" | sed -n 2,5p >&2
+  exit 2
+fi
+out=$1 device=${2:-} preset=${3:-quick}
+pelage=${PELAGE:-build/release/pelage}
+[[ -x $pelage ]] || { echo "gpu_check: no $pelage: build first, or set PELAGE" >&2; exit 2; }
+mkdir -p "$out"
+if [[ -n $(ls -A "$out") ]]; then
+  echo "gpu_check: $out is not empty" >&2
+  exit 2
+fi
+on=()
+[[ -z $device ]] || on=(--device "$device")
+
+failed=()
+# What a step prints stays beside what it wrote.
+step() {
+  local name=$1 from=$SECONDS
+  shift
+  echo "-- $name: $*"
+  if "$@" >"$out/$name.txt" 2>"$out/$name.err"; then
+    echo "   done in $((SECONDS - from)) s"
+  else
+    failed+=("$name")
+    echo "   FAILED, see $out/$name.txt and .err"
+    tail -n 3 "$out/$name.err" | sed 's/^/   /'
+  fi
+}
+
+{
+  date -u +%Y-%m-%dT%H:%M:%SZ
+  uname -srm
+  "$pelage" --version
+  git rev-parse HEAD 2>/dev/null
+  git status --short 2>/dev/null
+  nvidia-smi 2>/dev/null
+} >"$out/provenance.txt"
+
+step devices "$pelage" devices --measure
+step check "$pelage" check "${on[@]}"
+for mapping in group tile; do
+  step "table1-$mapping" "$pelage" run silva2010-table1 --preset "$preset" --mapping "$mapping" --anonymous "${on[@]}" \
+    -o "$out/table1-$mapping"
+  step "report-$mapping" "$pelage" report "$out/table1-$mapping" -o "$out/report-$mapping"
+done
+step mappings "$pelage" compare "$out/table1-tile" "$out/table1-group" --by variant
+step rivals "$pelage" run rivals --preset "$preset" --anonymous "${on[@]}" -o "$out/rivals"
+step report-rivals "$pelage" report "$out/rivals" -o "$out/report-rivals"
+
+if ((${#failed[@]})); then
+  echo "gpu_check: FAILED: ${failed[*]}"
+  exit 1
+fi
+echo "gpu_check: all of it passed; results in $out"

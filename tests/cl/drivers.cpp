@@ -1,0 +1,78 @@
+#include "harness/cl/drivers.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "harness/cl/device.hpp"
+
+namespace fs = std::filesystem;
+using namespace pelage;
+
+namespace {
+
+// An empty folder of vendors beside one of drivers; what pelage sees of both in a process of its own, since
+// the loader looks once.
+class Drivers : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    std::string name = (fs::temp_directory_path() / "pelage-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    fs::create_directories(folder_ / "vendors");
+    fs::create_directories(folder_ / "drivers");
+    ::setenv("OPENCL_VENDOR_PATH", (folder_ / "vendors").c_str(), 1);
+    ::setenv("PELAGE_DRIVERS", (folder_ / "drivers").c_str(), 1);
+  }
+  void TearDown() override {
+    ::unsetenv("OPENCL_VENDOR_PATH");
+    ::unsetenv("PELAGE_DRIVERS");
+    fs::remove_all(folder_);
+  }
+  fs::path folder_;
+};
+
+/// PoCL's library, in NVIDIA's place.
+fs::path some_library() {
+  std::ifstream entry("/etc/OpenCL/vendors/pocl.icd");
+  std::string name;
+  std::getline(entry, name);
+  const fs::path library = name;
+  return library.is_absolute() ? library : fs::path("/usr/lib/x86_64-linux-gnu") / library;
+}
+
+[[noreturn]] void exit_with_platforms() {
+  const std::string before = std::getenv("OPENCL_VENDOR_PATH");
+  const std::size_t count = cl::platforms().size();
+  if (std::getenv("OPENCL_VENDOR_PATH") != before) std::exit(99);  // children must see what was there
+  std::exit(static_cast<int>(count));
+}
+
+}  // namespace
+
+using DriversDeathTest = Drivers;
+
+TEST_F(DriversDeathTest, ALibraryThatNoEntryNamesIsFound) {
+  if (!fs::exists(some_library()))
+    GTEST_SKIP() << "PoCL, which stands in for NVIDIA's driver, is not installed";
+  EXPECT_EXIT(exit_with_platforms(), ::testing::ExitedWithCode(0), "");
+  fs::create_symlink(some_library(), folder_ / "drivers" / "libnvidia-opencl.so.1");
+  EXPECT_EXIT(exit_with_platforms(), ::testing::ExitedWithCode(1), "");
+}
+
+TEST_F(Drivers, TheLibraryIsTheFirstFoldersAndMayBeVersioned) {
+  const fs::path drivers = folder_ / "drivers", vendors = folder_ / "vendors";
+  EXPECT_FALSE(cl::nvidia_library({folder_ / "nowhere", drivers}));
+  std::ofstream(drivers / "libnvidia-opencl.so.550.54") << "";
+  EXPECT_EQ(cl::nvidia_library({folder_ / "nowhere", drivers}), drivers / "libnvidia-opencl.so.550.54");
+  std::ofstream(drivers / "libnvidia-opencl.so.1") << "";
+  EXPECT_EQ(cl::nvidia_library({drivers}), drivers / "libnvidia-opencl.so.1");
+  EXPECT_FALSE(cl::names_nvidia(vendors));
+  std::ofstream(vendors / "pocl.icd") << "libpocl.so.2\n";
+  EXPECT_FALSE(cl::names_nvidia(vendors));
+  std::ofstream(vendors / "nvidia.icd") << "libnvidia-opencl.so.1\n";
+  EXPECT_TRUE(cl::names_nvidia(vendors));
+}

@@ -1,0 +1,176 @@
+// Every kernel of the project on tiny inputs under oclgrind, which checks every access to memory, every value
+// that nobody wrote, and every two work-items that meet without a barrier.
+#include <CL/cl.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+
+#include "harness/cl/program.hpp"
+#include "harness/shells/group_bins.hpp"
+#include "harness/shells/shells.hpp"
+#include "tests/synthetic/synthetic.hpp"
+
+namespace fs = std::filesystem;
+
+namespace pelage {
+namespace {
+
+std::string slurped(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct Findings {
+  int status = 0;
+  std::string log;
+  std::set<std::string> kernels, ran;
+};
+
+std::set<std::string> matches(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (std::sregex_iterator m(text.begin(), text.end(), pattern), end; m != end; ++m) found.insert((*m)[1]);
+  return found;
+}
+
+/// Runs tests of this binary under oclgrind, which exits 0 whatever it finds. Without optimization: its
+/// compiler leaves calls of llvm.experimental.noalias.scope.decl where it inlines, and its interpreter does
+/// not know them.
+Findings under_oclgrind(const std::string& tests, const std::string& environment = "") {
+  const fs::path stem = fs::temp_directory_path() / fmt::format("pelage-oclgrind-kernels-{}", ::getpid());
+  const fs::path log = stem.string() + ".log", out = stem.string() + ".out";
+  Findings found;
+  found.status = std::system(
+      fmt::format("{} oclgrind --build-options -cl-opt-disable --check-api --data-races "
+                  "--uninitialized --inst-counts --log '{}' '{}' --gtest_filter='{}' "
+                  "--gtest_also_run_disabled_tests >'{}' 2>&1",
+                  environment, log.string(), fs::read_symlink("/proc/self/exe").string(), tests, out.string())
+          .c_str());
+  found.log = slurped(log);
+  const std::string printed = slurped(out);
+  if (found.status != 0) found.log += printed;
+  found.kernels = matches(printed, std::regex("kernel: (\\w+)"));
+  found.ran = matches(printed, std::regex("Instructions executed for kernel '(\\w+)'"));
+  fs::remove(log);
+  fs::remove(out);
+  return found;
+}
+
+class Oclgrind : public ::testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "AddressSanitizer and oclgrind both want to be loaded first";
+#endif
+  }
+};
+
+cl::Device device() {
+  return cl::choose_device("");
+}
+
+/// A torus of 96 triangles with everything that a scene can do, 16 x 12 pixels.
+std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::string& solver, int substeps) {
+  Scene scene = synthetic::lively_scene();
+  scene.shading.model = substeps > 1 ? "curling" : "wet";
+  scene.fur.layers = 2;
+  scene.fur.substeps = substeps;
+  scene.fur.texture = 8;
+  scene.wetness.size = 8;
+  scene.image.width = 16;
+  scene.image.height = 12;
+  scene.dynamics.topology = topology;
+  scene.dynamics.solver = solver;
+  if (topology != "silva") scene.dynamics.drag = .004f;
+  scene.dynamics.substeps = 1;
+  return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
+}
+
+void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
+  Shells shells(device(), input, {mapping, {}});
+  shells.frame();
+  EXPECT_GT(count ? shells.count() : 1, 0u);
+  shells.read();
+}
+
+// Run under oclgrind only: elsewhere other tests draw.
+TEST(DISABLED_Tiny, Names) {
+  for (const auto& entry : fs::recursive_directory_iterator(cl::kernel_folder())) {
+    if (entry.path().extension() != ".cl") continue;
+    const cl::Program program(device(), fs::relative(entry.path(), cl::kernel_folder()),
+                              "-D LANES=1 -D TILE_W=8 -D TILE_H=8 -D CORNERS=1 -D EDGES=0 -D TURNING=0");
+    std::size_t size = 0;
+    ASSERT_EQ(clGetProgramInfo(program.get(), CL_PROGRAM_KERNEL_NAMES, 0, nullptr, &size), CL_SUCCESS);
+    std::string names(size, '\0');
+    ASSERT_EQ(clGetProgramInfo(program.get(), CL_PROGRAM_KERNEL_NAMES, size, names.data(), nullptr),
+              CL_SUCCESS);
+    for (const std::string& name : matches(names, std::regex("(\\w+)"))) fmt::print("kernel: {}\n", name);
+  }
+}
+
+TEST(DISABLED_Tiny, Tile) {
+  draw(tiny("silva", "semi-implicit-euler", 1), "tile", true);
+  draw(tiny("silva", "semi-implicit-euler", 2), "tile", false);
+}
+TEST(DISABLED_Tiny, Pixel) {
+  draw(tiny("silva", "semi-implicit-euler", 1), "pixel", true);
+}
+TEST(DISABLED_Tiny, Group) {
+  draw(tiny("silva", "semi-implicit-euler", 1), "group", true);
+  draw(tiny("silva", "semi-implicit-euler", 2), "group", false);
+}
+TEST(DISABLED_Tiny, GroupAcrossTheNearPlane) {
+  FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
+  input.scene.camera.eye = {.6f, .3f, .1f};
+  input.scene.camera.target = {.8f, -.2f, .6f};
+  input.camera = synthetic::camera(input.scene.camera, 16, 12);
+  draw(std::make_shared<FrameInput>(input), "group", true);
+}
+TEST(DISABLED_Tiny, Topologies) {
+  for (const char* topology : {"prisms", "separable-prisms"})
+    for (const char* solver : {"explicit-euler", "backward-euler", "semi-implicit-euler", "rk4"}) {
+      Shells shells(device(), tiny(topology, solver, 1), {"tile", {}});
+      shells.frame();
+    }
+}
+TEST(DISABLED_Tiny, SumsOfTwoBlocks) {
+  const cl::Queue queue(device());
+  const std::vector<std::int32_t> ones(1030, 1);
+  const cl::Buffer<std::int32_t> values(queue, ones);
+  EXPECT_EQ(shells::GroupSort(queue.device()).scan(queue, values, ones.size(), nullptr, true), 1030);
+}
+TEST(DISABLED_Tiny, Measures) {
+  const cl::Queue queue(device());
+  const cl::Program program(device(), "measure/measure.cl", "-D LANES=1");
+  const std::vector<float> ones(8, 1.0f);
+  const cl::Buffer<float> a(queue, ones), b(queue, ones), c(queue, ones);
+  const std::size_t items = ones.size();
+  const cl::Event triad = cl::Kernel(program, "triad").with(a, b, c, 2.0f).enqueue(queue, items);
+  const cl::Event chains = cl::Kernel(program, "chains").with(2, .5f, b).enqueue(queue, items);
+  const cl::Event nothing = cl::Kernel(program, "nothing").with(c).enqueue(queue, items);
+  queue.finish();
+  EXPECT_EQ(a.read(queue).back(), 3.0f);
+}
+
+TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
+  const Findings found = under_oclgrind("DISABLED_Tiny.*");
+  EXPECT_EQ(found.log, "");
+  EXPECT_GE(found.kernels.size(), 30u);
+  for (const std::string& kernel : found.kernels)
+    EXPECT_TRUE(found.ran.contains(kernel)) << kernel << " did not run";
+}
+
+TEST_F(Oclgrind, HasNothingToSayOfSixteenLanes) {
+  const Findings found = under_oclgrind("DISABLED_Tiny.Tile", "PELAGE_LANES=16");
+  EXPECT_EQ(found.log, "");
+  EXPECT_TRUE(found.ran.contains("tile_shells"));
+}
+
+}  // namespace
+}  // namespace pelage
