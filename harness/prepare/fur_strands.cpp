@@ -88,6 +88,7 @@ std::vector<FurStrand> grow_strands(const FurScene& fur) {
       s.width = guard ? double(fur.width) : 1.0;
       s.across = {-along.y, along.x};
       s.bend = double(fur.bend) / 256.0 * (0.5 + random.uniform(i, 4)) * s.length * along;
+      s.steep = double(fur.bend_exponent) * (1.0 + double(fur.bend_spread) * random.symmetric(i, 5));
       strands.push_back(s);
     }
   };
@@ -100,7 +101,7 @@ glm::dvec2 strand_centre(const FurStrand& s, const FurScene& fur, double h) {
   glm::dvec2 centre = s.root + s.pull * std::pow(h, double(fur.lock_power));
   if (fur.bend != 0.0f) {
     const double t = std::min(h / s.length, 1.0);
-    centre += s.bend * (std::expm1(2.5 * t) / std::expm1(2.5));
+    centre += s.bend * (std::expm1(s.steep * t) / std::expm1(s.steep));
   }
   return centre;
 }

@@ -12,6 +12,7 @@ struct FurStrand {
   glm::dvec2 root{0};       ///< in [0,1)^2
   glm::dvec2 pull{0};       ///< from the root to where a full lock would bring the tip
   glm::dvec2 bend{0};       ///< offset of a blade's tip
+  double steep = 2.5;       ///< c of the exponential curve that leads there
   double length = 1;        ///< fraction of L0
   double radius = 0;        ///< at the root
   double width = 1;         ///< a blade is so many times as wide ...

@@ -206,8 +206,9 @@ class Painter {
     const Fragment fragment{
         sample_coat(input_.coat, where + clump.d) * fur.shade,   along,        normal, eye,
         layer_height(layer_, scene.fur.layers, options_.mutant), clump.wetness};
-    const glm::dvec3 colour =
-        wet ? wet_colour(scene.shading, fragment) : curling_colour(scene.shading, fragment);
+    const glm::dvec3 colour = wet                                ? wet_colour(scene.shading, fragment)
+                              : scene.shading.model == "lambert" ? plain_colour(scene.shading, fragment)
+                                                                 : curling_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
   }
 

@@ -73,7 +73,16 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
          (lambert(shading, f) + specular * glm::dvec3(shading.specular));
 }
 
+glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& f) {
+  double light = double(shading.ambient);
+  for (const LightScene& lamp : shading.lights)
+    light += double(lamp.intensity) * std::max(0.0, glm::dot(f.normal, unit(glm::dvec3(lamp.direction))));
+  const double darkest = 1.0 - double(shading.occlusion);
+  return (darkest + (1.0 - darkest) * f.height) * light * f.colour;
+}
+
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
+  if (shading.model == "lambert") return plain_colour(shading, f);
   const double shadow =
       shading.model == "wet" ? wet_shadow(shading, 0.0, f.wetness) : curling_shadow(shading, 0.0);
   return shadow * lambert(shading, f);

@@ -23,7 +23,10 @@ glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment)
 /// W Eq. 2, 3 and 5.
 glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// The base surface under either model: the wet model's diffuse term, darkened as the model darkens h = 0.
+/// The light of B, section 3: Lambert's law per pixel, darkened towards the skin down to 1 - sigma_occ there.
+glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
+
+/// The base surface under any model: the wet model's diffuse term, darkened as the model darkens h = 0.
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// W Eq. 4, the strand's direction in space: `bend` is the strand's own step over the layer in R, t and b are

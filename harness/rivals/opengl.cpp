@@ -40,6 +40,8 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (has_springs(input.scene.dynamics))
     throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl moves silva's strands only",
                                  input.scene.dynamics.topology));
+  if (input.scene.shading.model == "lambert")
+    throw InputError("shading.model = lambert: --pipeline opengl draws the curling and the wet model only");
   if (input.scene.fur.substeps > 1)
     throw InputError(
         fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "

@@ -30,6 +30,8 @@ struct FurScene {
   float lock_pull = 0.45f;         ///< how far a strand's tip moves to its lock's centre, 0..1
   float lock_power = 1.0f;         ///< exponent of h in that pull
   float bend = 0.0f;               ///< exponential bend of a blade at its tip, texels (grass: 18)
+  float bend_exponent = 2.5f;      ///< c of that bend, (e^(c t) - 1) / (e^c - 1): how late a blade bends
+  float bend_spread = 0.0f;        ///< variation of c from blade to blade, +- fraction
   float sweep = 0.18f;      ///< how obliquely strands are seen (tangent): widens them where layers are few
   float shade = 0.28f;      ///< variation of shade from strand to strand, +-
   float comb = 0.6f;        ///< tangential lean of the spring's rest tip, 0: the paper's upright fur
@@ -152,7 +154,7 @@ struct LightScene {
 };
 
 struct ShadingScene {
-  std::string model = "curling";  ///< "curling" (S Eq. 6) | "wet" (W Eq. 2-5)
+  std::string model = "curling";  ///< "curling" (S Eq. 6) | "wet" (W Eq. 2-5) | "lambert" (B)
   float shadow = 1.12f;           ///< K_shadow >= 1
   glm::vec3 specular{0.2f};       ///< K_s
   float exponent = 24.0f;         ///< p

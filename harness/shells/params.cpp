@@ -99,7 +99,9 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.lod_bias = scene.fur.lod_bias;
   p.substeps = scene.fur.substeps;
   p.coat_size = input.coat.size;
-  p.wet_model = scene.shading.model == "wet";
+  // The wet model's diffuse term and occlusion, dry and without anything of ours, are the model of B.
+  const bool lambert = scene.shading.model == "lambert";
+  p.wet_model = lambert || scene.shading.model == "wet";
   p.shadow = scene.shading.shadow;
   copy(scene.shading.specular, p.specular, 3);
   p.exponent = scene.shading.exponent;
@@ -115,6 +117,11 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   for (std::size_t i = 0; i < scene.shading.lights.size() && i < 2; ++i) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
     p.intensity[i] = scene.shading.lights[i].intensity;
+  }
+  if (lambert) {
+    copy(glm::vec3(0.0f), p.specular, 3);
+    p.wrap = 0;
+    p.darkening = 0;
   }
   copy(scene.coat.skin, p.skin, 3);
   copy(scene.image.background, p.background, 3);

@@ -72,10 +72,13 @@ TEST_P(Topologies, EveryFormOfTheBendAndEverySolver) {
   FrameInput other = *frame_on(GetParam());
   other.scene.dynamics.solver = "backward-euler";
   other.scene.dynamics.bend_power = 3.5f;
+  other.scene.shading.model = "lambert";
   const auto input = std::make_shared<FrameInput>(other);
-  const Agreement agreement =
-      compare(reference_of(*input, sticks_of(*input)), drawn_by_device(input, "tile"));
+  const Picture drawn = drawn_by_device(input, "tile");
+  const Agreement agreement = compare(reference_of(*input, sticks_of(*input)), drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
+  other.scene.shading.model = "wet";  // what differs from it is seen
+  EXPECT_FALSE(within(compare(reference_of(other, sticks_of(other)), drawn)));
 }
 
 TEST_P(Topologies, MistakesAreSeen) {
