@@ -156,6 +156,7 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
         escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
         report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
+  body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);
   for (const ReportPlot& plot : report.plots)

@@ -156,6 +156,8 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
   if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
+  report.claims = claims_of(rows);
+  if (!report.claims.empty()) write_file(folder / "tables" / "claims.csv", csv_of(report.claims));
   draw_plots(report, rows, folder, devices.size() > 1);
   write_scaling(report, folder);
   copy_pictures(report, folder);

@@ -1,0 +1,228 @@
+#include "harness/report/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "harness/report/csv.hpp"
+#include "harness/results/statistics.hpp"
+
+namespace pelage {
+namespace {
+
+struct Times {
+  double frame = 0, simulate = 0;  // ms
+};
+using Key = std::tuple<std::string, std::string, std::string>;  // model, topology, solver
+using Table = std::map<Key, Times>;
+
+const std::string elephant = "banisch-elephant", dog = "banisch-dog", grass = "banisch-grass";
+const std::vector<std::string> shared{"sticks", "prisms"},
+    every{"sticks", "prisms", "separable-sticks", "separable-prisms"},
+    both{"explicit-euler", "backward-euler"};
+
+std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
+  std::map<std::string, std::map<Key, std::pair<std::vector<double>, std::vector<double>>>> samples;
+  for (const auto& [row, journal] : rows) {
+    if (row.experiment != "banisch2006-update-time" || row.status != Status::ok || !row.overrides.empty())
+      continue;
+    auto& [frame, simulate] =
+        samples[row.device][{row.axes.at("model"), row.axes.at("dynamics.topology"), row.variant}];
+    const std::vector<double> whole = frame_ms(row);
+    frame.insert(frame.end(), whole.begin(), whole.end());
+    if (const auto found = row.samples.find("simulate"); found != row.samples.end())
+      simulate.insert(simulate.end(), found->second.event_ms.begin(), found->second.event_ms.end());
+  }
+  std::map<std::string, Table> tables;
+  for (const auto& [device, cells] : samples)
+    for (const auto& [key, both_times] : cells)
+      if (!both_times.first.empty() && !both_times.second.empty())
+        tables[device][key] = {median(both_times.first), median(both_times.second)};
+  return tables;
+}
+
+/// A number of one cell; nothing where it was not measured.
+using Number = std::optional<double> (*)(const Table&, const Key&);
+
+std::optional<Times> times(const Table& table, const Key& key) {
+  const auto found = table.find(key);
+  return found == table.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> share(const Table& table, const Key& key) {
+  const auto t = times(table, key);
+  return t ? std::optional(t->simulate / t->frame) : std::nullopt;
+}
+
+std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
+  const auto& [model, topology, solver] = key;
+  const auto slow = times(table, {model, topology, "backward-euler"}),
+             fast = times(table, {model, topology, "explicit-euler"});
+  return slow && fast ? std::optional(slow->frame / fast->frame) : std::nullopt;
+}
+
+std::optional<double> separable_by_shared(const Table& table, const Key& key) {
+  const auto& [model, topology, solver] = key;
+  const auto apart = times(table, {model, "separable-" + topology, solver}),
+             one = times(table, {model, topology, solver});
+  return apart && one ? std::optional(apart->simulate / one->simulate) : std::nullopt;
+}
+
+std::optional<double> updates(const Table& table, const Key& key) {
+  const auto t = times(table, key);
+  return t ? std::optional(1000 / t->frame) : std::nullopt;
+}
+
+struct Sentence {
+  const char *words, *where, *reading;
+  std::vector<std::string> models, topologies, solvers;
+  Number number;
+  bool at_most;
+  double limit;
+};
+
+const std::vector<Sentence>& sentences() {
+  static const std::vector<Sentence> all{
+      {"for the dog and the elephant, using non-separable topologies, the computational power needed for "
+       "rendering the shell layers takes the greater part",
+       "Figures 9 and 10",
+       "simulation's share of the frame at most 1/2",
+       {elephant, dog},
+       shared,
+       both,
+       share,
+       true,
+       0.5},
+      {"even when using the potentially slower implicit solution method, no significant slowdown can be "
+       "noticed",
+       "Figure 9, elephant on spring-sticks and prisms",
+       "implicit by explicit frame time at most 1.1",
+       {elephant},
+       shared,
+       {"backward-euler"},
+       implicit_by_explicit,
+       true,
+       1.1},
+      {"separable topologies cost more than the shared ones",
+       "Figures 9 and 10",
+       "simulation of the separable by that of the shared form at least 1",
+       {elephant, dog},
+       shared,
+       both,
+       separable_by_shared,
+       false,
+       1},
+      {"the separable topologies simulated using the explicit solver run at update rates which are still "
+       "interactive",
+       "Figure 9, elephant",
+       "at least 17 updates a second, which the paper calls near the limit of "
+       "interactive",
+       {elephant},
+       {"separable-sticks", "separable-prisms"},
+       {"explicit-euler"},
+       updates,
+       false,
+       17},
+      {"using the spring-sticks does not noticeably slow down the system",
+       "Figure 10, dog",
+       "simulation's share of the frame at most 1/20",
+       {dog},
+       {"sticks"},
+       both,
+       share,
+       true,
+       0.05},
+      {"nearly all the time is required by the rendering, not by the physical system",
+       "Figure 11, grass",
+       "simulation's share of the frame at most 1/10",
+       {grass},
+       every,
+       both,
+       share,
+       true,
+       0.1},
+  };
+  return all;
+}
+
+Claim judged(const Sentence& s, const std::string& device, const Table& table) {
+  Claim claim{device, s.words, s.where, s.reading, Held::not_measured, {}};
+  double least = 0, most = 0;
+  std::size_t cells = 0;
+  Key worst;
+  for (const std::string& model : s.models)
+    for (const std::string& topology : s.topologies)
+      for (const std::string& solver : s.solvers) {
+        const Key key{model, topology, solver};
+        const std::optional<double> value = s.number(table, key);
+        if (!value) {
+          claim.found = fmt::format("no time of {} on {} by {}", model, topology, solver);
+          return claim;
+        }
+        if (cells == 0 || (s.at_most ? *value > most : *value < least)) worst = key;
+        least = cells == 0 ? *value : std::min(least, *value);
+        most = cells == 0 ? *value : std::max(most, *value);
+        ++cells;
+      }
+  const double decisive = s.at_most ? most : least;
+  claim.held = (s.at_most ? decisive <= s.limit : decisive >= s.limit) ? Held::yes : Held::no;
+  claim.found = fmt::format("{:.3g} to {:.3g} in {} cells; {:.3g} for {} on {} by {}", least, most, cells,
+                            decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
+  return claim;
+}
+
+}  // namespace
+
+std::string_view to_text(Held held) {
+  switch (held) {
+    case Held::yes:
+      return "holds";
+    case Held::no:
+      return "does not hold";
+    case Held::not_measured:
+      break;
+  }
+  return "not measured";
+}
+
+std::vector<Claim> claims_of(const std::vector<FoundRow>& rows) {
+  std::vector<Claim> claims;
+  for (const auto& [device, table] : tables_of(rows))
+    for (const Sentence& sentence : sentences()) claims.push_back(judged(sentence, device, table));
+  return claims;
+}
+
+std::string csv_of(const std::vector<Claim>& claims) {
+  std::string text = csv_line({"device", "claim", "where", "read_as", "verdict", "found"});
+  for (const Claim& c : claims)
+    text += csv_line({c.device, c.sentence, c.source, c.reading, std::string(to_text(c.held)), c.found});
+  return text;
+}
+
+std::string text_of(const std::vector<Claim>& claims) {
+  std::string text;
+  for (const Claim& c : claims) {
+    if (text.empty()) text = "What the paper says of Figures 9 to 11, on this device\n";
+    text += fmt::format("  {}: \"{}\" ({})\n    {}: {}\n", to_text(c.held), c.sentence, c.source,
+                        c.reading, c.found);
+  }
+  return text;
+}
+
+std::string html_of(const std::vector<Claim>& claims) {
+  if (claims.empty()) return {};
+  std::string html =
+      "<h2>What the paper says of Figures 9 to 11</h2>\n<p class=\"soft\">Each sentence read as a number "
+      "that is "
+      "asked of every cell it speaks of; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<div "
+      "class=\"wide\"><table>\n<thead><tr><th>Sentence</th><th>Where</th><th>Read as</th><th>Here</th>"
+      "<th>Found</th></tr></thead>\n<tbody>\n";
+  for (const Claim& c : claims)
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"ours\">{}</td><td>{}</td></tr>\n",
+                        c.sentence, c.source, c.reading, to_text(c.held), c.found);
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace pelage
