@@ -41,7 +41,11 @@ class Duel : public Subject {
         substeps_(substeps),
         cores_(device.info().cpu ? std::max(1u, device.info().compute_units) : 1),
         masses_(queue_, setting_.topology, setting_.dynamics),
-        moments_(moments(setting_.dynamics, setting_.steps, substeps)) {
+        moments_(moments(setting_.dynamics, setting_.steps, substeps)),
+        measure_(device, "measure/measure.cl", "-D LANES=1"),
+        nothing_(measure_, "nothing"),
+        nowhere_(device, 1) {
+    nothing_.with(nowhere_);
     if (rivals) rivals_ = solver_rivals(setting_.topology, setting_.dynamics);
     processor_.resize(rivals_.size() + 1);
   }
@@ -49,6 +53,10 @@ class Duel : public Subject {
   FrameSample frame() override {
     FrameSample sample;
     const Motions& start = setting_.start;
+    enqueue_.push_back(timed([&] {
+                         const cl::Event event = nothing_.enqueue(queue_, 1);
+                         queue_.finish();
+                       }).wall_ms);
     masses_.set(queue_, start.offset, start.speed, setting_.steps);
     queue_.finish();
     const Timed own = timed([&] {
@@ -100,6 +108,7 @@ class Duel : public Subject {
     row.metrics["device_bytes"] = {double(masses_.bytes()), "bytes"};
     row.metrics["substeps"] = {double(substeps_), "steps"};
     row.metrics["step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
+    row.metrics["enqueue_ms"] = {median(enqueue_), "ms"};  // of a kernel that does nothing
     row.metrics["processor_ms"] = {median(processor_.back()), "ms"};
     if (masses_.solves().solves > 0)
       row.metrics["iterations"] = {double(masses_.solves().iterations) / double(masses_.solves().solves),
@@ -144,6 +153,10 @@ class Duel : public Subject {
   unsigned cores_;
   MassSprings masses_;
   std::vector<Moment> moments_;
+  cl::Program measure_;
+  cl::Kernel nothing_;
+  cl::Buffer<float> nowhere_;
+  std::vector<double> enqueue_;  // wall ms of an empty launch
   std::vector<NamedRival> rivals_;
   std::vector<std::vector<double>> processor_;  // of every rival, then ours
 };

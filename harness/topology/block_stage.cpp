@@ -30,6 +30,14 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 
 }  // namespace
 
+// A second core costs some microseconds to wake: less than half of what it saves is a loss. Found by
+// `pelage run topology-solvers` on the paper's models (results/topology-notes.md).
+bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
+  if (!device.cpu) return false;
+  if (kind != Kind::prisms) return sticks <= 2048;
+  return sticks <= (solver == Solver::backward_euler ? 4096u : 2048u);
+}
+
 // A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
 // GPU's takes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
@@ -49,7 +57,7 @@ std::string build_options(int lanes, bool turning) {
 }
 
 BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
-                       const MassSpringOptions& options)
+                       bool whole, const MassSpringOptions& options)
     : program_(queue.device(), "topology/blocks.cl",
                fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
                            corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
@@ -58,7 +66,8 @@ BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynam
       group_(group_size(lanes, options.group)),
       blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
       units_(blocks_ * (16 / lanes)),
-      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+      per_item_(whole ? units_
+                      : units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
 
 void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                          std::vector<cl::Event>* launches) {

@@ -101,10 +101,13 @@ MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const
                                          0});
   State& s = *state_;
   s.params.sticks = int(topology.sticks());
+  const bool whole = options.whole == MassSpringOptions::Whole::always ||
+                     (options.whole == MassSpringOptions::Whole::as_suits && options.blocks_per_item == 0 &&
+                      whole_suits(queue.device().info(), topology.kind, dynamics.solver, topology.sticks()));
   if (prisms)
-    s.prisms.emplace(queue, s.layout, dynamics, lanes, options);
+    s.prisms.emplace(queue, s.layout, dynamics, lanes, whole, options);
   else
-    s.blocks.emplace(queue, s.layout, dynamics, lanes, options);
+    s.blocks.emplace(queue, s.layout, dynamics, lanes, whole, options);
 }
 MassSprings::~MassSprings() = default;
 MassSprings::MassSprings(MassSprings&&) noexcept = default;

@@ -20,7 +20,13 @@ struct MassSpringOptions {
   int lanes = 0;            ///< sticks or triangles at a time, 1 or 16; 0: as suits the device
   std::size_t group = 0;    ///< work-items of a work-group; 0: as suits the device
   int blocks_per_item = 0;  ///< slices that a work-item goes through; 0: as suits the device
+  /// One work-item takes the whole model through all steps of a launch: what suits a CPU where the model is
+  /// so small that the launches cost more than the steps.
+  enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
+
+/// Whether that suits: the sticks of shared prisms, or the slices of the others, are few.
+bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
 /// What conjugate gradients did so far; all 0 where nothing was solved by them.
 struct LinearSolves {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "harness/topology/stages.hpp"
@@ -8,7 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // of gradients.cl
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // of gradients.cl
+enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // what gradients_whole notes
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
 
@@ -16,16 +18,17 @@ const char* file_of(Solver solver) {
   return solver == Solver::backward_euler ? "topology/gradients.cl" : "topology/prisms.cl";
 }
 
-std::vector<const char*> kernels_of(Solver solver) {
+std::vector<const char*> kernels_of(Solver solver, bool whole) {
   switch (solver) {
     case Solver::explicit_euler:
     case Solver::semi_implicit_euler:
-      return {"prism_euler"};
+      return {whole ? "prism_euler_whole" : "prism_euler"};
     case Solver::rk4:
-      return {"prism_rk4"};
+      return {whole ? "prism_rk4_whole" : "prism_rk4"};
     case Solver::backward_euler:
       break;
   }
+  if (whole) return {"gradients_whole"};
   return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
 }
 
@@ -54,8 +57,9 @@ std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) 
 }  // namespace
 
 PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
-                       const MassSpringOptions& options)
+                       bool whole, const MassSpringOptions& options)
     : solver_(dynamics.solver),
+      whole_(whole),
       residual_(double(dynamics.residual)),
       most_iterations_(dynamics.most_iterations),
       program_(queue.device(), file_of(solver_),
@@ -64,13 +68,13 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
       group_(group_size(lanes, options.group)),
       units_(layout.slices * (16 / lanes)),
       per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
-      per_chunk_(ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
+      per_chunk_(whole ? units_ : ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
       chunks_(ceiling(units_, per_chunk_)),
       double_sums_(queue.device().info().fp64),
       start_(queue, std::span(layout.start)),
       neighbour_(queue, std::span(layout.neighbour)),
       rest_(queue, std::span(layout.rest)) {
-  for (const char* name : kernels_of(solver_)) kernels_.emplace_back(program_, name);
+  for (const char* name : kernels_of(solver_, whole_)) kernels_.emplace_back(program_, name);
   const std::size_t places = layout.places();
   const auto floats = [&](std::size_t columns) {
     return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
@@ -81,6 +85,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
     coupling_ = cl::Buffer<float>(queue.device(), 4 * layout.neighbour.size());
     sums_ = cl::Memory(queue.device(),
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
+    solved_ = cl::Buffer<float>(queue.device(), SOLVED);
   } else {
     other_tip_ = floats(4), other_speed_ = floats(4);
     if (solver_ == Solver::rk4)
@@ -105,6 +110,11 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
+  if (whole_) {
+    whole(queue, params, buffers);
+    launches_ = nullptr;
+    return;
+  }
   for (int i = 0; i < params.substeps; ++i) {
     if (solver_ == Solver::rk4)
       rk4(queue, params, buffers, i);
@@ -114,6 +124,37 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
       euler(queue, params, buffers, i);
   }
   launches_ = nullptr;
+}
+
+void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
+  if (solver_ == Solver::backward_euler) return whole_gradients(queue, params, b);
+  cl::Kernel& kernel = kernels_[0];
+  if (solver_ == Solver::rk4) {
+    kernel.with(params, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset,
+                other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_,
+                b.diverged_at, b.first);
+    return launch(queue, kernel, 1);
+  }
+  kernel.with(params, int(solver_ == Solver::semi_implicit_euler), b.moments, b.sites, b.push, start_,
+              neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_, b.diverged_at, b.first);
+  launch(queue, kernel, 1);
+  if (params.substeps % 2 == 0) return;
+  std::swap(tip_, other_tip_);
+  std::swap(b.speed, other_speed_);
+}
+
+void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
+  std::array<float, SOLVED> solved{};
+  solved_.write(queue, solved);
+  kernels_[0].with(params, most_iterations_, float(residual_), b.moments, b.sites, b.push, start_, neighbour_,
+                   rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_, way_, along_, sums_,
+                   b.diverged_at, b.first, solved_);
+  launch(queue, kernels_[0], 1);
+  solved_.read(queue, solved);
+  solves_.solves += params.substeps;
+  solves_.iterations += std::lround(solved[SOLVED_ALL]);
+  solves_.most_iterations = std::max(solves_.most_iterations, int(solved[SOLVED_MOST]));
+  solves_.worst_residual = std::max(solves_.worst_residual, double(solved[SOLVED_WORST]));
 }
 
 void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {

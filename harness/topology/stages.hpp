@@ -28,10 +28,11 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
 /// anew for every size of group: one size, 1, is enough. A GPU's takes 64.
 std::size_t group_size(int lanes, std::size_t wanted);
 
-/// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps.
+/// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps, whole: by
+/// one work-item.
 class BlockStage {
  public:
-  BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+  BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
   void enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
                std::vector<cl::Event>* launches);
@@ -46,10 +47,11 @@ class BlockStage {
   int blocks_, units_, per_item_;
 };
 
-/// Shared prisms: a launch per evaluation of the forces, and three per iteration of conjugate gradients.
+/// Shared prisms: a launch per evaluation of the forces, and three per iteration of conjugate gradients; or
+/// one launch of one work-item for the whole model and all steps.
 class PrismStage {
  public:
-  PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+  PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
   /// Other offsets, columns as the layout's; what follows from them, and conjugate gradients from the start.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
@@ -65,11 +67,14 @@ class PrismStage {
   void rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
   void backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers, int substep);
   bool converged(const cl::Queue& queue);
+  void whole(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
+  void whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
   void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
 
   std::vector<cl::Event>* launches_ = nullptr;  // where they are noted during enqueue(), if anywhere
 
   Solver solver_;
+  bool whole_;
   double residual_;
   int most_iterations_;
   cl::Program program_;
@@ -86,6 +91,7 @@ class PrismStage {
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4: two of rows
   cl::Buffer<float> diagonal_, coupling_, change_, left_, way_, along_;  // A; x (rows), r, d (rows), A d
   cl::Memory sums_;
+  cl::Buffer<float> solved_;  // of gradients_whole
 };
 
 }  // namespace pelage::springs

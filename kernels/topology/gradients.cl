@@ -1,7 +1,8 @@
 // Shared prisms by backward Euler: the equations of all tops at once, A x = b for x = dv, solved by conjugate gradients
 // preconditioned with the inverses of A's 3 x 3 diagonal blocks (block-Jacobi), started from the last step's x.
 // A work-item has a chunk of units; chunks do not depend on the work-group size, and neither do the sums, which every
-// work-item that needs one adds up in the order of chunks.
+// work-item that needs one adds up in the order of chunks. A large model takes a launch for each part of a step, a small one
+// a single launch of one work-item for all of it (gradients_whole): there a launch would cost more than what it does.
 #include "topology/implicit.clh"
 #include "topology/springs.clh"
 
@@ -67,19 +68,14 @@ static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TAB
   return sum;
 }
 
-#define CHUNK                                                     \
-  int chunk = (int)get_global_id(0);                              \
-  if (chunk >= chunks) return;                                    \
-  int begin = first_unit(p, chunk), end = last_unit(p, chunk);
-
 // A and b from the state, and r = b - A x, z = r / diagonal, d = z. at: the moment's entry, of the step's end.
-__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
-                               TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed,
-                               TABLE(scalar) x, __global scalar *diagonal, __global scalar *coupling,
-                               __global scalar *r, __global scalar *d, __global total *sums) {
-  CHUNK
+INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
+                         TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                         TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                         __global scalar *diagonal, __global scalar *coupling, __global scalar *r, __global scalar *d,
+                         __global total *sums) {
   total rz = 0, rr = 0, bb = 0;
-  for (int u = begin; u < end; ++u) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     Site site = load_site(p, sites, push, u, 1);
     whole own = WHOLE(u * LANES) + lane_numbers();
     truth real_row = own < WHOLE(p.sticks);
@@ -119,14 +115,23 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
   sums[SUM_RR * chunks + chunk] = rr;
   sums[SUM_BB * chunks + chunk] = bb;
 }
+__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites,
+                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                               TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                               __global scalar *diagonal, __global scalar *coupling, __global scalar *r,
+                               __global scalar *d, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks)
+    set_up_chunk(p, chunks, chunk, at, moments, sites, push, start, neighbour, rest, tip, offset, speed, x, diagonal,
+                 coupling, r, d, sums);
+}
 
 // A d and d.Ad
-__kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, TABLE(int) neighbour,
-                                TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d,
-                                __global scalar *product_d, __global total *sums) {
-  CHUNK
+INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
+                          TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
+                          __global total *sums) {
   total sum = 0;
-  for (int u = begin; u < end; ++u) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     real3 v = xyz(load_rows(d, u));
     real3 w = product(u, load_block(diagonal, u), v, start, neighbour, coupling, d);
     store3(w, product_d, u, 3, 0);
@@ -134,16 +139,21 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
   }
   sums[SUM_DAD * chunks + chunk] = sum;
 }
+__kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, TABLE(int) neighbour,
+                                TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d,
+                                __global scalar *product_d, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) product_chunk(p, chunks, chunk, start, neighbour, diagonal, coupling, d, product_d, sums);
+}
 
 // x += alpha d, r -= alpha A d, with alpha = r.z / d.Ad; odd: of the iteration's number.
-__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
-                                TABLE(scalar) product_d, __global scalar *x, __global scalar *r,
-                                __global total *sums) {
-  CHUNK
+INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
+                          TABLE(scalar) product_d, __global scalar *x, __global scalar *r, __global total *sums) {
   total dad = sum_of(sums, SUM_DAD, chunks);
-  real alpha = REAL((scalar)(dad > 0 ? sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad : 0));
+  // No number makes x none, too, which is noted: a lost mass is not to stay where it was.
+  real alpha = REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
   total rz = 0, rr = 0;
-  for (int u = begin; u < end; ++u) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, xyz(load_rows(d, u)))), x, u);
     real3 left = along3(load3(r, u, 3, 0), -alpha, load3(product_d, u, 3, 0));
     store3(left, r, u, 3, 0);
@@ -153,26 +163,34 @@ __kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(sca
   sums[(odd ? SUM_RZ_EVEN : SUM_RZ_ODD) * chunks + chunk] = rz;
   sums[SUM_RR * chunks + chunk] = rr;
 }
+__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
+                                TABLE(scalar) product_d, __global scalar *x, __global scalar *r, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, diagonal, d, product_d, x, r, sums);
+}
 
 // d = z + beta d, with beta = the new r.z / the old one.
-__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
-                             __global scalar *d, __global const total *sums) {
-  CHUNK
+INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
+                       __global scalar *d, __global const total *sums) {
   total before = sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks);
   total after = sum_of(sums, odd ? SUM_RZ_EVEN : SUM_RZ_ODD, chunks);
   real beta = REAL((scalar)(before > 0 ? after / before : 0));
-  for (int u = begin; u < end; ++u) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     real3 z = solved(factored(load_block(diagonal, u)), load3(r, u, 3, 0));
     store_rows(row_of(along3(z, beta, xyz(load_rows(d, u)))), d, u);
   }
 }
+__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
+                             __global scalar *d, __global const total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, diagonal, r, d, sums);
+}
 
 // v += x, q += h v.
-__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) sites, TABLE(scalar) x,
-                             __global scalar *offset, __global scalar *speed, __global scalar *tip,
-                             __global int *diverged_at, __global int *first) {
-  CHUNK
-  for (int u = begin; u < end; ++u) {
+INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
+                       __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
+                       __global int *first) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     Top a;
     a.v = add3(xyz(load_rows(speed, u)), xyz(load_rows(x, u)));
     a.q = along3(load3(offset, u, 3, 0), REAL(p.step), a.v);
@@ -180,5 +198,39 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
     store3(a.q, offset, u, 3, 0);
     store_rows(row_of(add3(load3(sites, u, SITE_COLUMNS, SITE_ROOT), a.q)), tip, u);
     note_step(p, a, u, number, diverged_at, first);
+  }
+}
+__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) sites, TABLE(scalar) x,
+                             __global scalar *offset, __global scalar *speed, __global scalar *tip,
+                             __global int *diverged_at, __global int *first) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) move_chunk(p, chunk, number, sites, x, offset, speed, tip, diverged_at, first);
+}
+
+// All substeps of a launch by one work-item, until |r| <= residual |b| or `most` iterations are done. The whole model is one
+// chunk. solved: iterations in all, the most of one step, the largest |r| / |b| that a step ended with.
+__kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
+                              TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                              __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
+                              __global scalar *diagonal, __global scalar *coupling, __global scalar *r,
+                              __global scalar *d, __global scalar *product_d, __global total *sums,
+                              __global int *diverged_at, __global int *first, __global scalar *solved) {
+  if (get_global_id(0) != 0) return;
+  for (int i = 0; i < p.substeps; ++i) {
+    set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, tip, offset, speed, x,
+                 diagonal, coupling, r, d, sums);
+    total bb = sums[SUM_BB];
+    int done = 0;
+    // One at least: where a sum is infinite or no number the masses are lost, which shows in x then.
+    for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
+      product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
+      advance_chunk(p, 1, 0, done % 2, diagonal, d, product_d, x, r, sums);
+      turn_chunk(p, 1, 0, done % 2, diagonal, r, d, sums);
+    }
+    move_chunk(p, 0, p.first_step + i, sites, x, offset, speed, tip, diverged_at, first);
+    scalar left = bb > 0 ? sqrt((scalar)(sums[SUM_RR] / bb)) : 0;
+    solved[0] += (scalar)done;
+    solved[1] = solved[1] > (scalar)done ? solved[1] : (scalar)done;
+    solved[2] = solved[2] > left ? solved[2] : left;
   }
 }

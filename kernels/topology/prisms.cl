@@ -1,5 +1,6 @@
 // Shared prisms by explicit schemes: every top reads its neighbours' old state, so a launch is one evaluation of the
-// forces. The state is q and v; neighbours look at v and at tips, root + q, which lie in rows.
+// forces; a small model takes one launch of one work-item for all substeps (prism_*_whole), since a launch would cost more
+// than what it does. The state is q and v; neighbours look at v and at tips, root + q, which lie in rows.
 #include "topology/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -9,17 +10,13 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-#define EACH_UNIT(u)                  \
-  int item = (int)get_global_id(0);   \
-  for (int u = first_unit(p, item); u < last_unit(p, item); ++u)
-
 // One step of explicit (in_turn 0) or semi-implicit (1) Euler; at: the moment's entry; number: the step's.
-__kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TABLE(Moment) moments,
-                          TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
-                          TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
-                          __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
-                          __global int *first) {
-  EACH_UNIT(u) {
+INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
+                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
+                        __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
+                        __global int *first) {
+  for (int u = begin; u < end; ++u) {
     TOPS(u)
     Top b;
     if (in_turn) b = advanced_in_turn(p, a, p.step, f);
@@ -30,17 +27,41 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
     note_step(p, b, u, number, diverged_at, first);
   }
 }
+__kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TABLE(Moment) moments,
+                          TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                          TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
+                          __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
+                          __global int *first) {
+  int item = (int)get_global_id(0);
+  euler_units(p, first_unit(p, item), last_unit(p, item), in_turn, at, number, moments, sites, push, start, neighbour, rest,
+              tip, speed, offset, next_tip, next_speed, diverged_at, first);
+}
+
+// All substeps; after an odd number of them the state lies in other_*.
+__kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) moments, TABLE(scalar) sites,
+                                TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                                __global scalar *tip, __global scalar *speed, __global scalar *offset,
+                                __global scalar *other_tip, __global scalar *other_speed, __global int *diverged_at,
+                                __global int *first) {
+  if (get_global_id(0) != 0) return;
+  for (int i = 0; i < p.substeps; ++i) {
+    int back = i % 2;
+    euler_units(p, 0, p.blocks * UNITS, in_turn, p.first_moment + 2 * i, p.first_step + i, moments, sites, push, start,
+                neighbour, rest, back ? other_tip : tip, back ? other_speed : speed, offset, back ? tip : other_tip,
+                back ? speed : other_speed, diverged_at, first);
+  }
+}
 
 // Stage 0 to 3 of the classical scheme. tip, speed, offset: of the stage; base_*: of the step's start, and in stage 3
 // the step's end; sum_*: the weighted rates so far. next_*: of the stage that follows.
-__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments,
-                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
-                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
-                        __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
-                        __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
-                        __global scalar *next_offset, __global int *diverged_at, __global int *first) {
+INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
+                      TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                      TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
+                      __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
+                      __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
+                      __global scalar *next_offset, __global int *diverged_at, __global int *first) {
   scalar h = p.step, weight = stage == 0 || stage == 3 ? h / 6 : h / 3, reach = stage < 2 ? h / 2 : h;
-  EACH_UNIT(u) {
+  for (int u = begin; u < end; ++u) {
     TOPS(u)
     Top base, sum;
     base.q = load3(base_offset, u, 3, 0);
@@ -65,4 +86,34 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
       note_step(p, next, u, number, diverged_at, first);
     }
   }
+}
+__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments,
+                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
+                        __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
+                        __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
+                        __global scalar *next_offset, __global int *diverged_at, __global int *first) {
+  int item = (int)get_global_id(0);
+  rk4_units(p, first_unit(p, item), last_unit(p, item), stage, at, number, moments, sites, push, start, neighbour, rest, tip,
+            speed, offset, base_offset, base_speed, sum_offset, sum_speed, next_tip, next_speed, next_offset, diverged_at,
+            first);
+}
+
+// All substeps. The stages' tips and speeds go to and fro between other_* and spare_*; the step's own stay where they are.
+__kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
+                              TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
+                              __global scalar *speed, __global scalar *offset, __global scalar *other_tip,
+                              __global scalar *other_speed, __global scalar *spare_tip, __global scalar *spare_speed,
+                              __global scalar *stage_offset, __global scalar *sum_offset, __global scalar *sum_speed,
+                              __global int *diverged_at, __global int *first) {
+  if (get_global_id(0) != 0) return;
+  for (int i = 0; i < p.substeps; ++i)
+    for (int stage = 0; stage < 4; ++stage) {
+      int next = (stage + 1) % 4;
+      rk4_units(p, 0, p.blocks * UNITS, stage, p.first_moment + 2 * i + (stage + 1) / 2, p.first_step + i, moments, sites,
+                push, start, neighbour, rest, stage == 0 ? tip : stage == 2 ? spare_tip : other_tip,
+                stage == 0 ? speed : stage == 2 ? spare_speed : other_speed, stage == 0 ? offset : stage_offset, offset,
+                speed, sum_offset, sum_speed, next == 0 ? tip : next == 2 ? spare_tip : other_tip,
+                next == 0 ? speed : next == 2 ? spare_speed : other_speed, stage_offset, diverged_at, first);
+    }
 }

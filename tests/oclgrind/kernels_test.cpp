@@ -15,6 +15,7 @@
 #include "harness/cl/program.hpp"
 #include "harness/shells/group_bins.hpp"
 #include "harness/shells/shells.hpp"
+#include "harness/shells/springs.hpp"
 #include "tests/synthetic/synthetic.hpp"
 
 namespace fs = std::filesystem;
@@ -139,6 +140,19 @@ TEST(DISABLED_Tiny, Topologies) {
       Shells shells(device(), tiny(topology, solver, 1), {"tile", {}});
       shells.frame();
     }
+}
+// So small a model is one work-item's: here it is cut.
+TEST(DISABLED_Tiny, PrismsInManyLaunches) {
+  const cl::Queue queue(device());
+  const springs::Topology topology = shells::topology_of(*tiny("prisms", "rk4", 1));
+  for (const springs::Solver solver : springs::solvers) {
+    springs::Dynamics dynamics;
+    dynamics.solver = solver;
+    dynamics.motion.spin = 1;
+    springs::MassSprings masses(queue, topology, dynamics,
+                                {.whole = springs::MassSpringOptions::Whole::never});
+    masses.advance(queue, 2);
+  }
 }
 TEST(DISABLED_Tiny, SumsOfTwoBlocks) {
   const cl::Queue queue(device());

@@ -39,12 +39,15 @@ void Shim::stand() {
                                    memory_.offset[column_of(place, 3, c)];
 }
 
-void Shim::advance(int substeps) {
+void Shim::advance(int substeps, bool whole) {
   memory_.layout = &layout_;
   memory_.moments = moments(dynamics_, steps_, substeps);
   memory_.params.substeps = substeps;
   memory_.params.first_step = int(steps_);
-  if (kind_ == Kind::prisms)
+  if (whole)
+    dynamics_.solver == Solver::backward_euler ? gradients_whole(memory_, 1e-12)
+                                               : prisms_whole(dynamics_.solver, memory_);
+  else if (kind_ == Kind::prisms)
     for (int i = 0; i < substeps; ++i)
       if (dynamics_.solver == Solver::backward_euler)
         gradients_substep(memory_, i, 1e-12);

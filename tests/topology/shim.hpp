@@ -33,12 +33,15 @@ void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 /// `residual` |b|.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
+/// All substeps of memory.params by one work-item; how many iterations they took (explicit: 0).
+int prisms_whole(Solver solver, Memory& memory);
+int gradients_whole(Memory& memory, double residual);
 
 class Shim {
  public:
   Shim(const Topology& topology, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
-  void advance(int substeps);
+  void advance(int substeps, bool whole = false);  ///< whole: one work-item for all, shared prisms only
   std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset, false); }
   std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed, kind_ == Kind::prisms); }
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);

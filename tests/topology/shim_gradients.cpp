@@ -59,4 +59,20 @@ int gradients_substep(Memory& m, int substep, double residual) {
   return done;
 }
 
+int gradients_whole(Memory& m, double residual) {
+  const Layout& l = *m.layout;
+  const std::size_t places = l.places();
+  std::vector<double> diagonal(6 * places), coupling(4 * l.neighbour.size()), r(3 * places), d(4 * places),
+      product(3 * places), sums(SUM_ROWS), solved(3);
+  TopologyParams params = m.params;
+  params.blocks_per_item = 16 * l.slices;
+  in_double::work_item = 0;
+  gradients_in_double::gradients_whole(params, 1000, residual, m.moments.data(), m.sites.data(),
+                                       m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
+                                       m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
+                                       diagonal.data(), coupling.data(), r.data(), d.data(), product.data(),
+                                       sums.data(), m.diverged_at.data(), m.first.data(), solved.data());
+  return int(solved[0]);
+}
+
 }  // namespace pelage::springs::test
