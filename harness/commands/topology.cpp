@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "harness/atomic_file.hpp"
+#include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/topology/drawing.hpp"
 #include "harness/topology/layout.hpp"
 #include "harness/topology/topology.hpp"
 #include "kernels/simulate/params.h"
@@ -19,6 +24,8 @@ namespace {
 struct TopologyCommand {
   std::string model;
   std::optional<std::uint32_t> faces;
+  std::string drawing;
+  float length = 0.15f;
 };
 
 // Counts, degrees and memory do not depend on the fur's length.
@@ -42,11 +49,24 @@ void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std
       kib(springs::Solver::backward_euler));
 }
 
+void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
+  const std::filesystem::path path = command.drawing;
+  if (path.extension() != ".svg")
+    throw InputError(fmt::format("--draw {}: a file whose name ends in .svg", command.drawing));
+  const std::string svg = springs::drawing_of(mesh, command.length);
+  write_atomically(path, [&](const std::filesystem::path& temporary) {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << svg << std::flush;
+    if (!stream) throw InputError(fmt::format("{}: cannot be written", command.drawing));
+  });
+}
+
 int run(const TopologyCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
+  if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
   fmt::print("{}: {} surface points, {} vertices with seam copies, {} edges, {} faces\n", mesh->name,
              counts.points, counts.copies, counts.edges, counts.faces);
@@ -68,11 +88,19 @@ int run(const TopologyCommand& command) {
 
 void add_topology(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<TopologyCommand>();
-  CLI::App* command =
-      app.add_subcommand("topology", "Masses, springs, degrees and memory of the topologies over a model");
+  CLI::App* command = app.add_subcommand(
+      "topology",
+      "Masses, springs, degrees and memory of the topologies over a model, and a drawing of them");
   command->add_option("model", options->model, "A model's name, or a file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
   command->add_option("--faces", options->faces, "Make it exactly so many triangles");
+  command->add_option("--draw", options->drawing, "Draw the four topologies into this file")
+      ->type_name("PICTURE.svg");
+  command
+      ->add_option("--length", options->length,
+                   "Length of the drawing's sticks, in radii of the bounding sphere")
+      ->check(CLI::Range(0.001f, 10.0f))
+      ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

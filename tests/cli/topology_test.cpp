@@ -1,6 +1,8 @@
 // pelage topology prints what the paper counts.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 #include "tests/cli/shell.hpp"
@@ -29,6 +31,40 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
+}
+
+std::size_t count_of(const std::string& text, const std::string& word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+// Every spring of the four topologies is drawn once, every triangle once a panel.
+TEST(TopologyCommand, DrawsWhatItCounts) {
+  const Folder folder;
+  const Outcome outcome = pelage(folder, "topology banisch-grass --draw grass.svg --length 0.4");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  std::ifstream stream(folder.path() / "grass.svg");
+  const std::string svg{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_TRUE(svg.starts_with("<svg ")) << svg.substr(0, 40);
+  EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  EXPECT_EQ(count_of(svg, "class=\"skin\""), 4 * 16u);
+  EXPECT_EQ(count_of(svg, "class=\"stick\""), 13 + 13 + 48 + 48u);
+  EXPECT_EQ(count_of(svg, "class=\"edge\""), 28 + 48u);
+  EXPECT_EQ(count_of(svg, "<circle"), 26 + 26 + 96 + 96u);
+  EXPECT_NE(svg.find("separable-prisms: 96 masses, 96 springs"), std::string::npos);
+}
+
+TEST(TopologyCommand, RefusesWhatItCannotDraw) {
+  const Folder folder;
+  for (const auto& [arguments, said] : {std::pair("banisch-grass --draw grass.png", ".svg"),
+                                        std::pair("bunny --draw bunny.svg", "--faces 2000"),
+                                        std::pair("banisch-grass --draw nowhere/grass.svg", "no folder"),
+                                        std::pair("banisch-grass --draw grass.svg --length 0", "--length")}) {
+    const Outcome outcome = pelage(folder, std::string("topology ") + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  }
 }
 
 TEST(TopologyCommand, RefusesWhatIsNoModel) {
