@@ -67,9 +67,11 @@ cl::Buffer<T> upload(const cl::Queue& queue, const std::vector<T>& values) {
 
 constexpr std::int32_t triangles_per_chunk = 1024;
 
-// The tile of the mapping "group" is a part of its kernels.
+// The tile of the mapping "group" is a part of its kernels. A pixel walks its tile's whole list for every
+// layer: the shorter the better.
 std::map<std::string, int> tuning_of(const Mapping& mapping, std::map<std::string, int> tuning) {
   if (mapping.name == "group") tuning["TILE_W"] = tuning["TILE_H"] = group_tile;
+  if (mapping.name == "pixel") tuning.insert({{"TILE_W", 8}, {"TILE_H", 8}});
   return tuning;
 }
 
