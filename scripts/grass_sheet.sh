@@ -1,0 +1,48 @@
+#!/bin/sh
+# Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and puts them together as
+# docs/look/banisch2006.jpg, 400 x 300 pixels each:
+#   2a structure, b colour, c self-shadow, d diffuse shading;
+#   6a linear, b bent, 7 after two seconds without and with the return force;
+#   8a elephant, b dog, c grass, 12 grass that parts;
+#   13 grass waving, every fifth of a second.
+# And Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
+# Usage: scripts/grass_sheet.sh [options of pelage render]; $PELAGE names another binary.
+set -eu
+cd "$(dirname "$0")/.."
+pelage=${PELAGE:-build/release/pelage}
+pictures=$(mktemp -d)
+trap 'rm -rf "$pictures"' EXIT
+
+# draw PICTURE SCENE [options of pelage render]
+draw() {
+  picture=$1 scene=$2
+  shift 2
+  "$pelage" render "examples/$scene.toml" --size 400x300 -o "$pictures/$picture.png" "$@"
+}
+
+# Without a lamp, self-shadow, colour: three steps back from the lit elephant.
+dark='shading.light=[{direction=[0.0,1.0,0.0],intensity=0.0}]'
+draw 01 elephant --set "$dark" --set shading.ambient=0.9 --set shading.occlusion=0 --set coat.pattern=plain --set 'coat.colour=[1.0,1.0,1.0]' \
+  "$@"
+draw 02 elephant --set "$dark" --set shading.ambient=0.9 --set shading.occlusion=0 "$@"
+draw 03 elephant --set "$dark" --set shading.ambient=0.9 "$@"
+draw 04 elephant "$@"
+draw 05 grass-return --set dynamics.bend=linear "$@"
+draw 06 grass-return "$@"
+draw 07 grass-return --set dynamics.springs.return_weight=0 "$@"
+draw 08 grass-return --set dynamics.time=3 "$@"
+draw 09 elephant "$@"
+draw 10 elephant --model banisch-dog --set fur.layers=12 --set 'camera.direction=[1.3,0.8,2.35]' \
+  --set 'shading.light=[{direction=[0.35,1.0,0.8],intensity=0.85}]' "$@"
+draw 11 grass-waving --set dynamics.wind.strength=0 "$@"
+draw 12 grass-parting "$@"
+number=12
+for time in 0.2 0.4 0.6 0.8 1.0 1.2 1.4 1.6; do
+  number=$((number + 1))
+  draw $number grass-waving --set dynamics.time=$time "$@"
+done
+
+# shellcheck disable=SC2046
+oiiotool $(printf "$pictures/%s.png " 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16 17 18 19 20) --mosaic 4x5 \
+  --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/look/banisch2006.jpg
+"$pelage" topology banisch-grass --length 0.4 --draw docs/look/topologies.svg >/dev/null
