@@ -23,6 +23,7 @@ oiiotool --create 1600x600 3 -d uint8 -o "$work/sheet.png"
 i=0
 for model in $models; do
   oiiotool "$work/run/silva2010-table1/images/$model-64-800x600.png" --resize 400x300 -o "$work/one.png"
+  # shellcheck disable=SC2017
   oiiotool "$work/one.png" "$work/sheet.png" --paste "+$((i % 4 * 400))+$((i / 4 * 300))" -o "$work/sheet.png"
   i=$((i + 1))
 done
