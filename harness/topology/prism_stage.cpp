@@ -144,12 +144,11 @@ void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
-  std::array<float, SOLVED> solved{};
-  solved_.write(queue, solved);
   kernels_[0].with(params, most_iterations_, float(residual_), b.moments, b.sites, b.push, start_, neighbour_,
                    rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_, way_, along_, sums_,
                    b.diverged_at, b.first, solved_);
   launch(queue, kernels_[0], 1);
+  std::array<float, SOLVED> solved{};
   solved_.read(queue, solved);
   solves_.solves += params.substeps;
   solves_.iterations += std::lround(solved[SOLVED_ALL]);

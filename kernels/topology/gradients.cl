@@ -216,6 +216,7 @@ __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE
                               __global scalar *d, __global scalar *product_d, __global total *sums,
                               __global int *diverged_at, __global int *first, __global scalar *solved) {
   if (get_global_id(0) != 0) return;
+  for (int k = 0; k < 3; ++k) solved[k] = 0;
   for (int i = 0; i < p.substeps; ++i) {
     set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, tip, offset, speed, x,
                  diagonal, coupling, r, d, sums);
