@@ -1,6 +1,7 @@
 #include "harness/cl/drivers.hpp"
 
 #include <CL/cl.h>
+#include <sched.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -74,8 +75,24 @@ bool names_nvidia(const fs::path& vendors) {
   return false;
 }
 
+bool may_pin(const std::vector<int>& cores, int online) {
+  for (std::size_t i = 0; i < cores.size(); ++i)
+    if (cores[i] != int(i)) return false;
+  return int(cores.size()) == online;
+}
+
+void pin_threads() {
+  cpu_set_t set;
+  if (::sched_getaffinity(0, sizeof set, &set) != 0) return;
+  std::vector<int> cores;
+  for (int i = 0; i < CPU_SETSIZE; ++i)
+    if (CPU_ISSET(i, &set)) cores.push_back(i);
+  if (may_pin(cores, int(::sysconf(_SC_NPROCESSORS_ONLN)))) ::setenv("POCL_AFFINITY", "1", 0);
+}
+
 void announce_drivers() {
   static const bool done = [] {
+    pin_threads();
     const fs::path vendors = vendor_folder();
     if (!text_of("OCL_ICD_VENDORS").empty() || names_nvidia(vendors)) return true;
     const std::optional<fs::path> library = nvidia_library(driver_folders());

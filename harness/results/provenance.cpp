@@ -113,6 +113,7 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
   json["device_version"] = info.version;
   json["driver"] = info.driver;
   json["compute_units"] = info.compute_units;
+  if (const char* pinned = std::getenv("POCL_AFFINITY"); pinned && info.cpu) json["pocl_affinity"] = pinned;
   json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
   json["timer_resolution_ns"] = info.timer_resolution_ns;
   return json;

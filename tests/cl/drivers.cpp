@@ -76,3 +76,20 @@ TEST_F(Drivers, TheLibraryIsTheFirstFoldersAndMayBeVersioned) {
   std::ofstream(vendors / "nvidia.icd") << "libnvidia-opencl.so.1\n";
   EXPECT_TRUE(cl::names_nvidia(vendors));
 }
+
+TEST(Threads, ArePinnedWhereAllCoresAreTheProcesss) {
+  EXPECT_TRUE(cl::may_pin({0}, 1));
+  EXPECT_TRUE(cl::may_pin({0, 1, 2, 3}, 4));
+  EXPECT_FALSE(cl::may_pin({0, 1}, 4)) << "confined";
+  EXPECT_FALSE(cl::may_pin({2, 3}, 2)) << "PoCL counts from core 0";
+  EXPECT_FALSE(cl::may_pin({0, 2}, 2));
+}
+
+TEST(Threads, StayAsTheUserSays) {
+  const char* before = std::getenv("POCL_AFFINITY");
+  const std::string kept = before ? before : "";
+  ::setenv("POCL_AFFINITY", "0", 1);
+  cl::pin_threads();
+  EXPECT_STREQ(std::getenv("POCL_AFFINITY"), "0");
+  before ? ::setenv("POCL_AFFINITY", kept.c_str(), 1) : ::unsetenv("POCL_AFFINITY");
+}
