@@ -129,8 +129,9 @@ std::vector<Finding> compare_mappings(const std::string& mapping, const Picture&
   double covered = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     covered += (tile.pixel[i].w > 0) != (pixel.pixel[i].w > 0);
-  return {{"mappings", fmt::format("pixels covered in one only, {}", mapping), covered, 0},
-          {"mappings", fmt::format("largest difference, {}", mapping), compare(tile, pixel).worst, 1.0 / 255.0}};
+  return {
+      {"mappings", fmt::format("pixels covered in one only, {}", mapping), covered, 0},
+      {"mappings", fmt::format("largest difference, {}", mapping), compare(tile, pixel).worst, 1.0 / 255.0}};
 }
 
 FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> input,

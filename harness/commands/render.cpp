@@ -95,9 +95,10 @@ void add_render(CLI::App& app, Chosen& chosen) {
                    "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
   command
-      ->add_option("--mapping", options->mapping,
-                   "How the shells' pixels are spread: a work-item draws a tile, or a pixel, or a work-group a "
-                   "tile; default: group on a GPU, else tile")
+      ->add_option(
+          "--mapping", options->mapping,
+          "How the shells' pixels are spread: a work-item draws a tile, or a pixel, or a work-group a "
+          "tile; default: group on a GPU, else tile")
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")

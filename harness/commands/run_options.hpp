@@ -13,7 +13,7 @@ namespace pelage {
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
   std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, budget, output,
-      resume;
+              resume;
   int repeat = 1;
   int repeat_index = -1;  ///< which process of --repeat this is; -1: none of them
   std::optional<std::uint64_t> order_seed;

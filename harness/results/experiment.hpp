@@ -51,7 +51,7 @@ struct Case {
   std::string variant;  ///< "shells/tile"
   std::string pipeline;
   std::string mapping;  ///< of the shells; "": the device's own
-  std::string opengl;  ///< how the OpenGL rival is written (docs/rival.md)
+  std::string opengl;   ///< how the OpenGL rival is written (docs/rival.md)
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;
   std::map<std::string, std::string> settings;  ///< scene keys that the experiment gives, values as in TOML

@@ -57,7 +57,7 @@ def legend(figure, axes):
         for handle, label in zip(*axis.get_legend_handles_labels()):
             entries.setdefault(label, handle)
     figure.legend(entries.values(), entries.keys(), loc="lower center",
-                  ncol=min(4, len(entries)), frameon=False, bbox_to_anchor=(0.5, -0.13 if len(entries) < 5 else -0.22))
+                  ncol=3 if len(entries) > 4 else 4, frameon=False, bbox_to_anchor=(0.5, -0.13 if len(entries) < 5 else -0.22))
 
 
 def frames(rows):
@@ -139,7 +139,7 @@ def energy(rows):
                 if topology(r) == name and solver(r) == s:
                     line = sorted((float(k[len(mark):]), float(v)) for k, v in r.items() if k.startswith(mark) and v)
                     axis.plot([a for a, _ in line], [b for _, b in line], label=s, color=style(s, SOLVERS)["color"],
-                              linewidth=1.1)
+                              linewidth=1.1, linestyle="--" if s == "rk4" else "-")
         axis.set_title(name, fontsize=10)
         axis.set_xlabel("time, s")
         axis.set_yscale("log")
