@@ -130,8 +130,10 @@ struct DynamicsScene {
   float drag = 0.01f;                          ///< c, N s/m
   float step = 1.0f / 240.0f;                  ///< dt of a substep, s
   int substeps = 4;                            ///< per frame
-  float time = 0.0f;                           ///< simulated before the first picture, s
-  glm::vec3 gravity{0.0f, 0.0f, 0.0f};         ///< R/s^2
+  float tolerance =
+      0.0f;           ///< of a topology, fraction of the fur's length: more substeps where needed; 0: never
+  float time = 0.0f;  ///< simulated before the first picture, s
+  glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
   WindScene wind;
   SpringsScene springs;
   MotionScene motion;

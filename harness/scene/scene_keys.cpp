@@ -87,6 +87,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.drag", &dynamics.drag, "N s/m", 0, 1e6, "c"},
       {"dynamics.step", &dynamics.step, "s", 1e-6, 1, "dt of a substep"},
       {"dynamics.substeps", &dynamics.substeps, "", 1, 1000, "substeps per frame"},
+      {"dynamics.tolerance", &dynamics.tolerance, "of the fur's length", 0, 1, "of a topology: as many substeps a frame as keep 99 tops in 100 so near to where twice as many bring them; 0: always `substeps`"},
       {"dynamics.time", &dynamics.time, "s", 0, 3600, "simulated before the first picture"},
       {"dynamics.gravity", &dynamics.gravity, "R/s^2", -1000, 1000, "acceleration of every mass"},
       {"dynamics.wind.direction", &wind.direction, "direction", -1e6, 1e6, "where the wind blows to"},

@@ -74,11 +74,18 @@ SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const 
       stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
       substeps_(input.scene.dynamics.substeps),
       lanes_(lanes),
-      level_(input.scene.dynamics.bend == "tangent") {}
+      level_(input.scene.dynamics.bend == "tangent") {
+  const DynamicsScene& scene = input.scene.dynamics;
+  if (scene.tolerance > 0)
+    adaptive_.emplace(float(scene.substeps) * scene.step, scene.substeps, scene.tolerance);
+}
 
 void SpringStage::frame(const cl::Queue& queue, PhaseEvents* events) {
   std::vector<cl::Event> launches;
-  masses_.enqueue(queue, substeps_, events ? &launches : nullptr);
+  if (adaptive_)
+    adaptive_->advance(queue, masses_, events ? &launches : nullptr);
+  else
+    masses_.enqueue(queue, substeps_, events ? &launches : nullptr);
   if (!events) return;
   for (cl::Event& launch : launches) events->emplace_back("simulate", std::move(launch));
 }

@@ -2,10 +2,12 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/stages.hpp"
+#include "harness/topology/adaptive.hpp"
 #include "harness/topology/mass_springs.hpp"
 
 namespace pelage::shells {
@@ -24,7 +26,7 @@ std::vector<glm::vec3> pushes(const springs::Topology& topology, const Mesh& mes
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
-  /// The scene's substeps.
+  /// The scene's substeps, or as many as its tolerance takes.
   void frame(const cl::Queue& queue, PhaseEvents* events);
   /// B of docs/frame.md, 3, at every vertex that `raster` draws.
   void tips(const cl::Queue& queue, RasterStage& raster, PhaseEvents* events);
@@ -40,6 +42,7 @@ class SpringStage {
   cl::Kernel tips_;
   cl::Buffer<std::int32_t> stick_;
   int substeps_, lanes_;
+  std::optional<springs::AdaptiveSteps> adaptive_;  // where the scene has a tolerance
   std::int32_t level_;
 };
 

@@ -1,9 +1,12 @@
 #include "harness/shells/springs_reference.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "harness/error.hpp"
 #include "harness/shells/springs.hpp"
 #include "harness/topology/reference.hpp"
 
@@ -57,6 +60,11 @@ std::vector<std::uint32_t> spread(const springs::Topology& topology, std::size_t
 
 std::vector<glm::dvec3> moved(const springs::Topology& topology, const DynamicsScene& scene,
                               std::vector<glm::dvec3> push, int frames) {
+  if (scene.tolerance > 0)
+    throw InputError(fmt::format(
+        "dynamics.tolerance = {}: the reference takes `substeps` steps a frame, and so does what is held "
+        "against it (pelage run, pelage check); 0 there",
+        scene.tolerance));
   const springs::Dynamics dynamics = dynamics_of(scene);
   const springs::reference::System system{topology, dynamics, std::move(push)};
   springs::reference::State state = springs::reference::rest(topology);

@@ -140,6 +140,16 @@ void MassSprings::set(const cl::Queue& queue, const std::vector<glm::vec3>& offs
   s.steps = steps;
 }
 
+void MassSprings::retime(float step) {
+  State& s = *state_;
+  Dynamics other = s.dynamics;
+  other.step = step;
+  springs::check(other);
+  s.dynamics = other;
+  s.params.step = step;
+  s.known_from = s.known_to = 0;
+}
+
 void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& force) {
   State& s = *state_;
   s.params.pushed = 0;
@@ -211,6 +221,10 @@ std::vector<std::int32_t> MassSprings::offset_columns() const {
   for (const std::uint32_t place : state_->layout.place)
     columns.push_back(std::int32_t(column_of(place, 3, 0)));
   return columns;
+}
+
+float MassSprings::length() const {
+  return state_->params.length;
 }
 
 long MassSprings::steps() const {

@@ -50,6 +50,10 @@ class MassSprings {
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
+  /// Steps of another length from now on, s; the number of those done is as set() says. Throws InputError
+  /// where check(dynamics) does.
+  void retime(float step);
+
   /// Local forces on the tops from now on, N, one per stick, in the object's frame; empty: none. Throws
   /// InputError for another count, or a force that is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
@@ -70,6 +74,7 @@ class MassSprings {
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< done or enqueued
+  float length() const;       ///< of the fur, R
   std::size_t bytes() const;  ///< of device memory, as memory() counts it
   const LinearSolves& solves() const;
   double build_ms() const;
