@@ -110,10 +110,12 @@ struct MotionScene {
   float swing_frequency = 1.0f;      ///< Hz
 };
 
-/// A local force on the tops of every triangle whose centroid lies within `radius` of `point`.
+/// A local force on the tops of every triangle whose centroid lies within `radius` of `point`; or, where
+/// `ray` points somewhere, of the point where it meets the mesh first, and on that triangle in any case.
 struct PokeScene {
-  glm::vec3 point{0.0f};              ///< R
-  float radius = 0.0f;                ///< R; 0: no poke
+  glm::vec3 point{0.0f};              ///< R; of a ray its origin
+  glm::vec3 ray{0.0f};                ///< its direction; 0: none
+  float radius = 0.0f;                ///< R; 0: no poke, or of a ray the one triangle
   glm::vec3 force{0.0f};              ///< N
   float spread = 0.0f;                ///< N, away from the line through the point along `along`
   glm::vec3 along{0.0f, 0.0f, 1.0f};  ///< what fur is parted along

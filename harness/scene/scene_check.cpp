@@ -112,6 +112,7 @@ void check_topology(const Scene& scene, const std::string& source) {
   if (d.motion.spin != 0) refuse("dynamics.motion.spin", alone);
   if (d.motion.swing != 0) refuse("dynamics.motion.swing", alone);
   if (d.poke.radius != 0) refuse("dynamics.poke.radius", alone);
+  if (d.poke.ray != glm::vec3(0)) refuse("dynamics.poke.ray", alone);
 }
 
 /// Semi-implicit Euler on a damped spring is stable while 2 dt c/m + dt^2 k/m < 4 (Jury's criterion on its 2

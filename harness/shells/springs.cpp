@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "harness/error.hpp"
+
 namespace pelage::shells {
 namespace {
 
@@ -22,6 +24,25 @@ std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geom
   std::vector<std::int32_t> found(std::size_t(g.vertices), of_stick.front());
   for (std::size_t i = 0; i < g.stick.size(); ++i) found[i] = of_stick[g.stick[i]];
   return found;
+}
+
+// Where a poke is aimed at: a point, and the triangle that a ray meets there.
+struct Aim {
+  glm::dvec3 point;
+  std::size_t triangle;
+};
+
+Aim aimed(const Mesh& mesh, const PokeScene& poke) {
+  const glm::dvec3 origin(poke.point), direction = glm::normalize(glm::dvec3(poke.ray));
+  const std::optional<std::size_t> found = springs::hit(mesh, origin, direction);
+  if (!found)
+    throw InputError(
+        fmt::format("dynamics.poke.ray: from ({}, {}, {}) along ({}, {}, {}) it meets no triangle of {}",
+                    poke.point.x, poke.point.y, poke.point.z, poke.ray.x, poke.ray.y, poke.ray.z, mesh.name));
+  glm::dvec3 corner[3];
+  for (int c = 0; c < 3; ++c) corner[c] = glm::dvec3(mesh.position[mesh.triangle[*found][c]]);
+  const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  return {origin + glm::dot(corner[0] - origin, normal) / glm::dot(direction, normal) * direction, *found};
 }
 
 }  // namespace
@@ -52,13 +73,15 @@ springs::Topology topology_of(const FrameInput& input) {
 }
 
 std::vector<glm::vec3> pushes(const springs::Topology& topology, const Mesh& mesh, const PokeScene& poke) {
-  if (poke.radius == 0) return {};
+  const bool ray = poke.ray != glm::vec3(0);
+  if (poke.radius == 0 && !ray) return {};
+  const Aim aim = ray ? aimed(mesh, poke) : Aim{glm::dvec3(poke.point), mesh.triangle.size()};
   std::vector<glm::vec3> force(topology.sticks(), glm::vec3(0));
   const glm::dvec3 along = glm::normalize(glm::dvec3(poke.along));
   for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
-    glm::dvec3 from = -glm::dvec3(poke.point);
+    glm::dvec3 from = -aim.point;
     for (int c = 0; c < 3; ++c) from += glm::dvec3(mesh.position[mesh.triangle[f][c]]) / 3.0;
-    if (glm::length(from) > double(poke.radius)) continue;
+    if (f != aim.triangle && glm::length(from) > double(poke.radius)) continue;
     const glm::dvec3 across = from - glm::dot(from, along) * along;
     const double reach = glm::length(across);
     const glm::dvec3 apart = reach > 0 ? double(poke.spread) / reach * across : glm::dvec3(0);

@@ -70,6 +70,7 @@ const Bad files[] = {
     {"dynamics.motion.axis = [0, 0, 0]", "dynamics.motion.axis: points nowhere"},
     {"dynamics.tolerance = 0.1", "dynamics.tolerance: silva's strand does not know it"},
     {"dynamics.poke.radius = 1", "dynamics.poke.radius: silva's strand does not know it"},
+    {"dynamics.poke.ray = [1, 0, 0]", "dynamics.poke.ray: silva's strand does not know it"},
     {"dynamics.springs = 3", "dynamics.springs: is a whole number; give a table of keys"},
     {"dynamics.time = 3600\ndynamics.step = 0.000001", "dynamics.time: 3600 s are "},
     {"image.width = 16385", "image.width: 16385 is out of range"},

@@ -122,7 +122,8 @@ TEST(SpringStage, WindPushesAMassAtRestWithTheScenesStrength) {
 
 TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
   FrameInput input = small_input("separable-sticks");
-  input.scene.dynamics.poke = {{0.7f, 0, 0}, 0.35f, {0, 0.02f, 0}, 0.01f, {0, 0, 1}};
+  input.scene.dynamics.poke = {
+      .point = {0.7f, 0, 0}, .radius = 0.35f, .force = {0, 0.02f, 0}, .spread = 0.01f, .along = {0, 0, 1}};
   const springs::Topology topology = shells::topology_of(input);
   const auto force = shells::pushes(topology, *input.mesh, input.scene.dynamics.poke);
   ASSERT_EQ(force.size(), 3 * input.mesh->triangle.size());
@@ -143,6 +144,31 @@ TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
   EXPECT_LT(poked, input.mesh->triangle.size() / 2);
   input.scene.dynamics.poke.radius = 0;
   EXPECT_TRUE(shells::pushes(topology, *input.mesh, input.scene.dynamics.poke).empty());
+}
+
+TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
+  FrameInput input = small_input("separable-sticks");
+  PokeScene& poke = input.scene.dynamics.poke;
+  poke = {.point = {3, 0.1f, 0.05f}, .ray = {-2, 0, 0}, .force = {0, 0.02f, 0}};
+  const springs::Topology topology = shells::topology_of(input);
+  const auto poked = [&] {
+    std::vector<std::size_t> found;
+    const auto force = shells::pushes(topology, *input.mesh, poke);
+    for (std::size_t i = 0; i < force.size(); ++i)
+      if (force[i] != glm::vec3(0)) found.push_back(i);
+    return found;
+  };
+  const auto face = springs::hit(*input.mesh, {3, 0.1, 0.05}, {-1, 0, 0});
+  ASSERT_TRUE(face.has_value());
+  EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * *face, 3 * *face + 1, 3 * *face + 2}));
+  // With a radius those around the point where it meets the mesh, not around its origin.
+  poke.radius = 0.35f;
+  const std::vector<std::size_t> around = poked();
+  EXPECT_GT(around.size(), 3u);
+  EXPECT_LT(around.size(), topology.sticks() / 2);
+  for (const std::size_t i : around) EXPECT_GT(topology.mass[i].x, 0) << "on the side of the ray";
+  poke.ray = {2, 0, 0};
+  EXPECT_THROW(shells::pushes(topology, *input.mesh, poke), InputError);
 }
 
 TEST(SpringStage, NothingIsDrawnFromMassesThatFlewApart) {

@@ -25,7 +25,7 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
   d.wind.strength = 0.012f;
   d.motion.shake = {0.02f, 0.05f, 0};
   d.motion.swing = 0.2f;
-  d.poke = {{0.7f, 0.3f, 0.2f}, 0.4f, {0.01f, 0, 0}, 0.01f, {0, 0, 1}};
+  d.poke = {.point = {0.7f, 0.3f, 0.2f}, .radius = 0.4f, .force = {0.01f, 0, 0}, .spread = 0.01f};
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 24, 16, 60));
 }
 
