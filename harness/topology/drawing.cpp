@@ -132,7 +132,8 @@ std::string drawing_of(const Mesh& mesh, float length) {
       2 * panel, 2 * row);
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
     const Topology topology = build(kinds[i], mesh, length);
-    svg += Panel(topology, mesh).svg(double(i % 2) * panel, double(i / 2) * row);
+    const std::size_t line = i / 2;
+    svg += Panel(topology, mesh).svg(double(i % 2) * panel, double(line) * row);
   }
   return svg + "</svg>\n";
 }
