@@ -219,14 +219,12 @@ std::string html_of(const std::vector<Claim>& claims) {
   if (claims.empty()) return {};
   std::string html =
       "<h2>What the paper says of Figures 9 to 11</h2>\n<p class=\"soft\">Each sentence read as a number "
-      "that is "
-      "asked of every cell it speaks of; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<div "
-      "class=\"wide\"><table>\n<thead><tr><th>Sentence</th><th>Where</th><th>Read as</th><th>Here</th>"
-      "<th>Found</th></tr></thead>\n<tbody>\n";
+      "that "
+      "is asked of every cell it speaks of; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
   for (const Claim& c : claims)
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"ours\">{}</td><td>{}</td></tr>\n",
-                        c.sentence, c.source, c.reading, to_text(c.held), c.found);
-  return html + "</tbody></table></div>\n";
+    html += fmt::format("<li><b>{}</b>: &ldquo;{}&rdquo; ({})<br><span class=\"soft\">{}: {}</span></li>\n",
+                        to_text(c.held), c.sentence, c.source, c.reading, c.found);
+  return html + "</ul>\n";
 }
 
 }  // namespace pelage
