@@ -12,6 +12,7 @@
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
+#include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/topology/drawing.hpp"
 #include "harness/topology/layout.hpp"
@@ -28,25 +29,38 @@ struct TopologyCommand {
   float length = 0.15f;
 };
 
+// Masses and springs that a paper counts, by topology.
+using Published = decltype(Model::published);
+
+Published published_of(const std::string& model) {
+  for (const Model& known : models())
+    if (known.name == model) return known.published;
+  return {};
+}
+
 // Counts, degrees and memory do not depend on the fur's length.
 constexpr float any_length = 0.05f;
 
-void row(std::string_view what, std::size_t masses, std::size_t springs, const std::string& degrees,
-         const std::string& explicit_kib, const std::string& implicit_kib) {
-  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}\n", what, masses, springs, degrees, explicit_kib,
-             implicit_kib);
+void row(std::string_view what, const auto& masses, const auto& springs, const std::string& degrees,
+         const std::string& explicit_kib, const std::string& implicit_kib, const std::string& paper = "") {
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}{}\n", what, masses, springs, degrees, explicit_kib,
+             implicit_kib, paper.empty() ? "" : fmt::format("  {:>14}", paper));
 }
 
-void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on) {
+void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
+           const Published& published) {
   const springs::Topology built = springs::build(kind, mesh, any_length, vertices);
   const springs::Degrees d = springs::degrees(built);
   const springs::Layout layout = springs::lay_out(built, {});
   const auto kib = [&](springs::Solver solver) {
     return fmt::format("{:.0f}", double(springs::memory(layout, solver)) / 1024);
   };
+  const auto said = published.find(std::string(springs::name(kind)));
+  const std::string paper =
+      said == published.end() ? "" : fmt::format("{} / {}", said->second[0], said->second[1]);
   row(fmt::format("{}{}", springs::name(kind), on), built.mass.size(), built.spring.size(),
       fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::Solver::semi_implicit_euler),
-      kib(springs::Solver::backward_euler));
+      kib(springs::Solver::backward_euler), paper);
 }
 
 void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
@@ -68,19 +82,22 @@ int run(const TopologyCommand& command) {
   const auto mesh = load_model(command.model, options);
   if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
+  const Published published = command.faces ? Published() : published_of(command.model);
   fmt::print("{}: {} surface points, {} vertices with seam copies, {} edges, {} faces\n", mesh->name,
              counts.points, counts.copies, counts.edges, counts.faces);
-  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}\n", "", "", "", "springs a top", "device memory, KiB");
-  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>10} {:>10}\n", "topology", "masses", "springs",
-             "least/mean/most", "explicit", "implicit");
-  for (const springs::Kind kind : springs::kinds) print(*mesh, kind, springs::Vertices::points, "");
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs a top", "device memory, KiB",
+             published.empty() ? "" : "       the paper");
+  row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",
+      published.empty() ? "" : "masses/springs");
+  for (const springs::Kind kind : springs::kinds)
+    print(*mesh, kind, springs::Vertices::points, "", published);
   const std::size_t strands = (counts.faces + 15) / 16 * 16 * sizeof(float) *
                               (std::size_t(STRAND_COLUMNS) + std::size_t(STATE_COLUMNS));
   row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
       fmt::format("{:.0f}", double(strands) / 1024), "-");
   if (counts.copies != counts.points)
     for (const springs::Kind kind : {springs::Kind::sticks, springs::Kind::prisms})
-      print(*mesh, kind, springs::Vertices::copies, " on vertex copies");
+      print(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
   return 0;
 }
 

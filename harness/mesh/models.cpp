@@ -43,6 +43,25 @@ class Reader {
     return value;
   }
 
+  std::map<std::string, std::array<std::uint32_t, 2>> counts(std::string_view key) const {
+    std::map<std::string, std::array<std::uint32_t, 2>> found;
+    const toml::node* node = table_.get(key);
+    if (!node) return found;
+    const char* wanted = "a table of pairs, topology = [masses, springs]";
+    const toml::table* rows = node->as_table();
+    if (!rows) fail(*node, key, wanted);
+    for (const auto& [name, value] : *rows) {
+      const toml::array* pair = value.as_array();
+      if (!pair || pair->size() != 2) fail(value, key, wanted);
+      for (unsigned i = 0; i < 2; ++i) {
+        const auto count = (*pair)[i].value_exact<std::int64_t>();
+        if (!count || *count < 0 || *count > 100'000'000) fail(value, key, wanted);
+        found[std::string(name.str())][i] = std::uint32_t(*count);
+      }
+    }
+    return found;
+  }
+
   void only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, node] : table_)
       if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
@@ -60,7 +79,7 @@ class Reader {
 };
 
 Model read_model(const Reader& in, const toml::table& table) {
-  in.only({"name", "source", "faces", "rotation", "wrap", "stand_in", "licence", "footnote"});
+  in.only({"name", "source", "faces", "rotation", "wrap", "stand_in", "licence", "footnote", "published"});
   Model model;
   model.name = in.text("name");
   model.source = in.text("source");
@@ -73,6 +92,7 @@ Model read_model(const Reader& in, const toml::table& table) {
   model.stand_in = in.find<bool>("stand_in", "true or false").value_or(false);
   model.licence = in.text("licence");
   model.footnote = in.text("footnote");
+  model.published = in.counts("published");
   return model;
 }
 

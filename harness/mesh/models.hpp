@@ -1,8 +1,10 @@
 // experiments/models.toml: the named models and where their shapes come from.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ struct Model {
   bool wrap = false;                   ///< alpha wrap first
   bool stand_in = false;
   std::string licence, footnote;
+  /// What a paper says it has, per topology (harness/topology): masses, springs.
+  std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 
 /// All models in the file's order. Throws InputError with file, line and key.

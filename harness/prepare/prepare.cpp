@@ -5,13 +5,11 @@
 
 #include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
-#include "harness/prepare/coat.hpp"
 #include "harness/prepare/droplets.hpp"
-#include "harness/prepare/fur_texture.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"
-#include "harness/prepare/surface_map.hpp"
 #include "harness/prepare/tangents.hpp"
+#include "harness/prepare/texture_cache.hpp"
 
 namespace pelage {
 namespace {
@@ -33,10 +31,10 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   input->strands = make_strands(skin, scene.fur, scene.dynamics.wind);
   input->tangents = surface_tangents(*mesh, skin);
   input->curl = curl_frame(*mesh, skin, input->tangents, scene.curl);
-  input->fur = make_fur_texture(scene.fur);
-  input->coat = make_coat(*mesh, scene.coat);
+  input->fur = kept_fur_texture(scene.fur);
+  input->coat = kept_coat(*mesh, scene.coat);
   input->droplets = make_droplets(mesh, skin, scene.wetness);
-  input->mask_surface = surface_map(*mesh, scene.wetness.size);
+  input->mask_surface = kept_surface_map(*mesh, scene.wetness.size);
   input->fur_scale = fur_scale(*mesh, scene.fur);
 
   if (has_springs(scene.dynamics)) input->stick_normal.assign(skin.normal.begin(), skin.normal.end());

@@ -26,11 +26,11 @@ std::size_t bytes_of(const cl::Buffer<T>& buffer) {
 }  // namespace
 
 Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
-    : std::runtime_error(fmt::format(
-          "diverged: mass {} was out of bounds after step {} ({:.6g} s) of {} with dt = {} s and k = {} "
-          "N/m; a shorter step, more damping or a softer spring would be stable",
-          mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver), d.step,
-          d.stiffness)),
+    : std::runtime_error(
+          fmt::format("mass {} was out of bounds after step {} ({:.6g} s) of {} with dt = {} s and k = {} "
+                      "N/m; a shorter step, more damping or a softer spring would be stable",
+                      mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver),
+                      d.step, d.stiffness)),
       step(step_number),
       mass(mass_number) {}
 

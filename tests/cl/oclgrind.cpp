@@ -1,4 +1,6 @@
 // The same calls under oclgrind, which knows every rule of the API and every byte of a buffer.
+#include "tests/oclgrind.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +8,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 #include "harness/cl/program.hpp"
 
@@ -15,29 +16,10 @@ using namespace pelage;
 
 namespace {
 
-// What oclgrind has to say about tests of this binary: empty when nothing is wrong. It exits 0 whatever it
-// finds.
 std::string complaints(const std::string& tests) {
-  const fs::path log = fs::temp_directory_path() / fmt::format("pelage-oclgrind-{}", ::getpid());
-  const std::string command = fmt::format(
-      "oclgrind --check-api --data-races --uninitialized --log '{}' '{}' "
-      "--gtest_filter='{}' >/dev/null 2>&1",
-      log.string(), fs::read_symlink("/proc/self/exe").string(), tests);
-  const int status = std::system(command.c_str());
-  std::ifstream stream(log);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  fs::remove(log);
-  return status == 0 ? text : text + "the tests failed under oclgrind";
+  const UnderOclgrind run = under_oclgrind(tests, "--data-races --uninitialized");
+  return run.status == 0 ? run.log : run.log + "the tests failed under oclgrind: " + run.printed;
 }
-
-class Oclgrind : public ::testing::Test {
- protected:
-  void SetUp() override {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "AddressSanitizer and oclgrind both want to be loaded first";
-#endif
-  }
-};
 
 }  // namespace
 

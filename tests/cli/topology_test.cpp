@@ -31,6 +31,14 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
+  // The paper's own counts stand beside ours, and nowhere else.
+  const auto ends_with = [&](const std::string& name, const std::string& end) {
+    return std::regex_search(elephant.out, std::regex("\n" + name + " [^\n]* " + end + "\n"));
+  };
+  EXPECT_TRUE(ends_with("sticks", "1247 / 623")) << elephant.out;
+  EXPECT_TRUE(ends_with("separable-prisms", "6888 / 6888")) << elephant.out;
+  EXPECT_EQ(grass.out.find("the paper"), std::string::npos);
+  EXPECT_EQ(pelage(folder, "topology banisch-elephant --faces 1146").out.find("1247"), std::string::npos);
 }
 
 std::size_t count_of(const std::string& text, const std::string& word) {

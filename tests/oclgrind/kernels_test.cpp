@@ -3,12 +3,8 @@
 #include <CL/cl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 #include <set>
 
@@ -16,6 +12,7 @@
 #include "harness/shells/group_bins.hpp"
 #include "harness/shells/shells.hpp"
 #include "harness/shells/springs.hpp"
+#include "tests/oclgrind.hpp"
 #include "tests/synthetic/synthetic.hpp"
 
 namespace fs = std::filesystem;
@@ -23,13 +20,7 @@ namespace fs = std::filesystem;
 namespace pelage {
 namespace {
 
-std::string slurped(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 struct Findings {
-  int status = 0;
   std::string log;
   std::set<std::string> kernels, ran;
 };
@@ -40,38 +31,15 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
   return found;
 }
 
-/// Runs tests of this binary under oclgrind, which exits 0 whatever it finds; checks: its options beside
-/// --check-api. Without optimization: its compiler leaves calls of llvm.experimental.noalias.scope.decl where
-/// it inlines, and its interpreter does not know them.
-Findings under_oclgrind(const std::string& tests, const std::string& checks,
-                        const std::string& environment = "") {
-  const fs::path stem = fs::temp_directory_path() / fmt::format("pelage-oclgrind-kernels-{}", ::getpid());
-  const fs::path log = stem.string() + ".log", out = stem.string() + ".out";
-  Findings found;
-  found.status = std::system(fmt::format("{} oclgrind --build-options -cl-opt-disable --check-api {} "
-                                         "--inst-counts --log '{}' '{}' --gtest_filter='{}' "
-                                         "--gtest_also_run_disabled_tests >'{}' 2>&1",
-                                         environment, checks, log.string(),
-                                         fs::read_symlink("/proc/self/exe").string(), tests, out.string())
-                                 .c_str());
-  found.log = slurped(log);
-  const std::string printed = slurped(out);
-  if (found.status != 0) found.log += printed;
-  found.kernels = matches(printed, std::regex("kernel: (\\w+)"));
-  found.ran = matches(printed, std::regex("Instructions executed for kernel '(\\w+)'"));
-  fs::remove(log);
-  fs::remove(out);
-  return found;
+/// Without optimization: oclgrind's compiler leaves calls of llvm.experimental.noalias.scope.decl where it
+/// inlines, and its interpreter does not know them.
+Findings findings(const std::string& tests, const std::string& checks, const std::string& environment = "") {
+  const UnderOclgrind run =
+      under_oclgrind(tests, "--build-options -cl-opt-disable --inst-counts " + checks, environment);
+  return {run.status == 0 ? run.log : run.log + run.printed,
+          matches(run.printed, std::regex("kernel: (\\w+)")),
+          matches(run.printed, std::regex("Instructions executed for kernel '(\\w+)'"))};
 }
-
-class Oclgrind : public ::testing::Test {
- protected:
-  void SetUp() override {
-#ifdef __SANITIZE_ADDRESS__
-    GTEST_SKIP() << "AddressSanitizer and oclgrind both want to be loaded first";
-#endif
-  }
-};
 
 cl::Device device() {
   return cl::choose_device("");
@@ -174,7 +142,7 @@ TEST(DISABLED_Tiny, Measures) {
 }
 
 TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
-  const Findings found = under_oclgrind("DISABLED_Tiny.*", "--data-races --uninitialized");
+  const Findings found = findings("DISABLED_Tiny.*", "--data-races --uninitialized");
   EXPECT_EQ(found.log, "");
   EXPECT_GE(found.kernels.size(), 30u);
   for (const std::string& kernel : found.kernels)
@@ -183,7 +151,7 @@ TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
 
 TEST_F(Oclgrind, HasNothingToSayOfSixteenLanes) {
   // Without --uninitialized: oclgrind 21.10 itself crashes on shuffles that change a vector's length.
-  const Findings found = under_oclgrind("DISABLED_Tiny.Tile", "--data-races", "PELAGE_LANES=16");
+  const Findings found = findings("DISABLED_Tiny.Tile", "--data-races", "PELAGE_LANES=16");
   EXPECT_EQ(found.log, "");
   EXPECT_TRUE(found.ran.contains("tile_shells"));
 }

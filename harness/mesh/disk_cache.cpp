@@ -1,0 +1,107 @@
+#include "harness/mesh/disk_cache.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+
+#include "harness/mesh/hash.hpp"
+
+namespace pelage {
+namespace {
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes.remove_prefix(std::size_t(written));
+  }
+  return true;
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+  return Hash().bytes(bytes.data(), bytes.size()).value();
+}
+
+}  // namespace
+
+std::filesystem::path cache_folder() {
+  if (const char* folder = std::getenv("XDG_CACHE_HOME"); folder && *folder)
+    return std::filesystem::path(folder) / "pelage";
+  if (const char* home = std::getenv("HOME"); home && *home)
+    return std::filesystem::path(home) / ".cache" / "pelage";
+  return std::filesystem::temp_directory_path() / "pelage-cache";
+}
+
+std::string Writer::sealed(std::string_view title) {
+  out_.insert(0, title);
+  value(checksum(out_));
+  return std::move(out_);
+}
+
+std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title) {
+  std::uint64_t sum = 0;
+  if (bytes.size() < title.size() + sizeof sum || !bytes.starts_with(title)) return {};
+  std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+  bytes.remove_suffix(sizeof sum);
+  if (checksum(bytes) != sum) return {};
+  return bytes.substr(title.size());
+}
+
+std::optional<std::string> read_cache_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return {};
+  std::string bytes(size, '\0');
+  std::ifstream in(file, std::ios::binary);
+  if (!in.read(bytes.data(), std::streamsize(size))) return {};
+  std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), error);
+  return bytes;
+}
+
+bool write_cache_file(const std::filesystem::path& file, std::string_view bytes) {
+  std::error_code ignored;
+  std::filesystem::create_directories(file.parent_path(), ignored);
+  std::string beside = file.string() + ".XXXXXX";
+  const int out = ::mkostemp(beside.data(), O_CLOEXEC);
+  if (out < 0) return false;
+  const bool written = write_all(out, bytes) && ::fchmod(out, 0644) == 0 && ::fsync(out) == 0;
+  if (::close(out) != 0 || !written || ::rename(beside.c_str(), file.c_str()) != 0) {
+    ::unlink(beside.c_str());
+    return false;
+  }
+  return true;
+}
+
+void trim_cache(const std::filesystem::path& folder, std::uintmax_t most) {
+  struct Kept {
+    std::filesystem::file_time_type used;
+    std::uintmax_t size;
+    std::filesystem::path path;
+  };
+  std::vector<Kept> files;
+  std::uintmax_t total = 0;
+  std::error_code error;
+  // Other processes write and remove here, too: what is gone meanwhile is left out.
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::error_code gone;
+    const Kept file{entry->last_write_time(gone), entry->file_size(gone), entry->path()};
+    if (gone) continue;
+    total += file.size;
+    files.push_back(file);
+  }
+  std::sort(files.begin(), files.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+  for (const Kept& file : files) {
+    if (total <= most) break;
+    if (std::filesystem::remove(file.path, error)) total -= file.size;
+  }
+}
+
+}  // namespace pelage

@@ -1,0 +1,55 @@
+// Tests of this very binary, run again under oclgrind.
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace pelage {
+
+struct UnderOclgrind {
+  int status = 0;       ///< of the tests
+  std::string log;      ///< what oclgrind has to say; it exits 0 whatever that is
+  std::string printed;  ///< by the tests and, with --inst-counts, by oclgrind
+};
+
+/// The tests of this binary that match `filter`, disabled ones too. checks: oclgrind's options beside
+/// --check-api; environment: "NAME=value" before the command, or nothing.
+inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string& checks,
+                                    const std::string& environment = "") {
+  namespace fs = std::filesystem;
+  const fs::path stem = fs::temp_directory_path() / fmt::format("pelage-oclgrind-{}", ::getpid());
+  const fs::path log = stem.string() + ".log", out = stem.string() + ".out";
+  UnderOclgrind found;
+  found.status = std::system(fmt::format("{} oclgrind --check-api {} --log '{}' '{}' --gtest_filter='{}' "
+                                         "--gtest_also_run_disabled_tests >'{}' 2>&1",
+                                         environment, checks, log.string(),
+                                         fs::read_symlink("/proc/self/exe").string(), filter, out.string())
+                                 .c_str());
+  const auto take = [](const fs::path& file) {
+    std::ifstream stream(file);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    stream.close();
+    fs::remove(file);
+    return text;
+  };
+  found.log = take(log);
+  found.printed = take(out);
+  return found;
+}
+
+class Oclgrind : public ::testing::Test {
+ protected:
+  void SetUp() override {
+#ifdef __SANITIZE_ADDRESS__
+    GTEST_SKIP() << "AddressSanitizer and oclgrind both want to be loaded first";
+#endif
+  }
+};
+
+}  // namespace pelage
