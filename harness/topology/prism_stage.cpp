@@ -22,7 +22,8 @@ std::vector<const char*> kernels_of(Solver solver, bool whole) {
   switch (solver) {
     case Solver::explicit_euler:
     case Solver::semi_implicit_euler:
-      return {whole ? "prism_euler_whole" : "prism_euler"};
+      if (whole) return {"prism_euler", "prism_euler_whole"};
+      return {"prism_euler"};
     case Solver::rk4:
       return {whole ? "prism_rk4_whole" : "prism_rk4"};
     case Solver::backward_euler:
@@ -110,7 +111,9 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
-  if (whole_) {
+  // A single Euler step is one launch either way, and then two cores fetch what the host has written sooner.
+  const bool one_launch = solver_ != Solver::backward_euler && solver_ != Solver::rk4 && params.substeps == 1;
+  if (whole_ && !one_launch) {
     whole(queue, params, buffers);
     launches_ = nullptr;
     return;
@@ -128,7 +131,7 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
 
 void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
   if (solver_ == Solver::backward_euler) return whole_gradients(queue, params, b);
-  cl::Kernel& kernel = kernels_[0];
+  cl::Kernel& kernel = kernels_.back();
   if (solver_ == Solver::rk4) {
     kernel.with(params, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset,
                 other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_,

@@ -79,6 +79,7 @@ TEST(TopologyDevice, OneWorkItemForTheWholeModelDoesWhatManyDo) {
       };
       const Offsets many = moved(Whole::never, 60), one = moved(Whole::always, 60);
       EXPECT_TRUE(same_bits(one, moved(Whole::always, 7))) << name(kind) << ' ' << name(solver);
+      EXPECT_TRUE(same_bits(one, moved(Whole::always, 59))) << "and a single step";
       if (kind == Kind::prisms && solver == Solver::backward_euler) {
         EXPECT_LT(largest_difference(many, one), 1e-4 * double(fur_length));
       } else {
