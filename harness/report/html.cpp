@@ -156,6 +156,12 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
         escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
         report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
+  for (std::size_t i = 0; i < report.rivals.size(); ++i)
+    body += fmt::format(
+        "<h2>Against the paper's own pipeline</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
+        "href=\"tables/{}.csv\">CSV</a></p>\n{}",
+        escaped(report.rivals[i].experiment), escaped(report.rivals[i].device), report.rival_stems[i],
+        html_of(report.rivals[i]));
   body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 #include "harness/report/csv.hpp"
@@ -131,9 +132,12 @@ CellText cell_text(const Cell& cell) {
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note) {
   std::map<std::tuple<std::string, std::string, std::string, std::string, std::string>, std::vector<Cell>>
       groups;
+  std::set<std::string> duels;  // what they say of themselves stands in the rivals' table
   for (const Cell& c : cells)
-    if (c.overrides.empty() && c.axes.contains("model") && c.axes.contains("layers") &&
-        c.axes.contains("size") && !has_topology_axis(c))
+    if (c.metrics.contains("opengl_ratio")) duels.insert(c.experiment);
+  for (const Cell& c : cells)
+    if (c.overrides.empty() && !duels.contains(c.experiment) && c.axes.contains("model") &&
+        c.axes.contains("layers") && c.axes.contains("size") && !has_topology_axis(c))
       groups[{c.experiment, c.device, c.host, c.reading(), c.variant}].push_back(c);
   std::vector<PaperTable> tables;
   tables.reserve(groups.size());

@@ -74,6 +74,9 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
   for (std::size_t i = 0; i < report.topologies.size(); ++i)
     draw(report, folder, "topologies", report.topology_stems[i] + "-cost", csv_of(report.topologies[i]),
          "What a topology costs: " + report.topology_stems[i]);
+  for (std::size_t i = 0; i < report.rivals.size(); ++i)
+    draw(report, folder, "rivals", report.rival_stems[i], csv_of(report.rivals[i]),
+         "Times as fast as the paper's pipeline: " + report.rivals[i].experiment);
   for (const SpringsChart& chart : springs_charts(rows))
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
@@ -85,6 +88,16 @@ void write_topologies(Report& report, const fs::path& folder, bool several_devic
     write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
     write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
     report.topology_stems.push_back(stem);
+  }
+}
+
+void write_rivals(Report& report, const fs::path& folder, bool several_devices) {
+  for (const RivalTable& table : report.rivals) {
+    const std::string stem =
+        file_name_of(table.experiment + "-ratio" +
+                     (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
+    report.rival_stems.push_back(stem);
   }
 }
 
@@ -148,11 +161,13 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   report.cells = cells_of(rows);
   report.tables = paper_tables(report.cells, note);
   report.topologies = topology_tables(rows);
+  report.rivals = rival_tables(rows);
   add_titles(report.tables);
   std::set<std::pair<std::string, std::string>> devices;
   for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
   write_tables(report, folder, devices.size() > 1);
   write_topologies(report, folder, devices.size() > 1);
+  write_rivals(report, folder, devices.size() > 1);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
   if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
