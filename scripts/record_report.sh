@@ -1,15 +1,24 @@
 #!/usr/bin/env bash
-# Keeps what a machine found of the mass-spring topologies: rows under results/, and their report's tables, charts and
-# claims under docs/topology/. Usage: scripts/record_topologies.sh RESULTS..., folders that these commands wrote, about 40
-# minutes on two cores; an earlier recording is replaced:
+# Keeps what a machine found: rows under results/, and their report's tables, charts and claims in a folder of docs/.
+# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote; an earlier recording is replaced.
+#
+# docs/topology, about 40 minutes on two cores:
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 #   pelage run banisch2006-{update-time,work-precision,longest-step,energy,mesh-size} --anonymous -o RESULTS
+# docs/rivals, about 25 minutes:
+#   pelage run rivals --anonymous --preset quick -o RESULTS
+#   pelage run rivals --anonymous --preset tori -o TORI
+#   pelage run rival-options --anonymous --preset quick -o RESULTS      (ends with 1: some of the ways draw another picture)
+# docs/scaling, about 10 minutes, each of the presets quick, beyond and millions into a folder of its own:
+#   pelage run scaling --anonymous --preset PRESET -o RESULTS
 set -euo pipefail
 cd "$(dirname "$0")/.."
-(($# > 0)) || { sed -n 's/^# //p' "$0" | head -3 >&2; exit 2; }
+(($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }
 pelage=${PELAGE:-build/release/pelage}
+docs=$1
+shift
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -29,10 +38,10 @@ for folder in "$@"; do
     cp "$rows" "$place/$name$([[ $part = 1 ]] || echo "-$part").jsonl"
   done
 done
-rm -rf docs/topology
-mkdir -p docs/topology
-cp "$work"/report/plots/*.{svg,pdf} docs/topology/
-cp "$work"/report/tables/*.csv docs/topology/
-rm -f docs/topology/all-phases.csv # in the rows, and made anew by any report
-sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >docs/topology/provenance.txt
-cp "$work/report.txt" docs/topology/report.txt
+rm -rf "$docs"
+mkdir -p "$docs"
+cp "$work"/report/plots/*.{svg,pdf} "$docs/"
+find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
+rm -f "$docs/all-phases.csv" # in the rows, and made anew by any report
+sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
+cp "$work/report.txt" "$docs/report.txt"
