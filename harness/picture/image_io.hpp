@@ -1,4 +1,4 @@
-// Pictures on disk, through OpenImageIO.
+// Pictures on disk: PNG is written by libpng, everything else by OpenImageIO, loaded when it is needed.
 #pragma once
 #include <filesystem>
 

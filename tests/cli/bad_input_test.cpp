@@ -206,6 +206,27 @@ TEST(BadInput, Images) {
   }
 }
 
+TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
+  const Folder folder;
+  write_picture(folder.path() / "coat.png", Picture{1, 1, {{1, 1, 1, 1}}});
+  std::filesystem::copy_file(PELAGE_BINARY, folder.path() / "alone");
+  const std::string small = "render --pipeline reference --model torus --size 16x16 --set fur.layers=2 ";
+  const auto alone = [&](const std::string& more) { return pelage(folder, small + more, "", "./alone"); };
+  EXPECT_EQ(alone("-o a.png").code, 0);
+  for (const char* needy : {"-o a.exr", "-o a.tif", "-o a.png --set coat.image=coat.png"}) {
+    const Outcome outcome = alone(needy);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("pelage: pelage_image_module.so is missing"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  folder.write("pelage_image_module.so", "not a library");
+  const Outcome broken = alone("-o a.exr");
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_NE(broken.err.find("pelage: the module of image files cannot be loaded: "), std::string::npos)
+      << broken.err;
+}
+
 TEST(BadInput, Outputs) {
   const Folder folder;
   std::filesystem::create_directory(folder.path() / "folder.png");

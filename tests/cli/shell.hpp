@@ -45,11 +45,11 @@ class Folder {
 
 /// `arguments` in the shell's syntax; `environment` as assignments before the command. Runs inside the
 /// folder.
-inline Outcome pelage(const Folder& folder, const std::string& arguments,
-                      const std::string& environment = "") {
+inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
+                      const std::string& binary = PELAGE_BINARY) {
   // Leaks of the OpenCL libraries are not ours to report; errors of memory still are.
   const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
-                              environment + " timeout 300 '" PELAGE_BINARY "' >stdout 2>stderr " + arguments;
+                              environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), folder.read("stdout"),
           folder.read("stderr")};

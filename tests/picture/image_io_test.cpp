@@ -2,8 +2,10 @@
 #include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -69,6 +71,19 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
   EXPECT_EQ(again.at(1, 1), glm::vec4(1, 0, 128.0f / 255.0f, 1));
 }
 
+// What viewers go by: 8-bit RGB, not interlaced, sRGB with the gamma and primaries of it for those that do
+// not know it.
+TEST_F(ImageIo, PngSaysThatItIsSrgb) {
+  using namespace std::string_literals;
+  write_picture(folder / "a.png", gradient(3, 2));
+  std::ifstream stream(folder / "a.png", std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+  EXPECT_EQ(bytes.substr(12, 17), "IHDR\0\0\0\3\0\0\0\2\x08\2\0\0\0"s);
+  EXPECT_NE(bytes.find("gAMA\0\0\xb1\x8f"s), std::string::npos);
+  EXPECT_NE(bytes.find("sRGB\3"s), std::string::npos);
+  EXPECT_NE(bytes.find("cHRM\0\0\x7a\x26\0\0\x80\x84"s), std::string::npos);
+}
+
 TEST_F(ImageIo, TopRowIsFirst) {
   Picture picture{2, 2, {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}}};
   for (const char* name : {"a.png", "a.exr", "a.tif"}) {
@@ -95,6 +110,25 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
   EXPECT_THROW(write_picture(folder / "a.png", Picture{}), InputError);
   EXPECT_THROW(write_picture(folder / "a.png", Picture{2, 2, {}}), InputError);
   EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(ImageIo, AFullDiskIsNamed) {
+  // Beyond the limit a write fails as on a full disk, once the signal is ignored.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{64, before.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::string said;
+  try {
+    write_picture(folder / "a.png", gradient(64, 64));
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(said, (folder / "a.png").string() + ": cannot be written: File too large");
+  EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {

@@ -1,0 +1,103 @@
+// The module of image files, a shared library of its own: OpenImageIO brings 250 libraries along, a third of
+// a second of every start of pelage if they were linked to it.
+#include "harness/picture/image_module.hpp"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include "harness/error.hpp"
+#include "harness/picture/image_io.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with room
+
+/// The first line of OpenImageIO's own words; it repeats itself for every scanline.
+std::string one_line(const std::string& text) {
+  const std::string line = text.substr(0, text.find('\n'));
+  return line.empty() ? "no reason given" : line;
+}
+
+/// PNG and JPEG end with a marker. OpenImageIO returns a truncated JPEG as a picture with grey in it.
+void require_end(const fs::path& file, const std::string& kind) {
+  using namespace std::string_literals;
+  if (kind != "png" && kind != "jpeg") return;
+  const std::string marker = kind == "png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = stream.tellg();
+  // Some writers pad behind the marker.
+  std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
+  stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
+  stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
+  if (!stream || tail.find(marker) == std::string::npos) {
+    throw InputError(
+        fmt::format("{}: damaged picture: the file ends before the picture does", file.string()));
+  }
+}
+
+Picture read(const fs::path& file, const std::string& kind) {
+  const auto input = OIIO::ImageInput::create(kind);
+  OIIO::ImageSpec spec;
+  if (!input || !input->open(file.string(), spec)) {
+    const std::string reason = input ? input->geterror() : OIIO::geterror();
+    throw InputError(fmt::format("{}: not a readable picture: {}", file.string(), one_line(reason)));
+  }
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > most_pixels_per_side ||
+      spec.height > most_pixels_per_side || spec.nchannels < 1 || spec.nchannels > 32) {
+    throw InputError(
+        fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
+                    file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
+  }
+  // A few bytes of header must not claim gigabytes: deflate, the densest of these codecs, reaches 1 to 1032.
+  std::error_code error;
+  if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
+    throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
+                                 file.string(), spec.width, spec.height));
+  }
+  require_end(file, kind);
+  const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  const int channels = std::min(spec.nchannels, 4);
+  std::vector<float> values(pixels * static_cast<std::size_t>(channels));
+  const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
+  // A truncated TIFF reads "well" and leaves only a message.
+  const std::string complaint = input->geterror();
+  if (!read || !complaint.empty()) {
+    throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));
+  }
+
+  Picture picture{spec.width, spec.height, std::vector<glm::vec4>(pixels)};
+  const bool grey = channels < 3;
+  const bool alpha = channels == 2 || channels == 4;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const float* value = &values[i * static_cast<std::size_t>(channels)];
+    picture.pixel[i] =
+        glm::vec4(value[0], value[grey ? 0 : 1], value[grey ? 0 : 2], alpha ? value[channels - 1] : 1.0f);
+  }
+  return picture;
+}
+
+void write_float(const fs::path& file, const std::string& name, const Picture& picture) {
+  OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT);
+  spec.attribute("compression", "zip");
+  const auto output = OIIO::ImageOutput::create(file.string());
+  if (!output) throw InputError(fmt::format("{}: {}", name, one_line(OIIO::geterror())));
+  if (!output->open(file.string(), spec) || !output->write_image(spec.format, picture.pixel.data()) ||
+      !output->close()) {
+    throw InputError(fmt::format("{}: cannot be written: {}", name, one_line(output->geterror())));
+  }
+}
+
+}  // namespace
+}  // namespace pelage
+
+extern "C" {
+extern const pelage::ImageModule pelage_image_module;
+const pelage::ImageModule pelage_image_module{pelage::read, pelage::write_float};
+}
