@@ -41,6 +41,9 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const Picture& pic
   png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
+  // Fur is noise: what libpng does by default takes three times as long, for files a tenth larger.
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_AVG);
+  png_set_compression_level(png, 1);
   png_write_info(png, info);
   for (std::size_t y = 0; y < height; ++y) png_write_row(png, rgb + y * width * 3);
   png_write_end(png, info);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
@@ -26,16 +27,18 @@ glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
   if (!mesh || mesh->triangle.empty()) throw InputError("mesh: no triangles; give a mesh with at least one");
   auto input = std::make_shared<FrameInput>();
+  // The largest part even when it only comes from the disk, and it needs nothing of the mesh.
+  auto fur = std::async(std::launch::async, [&] { return kept_fur_texture(scene.fur); });
   const Skin skin = weld(*mesh);
   input->scene = scene;
   input->strands = make_strands(skin, scene.fur, scene.dynamics.wind);
   input->tangents = surface_tangents(*mesh, skin);
   input->curl = curl_frame(*mesh, skin, input->tangents, scene.curl);
-  input->fur = kept_fur_texture(scene.fur);
   input->coat = kept_coat(*mesh, scene.coat);
   input->droplets = make_droplets(mesh, skin, scene.wetness);
   input->mask_surface = kept_surface_map(*mesh, scene.wetness.size);
   input->fur_scale = fur_scale(*mesh, scene.fur);
+  input->fur = fur.get();
 
   if (has_springs(scene.dynamics)) input->stick_normal.assign(skin.normal.begin(), skin.normal.end());
   auto extent = has_springs(scene.dynamics) ? rest_tips(skin, input->stick_normal, scene.fur.length)

@@ -29,19 +29,24 @@ int tile_side(const std::map<std::string, int>& tuning, const std::string& axis,
 
 // Coverage and shade of (x, y) and (x, y + 1) in one word; each row ends with its first texel again.
 std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
-  std::vector<std::int32_t> words;
+  std::size_t texels = 0;
+  for (std::size_t l = 0; l < fur.level.size(); ++l)
+    texels += fur.level[l].size() + fur.level[l].size() / std::size_t(fur.size >> l);
+  std::vector<std::int32_t> words(texels);
+  auto next = words.begin();
+  const auto word = [](const auto& here, const auto& below) {
+    return static_cast<std::int32_t>(std::uint32_t(here[0]) | std::uint32_t(below[0]) << 8 |
+                                     std::uint32_t(here[1]) << 16 | std::uint32_t(below[1]) << 24);
+  };
   for (std::size_t l = 0; l < fur.level.size(); ++l) {
     const auto side = std::size_t(fur.size >> l);
     for (std::size_t n = 0; n < std::size_t(fur.layers); ++n) {
       const auto* slice = &fur.level[l][n * side * side];
-      for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x <= side; ++x) {
-          const auto& here = slice[y * side + x % side];
-          const auto& below = slice[(y + 1) % side * side + x % side];
-          words.push_back(static_cast<std::int32_t>(std::uint32_t(here[0]) | std::uint32_t(below[0]) << 8 |
-                                                    std::uint32_t(here[1]) << 16 |
-                                                    std::uint32_t(below[1]) << 24));
-        }
+      for (std::size_t y = 0; y < side; ++y) {
+        const auto *here = slice + y * side, *below = slice + (y + 1) % side * side;
+        for (std::size_t x = 0; x < side; ++x) *next++ = word(here[x], below[x]);
+        *next++ = word(here[0], below[0]);
+      }
     }
   }
   return words;
@@ -51,6 +56,7 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat) {
   const auto side = std::size_t(coat.size);
   std::vector<std::int32_t> words;
+  words.reserve(side * (side + 1));
   for (std::size_t y = 0; y < side; ++y)
     for (std::size_t x = 0; x <= side; ++x) {
       const auto& t = coat.texel[y * side + x % side];

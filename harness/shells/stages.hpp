@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,19 +54,19 @@ class SimulateStage {
   cl::Buffer<float> gusts_, constants_, state_;
 };
 
-/// Algorithm 1 over the mask.
+/// Algorithm 1 over the mask. Without droplets the mask is nothing but zeros, and no kernel is built for it.
 class WetStage {
  public:
   WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning = {});
   cl::Event run(const cl::Queue& queue);  ///< makes the mask; the constructor has done so already
   const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
-  double build_ms() const { return program_.build_ms(); }
-  double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm
+  double build_ms() const { return program_ ? program_->build_ms() : 0; }
+  double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm; 0 without droplets
 
  private:
   int size_, bucket_;  // texels a side, of the mask and of a bucket
-  cl::Program program_;
-  cl::Kernel kernel_;
+  std::optional<cl::Program> program_;
+  std::optional<cl::Kernel> kernel_;
   cl::Buffer<float> droplets_, surface_, mask_;
   cl::Buffer<std::int32_t> row_, drop_;
   double mask_ms_ = 0;

@@ -57,14 +57,13 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
 WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning)
     : size_(input.scene.wetness.size),
       bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
-      program_(queue.device(), "wet/wet.cl", build_options(queue.device(), 1, {})),
-      kernel_(program_, "wetness_mask"),
       droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
-      mask_(queue.device(), 4 * std::size_t(size_) * std::size_t(size_)) {
+      mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
   const Buckets buckets = in_buckets(input.droplets, size_, bucket_);
   row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
   drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
+  if (input.droplets.empty()) return;
   // Twice: the first launch also compiles on some platforms.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
@@ -75,8 +74,12 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::m
 }
 
 cl::Event WetStage::run(const cl::Queue& queue) {
-  kernel_.with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);
-  return kernel_.enqueue(queue, {std::size_t(size_), std::size_t(size_)});
+  if (!kernel_) {
+    program_.emplace(queue.device(), "wet/wet.cl", build_options(queue.device(), 1, {}));
+    kernel_.emplace(*program_, "wetness_mask");
+  }
+  kernel_->with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);
+  return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }
 
 }  // namespace pelage::shells
