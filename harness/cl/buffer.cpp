@@ -36,8 +36,7 @@ Memory::Memory(const Device& device, std::size_t bytes) : bytes_(bytes) {
   if (bytes > device.info().max_allocation)
     throw DeviceError(
         fmt::format("clCreateBuffer: {} MB asked for, but {} allocates at most {} MB at once: try a smaller "
-                    "picture, fewer "
-                    "layers or another --device",
+                    "picture or mesh, fewer layers or another --device",
                     bytes >> 20, device.info().name, device.info().max_allocation >> 20));
   cl_int code = CL_SUCCESS;
   memory_ = clCreateBuffer(device.context(), CL_MEM_READ_WRITE, bytes > 0 ? bytes : 1, nullptr, &code);

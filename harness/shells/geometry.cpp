@@ -1,5 +1,7 @@
 #include "harness/shells/geometry.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -10,7 +12,11 @@
 namespace pelage::shells {
 namespace {
 
+// Kernels address rows of up to four 4-byte values by an int.
 int padded(std::size_t count) {
+  if (count > (std::size_t(1) << 29) - 16)
+    throw InputError(
+        fmt::format("{} vertices or triangles to draw: at most 2^29; reduce the mesh (mesh.faces)", count));
   return static_cast<int>((count + 15) / 16 * 16);
 }
 

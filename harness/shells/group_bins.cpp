@@ -86,14 +86,21 @@ GroupBins::GroupBins(const cl::Device& device, const RasterParams& p, const std:
       emit_(program_, "group_emit"),
       starts_(program_, "group_starts"),
       sort_(device),
-      offset_(device, std::size_t(p.groups) * std::size_t(p.triangles)) {}
+      offset_(device, std::size_t(p.groups) * std::size_t(p.triangles)) {
+  if (offset_.size() > std::size_t(std::numeric_limits<std::int32_t>::max()))
+    throw DeviceError(fmt::format(
+        "{} groups of layers of {} triangles: the kernels count below 2^31; more layers to a group "
+        "(axis GROUP)",
+        p.groups, p.triangles));
+}
 
 void GroupBins::make(const cl::Queue& queue, const RasterParams& p, const cl::Buffer<std::int32_t>& corner,
                      const cl::Buffer<std::int16_t>& box, const cl::Buffer<std::int32_t>& start,
                      cl::Buffer<std::int32_t>& list, PhaseEvents* events) {
+  const std::size_t items = std::size_t(p.groups) * std::size_t(p.triangles);
   count_.with(p, corner, box, offset_);
-  keep(events, count_.enqueue(queue, offset_.size()));
-  const std::int32_t total = sort_.scan(queue, offset_, offset_.size(), events, true);
+  keep(events, count_.enqueue(queue, items));
+  const std::int32_t total = sort_.scan(queue, offset_, items, events, true);
   // Beyond, an int no longer says where a run of the sort ends.
   if (total > std::numeric_limits<std::int32_t>::max() - 4096)
     throw DeviceError(
@@ -103,7 +110,7 @@ void GroupBins::make(const cl::Queue& queue, const RasterParams& p, const cl::Bu
   grow(queue, key_, count + 1);
   grow(queue, list, count + 1);
   emit_.with(p, corner, box, offset_, key_, list);
-  keep(events, emit_.enqueue(queue, offset_.size()));
+  keep(events, emit_.enqueue(queue, items));
   const auto lists = std::uint32_t(start.size() - 1);
   sort_.sort(queue, key_, list, count, int(std::bit_width(lists - 1)), events);
   starts_.with(p, total, key_, start);

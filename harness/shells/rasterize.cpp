@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -83,7 +84,6 @@ std::map<std::string, int> tuning_of(const Mapping& mapping, std::map<std::strin
 
 RasterParams tiled(RasterParams p, const std::map<std::string, int>& tuning, const cl::Device& device) {
   p.group = std::clamp(tuned(tuning, "GROUP", default_group(p.layers)), 1, p.layers);
-  p.groups = 1 + (p.layers + p.group - 1) / p.group;
   const int tile_w = tile_side(tuning, "TILE_W", TILE_W), tile_h = tile_side(tuning, "TILE_H", TILE_H);
   p.tiles_x = (p.width + tile_w - 1) / tile_w;
   p.tiles_y = (p.height + tile_h - 1) / tile_h;
@@ -113,6 +113,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       params_(tiled(raster_params(input, g), tuning_, queue.device())),
       options_(build_options(queue.device(), mapping_.lanes, tuning_)),
       one_lane_(build_options(queue.device(), 1, tuning_)),
+      layers_at_once_(layers_at_once(params_, options.layers_at_once, queue.device())),
       transform_(queue.device(), "rasterize/transform.cl", options_),
       bin_(queue.device(), "rasterize/bin.cl", options_),
       raster_(queue.device(), mapping_.file, options_),
@@ -135,7 +136,9 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       coat_(upload(queue, packed_coat(input.coat))),
       mask_(&wet.mask()) {
   const cl::Device& device = queue.device();
-  const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(params_.layers + 1);
+  params_.group = std::min(params_.group, layers_at_once_);
+  set_pass(0);
+  const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(layers_at_once_ + 1);
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
   const std::size_t lists = tiles * LISTS;
   const std::size_t pixels = std::size_t(params_.width) * std::size_t(params_.height);
@@ -203,6 +206,9 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   // The lists are as long as they need to be: no triangle is ever dropped.
   std::array<std::int32_t, 1> total{};
   list_start_.read(queue, total, length_.size());
+  if (total[0] == std::numeric_limits<std::int32_t>::max())
+    throw DeviceError(
+        "the bins would hold 2^31 triangles or more: draw a smaller picture or mesh, or stand back from it");
   if (std::size_t(total[0]) > list_.size())
     for (auto* lists : {&list_, &shown_})
       *lists = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
@@ -236,20 +242,22 @@ void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>* strand_
     tips_.with(params_, slice_, strand_, weight_, *strand_state, std::int32_t(strand_stride), tip_);
     keep("transform", tips_.enqueue(queue, blocks));
   }
-  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_, nearest_);
-  keep("transform", layers_.enqueue(queue, blocks));
   records_.with(params_, vertex_, tip_, uv_, record_);
   keep("transform", records_.enqueue(queue, std::size_t(params_.vertices)));
-  bin(queue, events);
-  keep("raster", raster(queue, raster_));
+  for (int pass = passes() - 1; pass >= 0; --pass) {
+    begin_pass(queue, pass, events);
+    keep("raster", raster(queue, raster_));
+  }
 }
 
 std::uint64_t RasterStage::count(const cl::Queue& queue) {
   const cl::Program counting(queue.device(), mapping_.file, options_ + " -D COUNT_FRAGMENTS");
   // Coverage is a matter of geometry: triangles that their clumps hide count too.
   const int every_layer = std::exchange(params_.every_layer, 1);
-  bin(queue, nullptr);
-  const cl::Event event = raster(queue, counting);
+  for (int pass = passes() - 1; pass >= 0; --pass) {
+    begin_pass(queue, pass, nullptr);
+    const cl::Event event = raster(queue, counting);
+  }
   queue.finish();
   params_.every_layer = every_layer;
   const std::vector<std::uint32_t> parts = covered_.read(queue);

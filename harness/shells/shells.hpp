@@ -21,6 +21,7 @@ std::string default_mapping(const cl::DeviceInfo& device);
 struct ShellOptions {
   std::string mapping;                ///< one of mappings(); "": default_mapping() of the device
   std::map<std::string, int> tuning;  ///< -D axes of kernels/*/tuning.toml, e.g. {"TILE_W", 16}
+  int layers_at_once = 0;             ///< drawn in one pass; 0: as many as the memory for passes holds
 };
 
 /// Fragments of a frame's layers, the base apart.

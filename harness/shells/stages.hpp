@@ -32,6 +32,10 @@ struct Mapping {
 /// The mapping of that name; "": default_mapping() of the device. Throws InputError naming those there are.
 Mapping mapping_of(const std::string& name, const cl::Device& device);
 
+/// Layers that a pass draws: all where their screen positions fit, else as many whole groups as do, or part
+/// of one; `wanted` instead where it is above 0.
+int layers_at_once(const RasterParams& params, int wanted, const cl::Device& device);
+
 class GroupBins;
 
 /// S Eq. 2 and 3 for all strands.
@@ -92,6 +96,10 @@ class RasterStage {
 
  private:
   void reach(const cl::Queue& queue);
+  // Layers that need more memory than they may at once are drawn in passes, number 0 the innermost and last.
+  int passes() const;
+  void set_pass(int number);
+  void begin_pass(const cl::Queue& queue, int number, PhaseEvents* events);  // all before raster()
   void bin(const cl::Queue& queue, PhaseEvents* events);
   cl::Event raster(const cl::Queue& queue, const cl::Program& program);
 
@@ -99,6 +107,7 @@ class RasterStage {
   std::map<std::string, int> tuning_;
   RasterParams params_;
   std::string options_, one_lane_;  // -D of kernels on all lanes, and on one
+  int layers_at_once_;
   cl::Program transform_, bin_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
   std::unique_ptr<GroupBins> group_bins_;  // of the mapping "group", in place of bin_

@@ -19,13 +19,16 @@ Tally RasterStage::tally(const cl::Queue& queue, int every) {
   cl::Kernel kernel(program, "pixel_shells");
   // Coverage counts in every layer.
   const int every_layer = std::exchange(params_.every_layer, 1);
-  // The lists of the mapping "pixel".
+  // The lists of the mapping "pixel", and a picture of its own for what passes leave to the next.
   auto group_bins = std::exchange(group_bins_, nullptr);
-  bin(queue, nullptr);
+  const cl::Buffer<glm::vec4> image(queue.device(), pixels);
+  for (int pass = passes() - 1; pass >= 0; --pass) {
+    begin_pass(queue, pass, nullptr);
+    kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
+                curl_, fur_, coat_, *mask_, image, parts);
+    const cl::Event event = kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
+  }
   group_bins_ = std::move(group_bins);
-  kernel.with(params_, table_, corner_, screen_, vertex_, tip_, dry_, list_start_, list_, record_, tangent_,
-              curl_, fur_, coat_, *mask_, image_, parts);
-  const cl::Event event = kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   params_.every_layer = every_layer;
   const std::vector<std::uint32_t> counted = parts.read(queue);
   Tally sum;

@@ -48,14 +48,14 @@ __kernel void bin_sum(RasterParams s, __global int *count, __global int *length)
   length[l * tiles + tile] = sum;
 }
 
-// One work-item: where each list begins; the last entry is the total. No tile is drawn yet.
+// One work-item: where each list begins; the last entry is the total, 2^31 - 1 where it would be more. No tile is drawn yet.
 __kernel void bin_start(RasterParams s, TABLE(int) length, __global int *list_start, __global int *next_tile) {
   if (get_global_id(0) != 0) return;
   *next_tile = 0;
   int lists = LISTS * s.tiles_x * s.tiles_y, sum = 0;
   for (int i = 0; i < lists; ++i) {
     list_start[i] = sum;
-    sum += length[i];
+    sum = add_sat(sum, length[i]);
   }
   list_start[lists] = sum;
 }

@@ -85,9 +85,13 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
   p.from_centre_x = (float)(first_x + p.x) + (0.5f - 0.5f * (float)s.width);
   p.from_centre_y = (float)(first_y + p.y) + (0.5f - 0.5f * (float)s.height);
   p.depth = 0.0f;
+  bool inside = p.x < width && p.y < height, finished = false, resumed = s.end_layer < s.layers;
+  size_t at = (size_t)(first_y + p.y) * s.width + first_x + p.x;
   p.front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
+#ifndef COUNT_FRAGMENTS
+  if (resumed && inside) p.front = image[at];
+#endif
   p.fragments = 0;
-  bool inside = p.x < width && p.y < height, finished = false;
   if (item == 0) {
     clear(&work, 0);
     work.least = INT_MAX;
@@ -96,10 +100,10 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
   float least_iw = 0.0f;
   int turn = 0;
 
-  // n = -1, the base, forwards; then the layers from the outermost one, backwards.
-  for (int step = -1; step < s.layers; ++step) {
-    int n = step < 0 ? -1 : s.layers - 1 - step;
-    int g = n < 0 ? 0 : 1 + n / s.group;
+  // n = -1, the base, forwards; then the pass's layers from the outermost one, backwards.
+  for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
+    int n = step < 0 ? -1 : s.end_layer - 1 - step;
+    int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.group;
     int first = list_start[g * tiles + tile], last = list_start[g * tiles + tile + 1];
     pass.n = n;
     pass.layer = layer_at(&s, table, n);
@@ -148,10 +152,13 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
 #endif
   }
   if (!inside) return;
-  size_t at = (size_t)(first_y + p.y) * s.width + first_x + p.x;
 #ifdef COUNT_FRAGMENTS
-  covered[at] = p.fragments;
+  covered[at] = p.fragments + (resumed ? covered[at] : 0);
 #else
+  if (s.first_layer > 0) {
+    image[at] = p.front;
+    return;
+  }
   float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
   if (p.depth > 0.0f) {
     Layer base = layer_at(&s, table, -1);

@@ -20,7 +20,8 @@ typedef struct {
   // Tiles and the triangles in them.
   int tiles_x, tiles_y;
   int group;                                  // layers of which a tile decides together what it leaves out
-  int groups;                                 // one for the base, then ceil(N / group)
+  int groups;                                 // one for the base, then ceil((end_layer - first_layer) / group)
+  int first_layer, end_layer;                 // what a pass draws: all of 0 .. N - 1, or a part where all at once need too much memory
   int chunk;                                  // triangles counted together
   int chunks;
   int every_layer;                            // 1: draw triangles in layers that their clumps do not reach, too

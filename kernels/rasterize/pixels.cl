@@ -74,9 +74,11 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
     for (int c = 0; c < 3; ++c) nearest_vertices[c] = vertices[c];
   }
 
-  float4 front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
+  size_t at = (size_t)j * s.width + i;
+  bool resumed = s.end_layer < s.layers;
+  float4 front = resumed ? image[at] : (float4)(0.0f, 0.0f, 0.0f, 1.0f);
   uint fragments = 0, shaded = 0, blended = 0;
-  for (int n = s.layers - 1; n >= 0; --n) {
+  for (int n = s.end_layer - 1; n >= s.first_layer; --n) {
     Layer l = layer_at(&s, table, n);
     for (int k = list_start[tiles + tile + 1] - 1; k >= list_start[tiles + tile]; --k) {
       Hit h = triangle_hit(&s, m, l, n, list[k], origin_x, origin_y, vertices);
@@ -94,13 +96,18 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
     }
   }
-  size_t at = (size_t)j * s.width + i;
 #ifdef TALLY
-  covered[3 * at] = fragments;
-  covered[3 * at + 1] = shaded;
-  covered[3 * at + 2] = blended;
-  return;
+  covered[3 * at] += fragments;
+  covered[3 * at + 1] += shaded;
+  covered[3 * at + 2] += blended;
+#else
+  covered[at] = fragments + (resumed ? covered[at] : 0);
 #endif
+  if (s.first_layer > 0) {
+    image[at] = front;
+    return;
+  }
+#ifndef TALLY
   float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
   if (nearest.covered) {
     real3 c = skin_colour(&s, textures, base, surface_at(&s, from, nearest, nearest_vertices, x, y));
@@ -108,5 +115,5 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   }
   image[at] = (float4)(front.x + front.w * behind.x, front.y + front.w * behind.y, front.z + front.w * behind.z,
                        1.0f - front.w * (1.0f - behind.w));
-  covered[at] = fragments;
+#endif
 }

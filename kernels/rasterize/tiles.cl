@@ -120,7 +120,29 @@ static bool anything_seen_through(const Tile *tile) {
   return seen;
 }
 
-// The base, then the layers from the outermost one. Returns the fragments of all layers, when counting.
+// What the pixels gathered in the passes before, between passes: colour and transmittance in the image.
+static void resume(const RasterParams *s, const Place *place, Tile *tile, __global const float4 *image) {
+  for (int j = 0; j < place->height; ++j)
+    for (int i = 0; i < place->width; ++i) {
+      float4 front = image[(size_t)(place->first_y + j) * s->width + place->first_x + i];
+      int pixel = column_number(i) + row_number(j);
+      tile->red[pixel] = front.x;
+      tile->green[pixel] = front.y;
+      tile->blue[pixel] = front.z;
+      tile->through[pixel] = front.w;
+    }
+}
+
+static void suspend(const RasterParams *s, const Place *place, const Tile *tile, __global float4 *image) {
+  for (int j = 0; j < place->height; ++j)
+    for (int i = 0; i < place->width; ++i) {
+      int pixel = column_number(i) + row_number(j);
+      image[(size_t)(place->first_y + j) * s->width + place->first_x + i] =
+          (float4)(tile->red[pixel], tile->green[pixel], tile->blue[pixel], tile->through[pixel]);
+    }
+}
+
+// The base, then the pass's layers from the outermost one. Returns the fragments of these, when counting.
 static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
                       __global float4 *image) {
   const RasterParams *s = pass->s;
@@ -145,6 +167,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   Hidden hidden;
   find_hidden(&tile, place, &hidden);
   least_iw = hidden.least[WHOLE_TILE];
+  if (s->end_layer < s->layers) resume(s, place, &tile, image);
 #endif
 
   uint fragments = 0;
@@ -157,7 +180,8 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
     TABLE(int) drawn_here = shown + first;
     int count = may_be_seen(pass, m, g, &hidden, list + first, last - first, shown + first);
 #endif
-    for (int n = min(g * s->group, s->layers) - 1; n >= (g - 1) * s->group && anything_seen_through(&tile); --n) {
+    int inner = s->first_layer + (g - 1) * s->group;
+    for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
       pass->n = n;
       pass->layer = layer_at(s, m.table, n);
       fragments += (uint)draw_layer(pass, m, drawn_here, count, least_iw, &batch, &drawn, &tile);
@@ -166,7 +190,10 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 #ifndef COUNT_FRAGMENTS
   pass->n = -1;
   pass->layer = layer_at(s, m.table, -1);
-  resolve(pass, &tile, image);
+  if (s->first_layer > 0)
+    suspend(s, place, &tile, image);
+  else
+    resolve(pass, &tile, image);
 #endif
   return fragments;
 }
@@ -190,7 +217,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
   for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
     uint fragments = draw_tile(&pass, m, number, list_start, list, shown, image);
 #ifdef COUNT_FRAGMENTS
-    covered[number] = fragments;
+    covered[number] = fragments + (s.end_layer < s.layers ? covered[number] : 0);
 #endif
   }
 }

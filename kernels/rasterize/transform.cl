@@ -79,8 +79,8 @@ static inline void store_bounds(Bounds b, __global short *box, int block) {
 #endif
 }
 
-// Every layer's vertices, base first: rows of screen x, y (1/256 pixel from the image centre, integers' bits) and 1/w at
-// [(n + 1) vertices + i]; for each group of layers, and last for all layers together, the vertices' bounds at
+// The vertices of the base and of a pass's layers: rows of screen x, y (1/256 pixel from the image centre, integers' bits)
+// and 1/w from screen_row(n) on; for each group of layers, and last for all of the pass together, the vertices' bounds at
 // [(group vertices + i) 4]; for each group the greatest 1/w, at [group vertices + i]. A vertex that needs clipping has
 // 1/w = 0 and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
@@ -90,14 +90,14 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
   Corner c = corner(&s, vertex, tip, dry, block);
   Bounds all = nothing();
   for (int g = 0; g < s.groups; ++g) {
-    int first = g == 0 ? -1 : (g - 1) * s.group;
-    int last = g == 0 ? 0 : min(first + s.group, s.layers);
+    int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.group;
+    int last = g == 0 ? 0 : min(first + s.group, s.end_layer);
     Bounds bounds = nothing();
     real most = REAL(0.0f);
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
       real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
-      store_rows(row, screen + 4 * (size_t)(n + 1) * s.vertices, block);
+      store_rows(row, screen + 4 * screen_row(&s, n), block);
       bounds = both(bounds, bounds_of(&s, v));
       most = v.iw == REAL(0.0f) ? REAL(INFINITY) : fmax(most, v.iw);
     }
