@@ -32,6 +32,7 @@ void check_picture_path(const fs::path& path) {
     throw InputError(fmt::format("{}: a picture is written as .png, .exr or .tif", path.string()));
   }
   require_place(path);
+  if (kind != ".png") image_module();
 }
 
 void write_picture(const fs::path& path, const Picture& picture) {

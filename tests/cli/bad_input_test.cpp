@@ -220,6 +220,8 @@ TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
         << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
+  EXPECT_NE(alone("-o a.exr --set fur.layers=0").err.find("is missing"), std::string::npos)
+      << "before anything else is done";
   folder.write("pelage_image_module.so", "not a library");
   const Outcome broken = alone("-o a.exr");
   EXPECT_EQ(broken.code, 2);
