@@ -6,8 +6,9 @@
 
 namespace pelage::shells {
 
-std::string build_options(const cl::Device&, int lanes, const std::map<std::string, int>& tuning) {
+std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning) {
   std::string options = fmt::format("-D LANES={}", lanes);
+  if (device.info().platform == "rusticl") options += " -D OWN_LIGHTS";
   for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
   return options;
 }

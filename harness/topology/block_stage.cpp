@@ -33,7 +33,8 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 // A second core costs some microseconds to wake: less than half of what it saves is a loss. Found by
 // `pelage run topology-solvers` on the paper's models (results/topology-notes.md).
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
-  if (!device.cpu) return false;
+  // llvmpipe leaves a work-item's loops after 65535 turns, and says nothing.
+  if (!device.cpu || device.platform == "rusticl") return false;
   if (kind != Kind::prisms) return sticks <= 2048;
   return sticks <= (solver == Solver::backward_euler ? 4096u : 2048u);
 }

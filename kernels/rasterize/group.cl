@@ -2,6 +2,7 @@
 // up and finds the pixels that it covers as bits of a word; those that cover none drop out; then each pixel draws those
 // that cover it. Layers run from the tips down and triangles backwards, compositing front to back, as in tiles.cl.
 #include "rasterize/group_tile.clh"
+#include "rasterize/lights.clh"
 
 // What a layer's triangles are drawn with.
 typedef struct {
@@ -76,6 +77,7 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
   int first_x = tile % s.tiles_x * TILE_W, first_y = tile / s.tiles_x * TILE_H;
   int origin_x = SUBPIXEL * first_x + 128 - 128 * s.width, origin_y = SUBPIXEL * first_y + 128 - 128 * s.height;
   int width = min(TILE_W, s.width - first_x), height = min(TILE_H, s.height - first_y);
+  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Pass pass = {&s, {records, tangents, curls}, {fur, coat, mask}};
 

@@ -49,7 +49,10 @@ typedef struct {
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
   float drawn;                                // +1: W Eq. 4 as printed; -1: the strand leans as drawn
   int lights;
-  float light[2][3];                          // unit, towards the light
+  union {                                     // unit, towards the light
+    float lights_flat[6];                     // first: of arrays of arrays rusticl (Mesa 22.3) takes the outer length for the size
+    float light[2][3];
+  };
   float intensity[2];
   float skin[3], background[3];
 } RasterParams;

@@ -1,6 +1,7 @@
 // The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's lists and shades each fragment
 // as it comes. The same equations on one lane; nothing queued, nothing skipped but what cannot be seen.
 #include "rasterize/fan.clh"
+#include "rasterize/lights.clh"
 #include "rasterize/surface.clh"
 
 // The centre of the pixel at the origin of the setup's coordinates.
@@ -55,6 +56,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
   if ((pick ^ pick >> 12) % TALLY != 0) return;
 #endif
+  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
   Attributes from = {records, tangents, curls};
@@ -70,7 +72,11 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
     Hit h = triangle_hit(&s, m, base, -1, list[k], origin_x, origin_y, vertices);
     if (!h.covered || h.iw <= nearest.iw) continue;
-    nearest = h;
+    // Not nearest = h: rusticl (Mesa 22.3) copies a struct whole on those lanes too that went on.
+    nearest.covered = true;
+    nearest.iw = h.iw;
+    nearest.b1 = h.b1;
+    nearest.b2 = h.b2;
     for (int c = 0; c < 3; ++c) nearest_vertices[c] = vertices[c];
   }
 

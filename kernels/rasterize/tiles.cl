@@ -3,6 +3,7 @@
 // back: layers write no depth, so 'under' in reverse order is exactly the paper's 'over', and a pixel stops when nothing
 // more can be seen.
 #include "rasterize/hidden.clh"
+#include "rasterize/lights.clh"
 
 // The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
 // covered fragments.
@@ -205,6 +206,7 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
                           TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
                           TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
                           __global int *next) {
+  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table, box, nearest};
   Pass pass;
   pass.s = &s;

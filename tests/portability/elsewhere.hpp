@@ -1,0 +1,117 @@
+// Tests of this very binary run again by another OpenCL compiler: a child with another environment.
+#pragma once
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "harness/cl/device.hpp"
+
+namespace pelage::portability {
+
+/// A compiler of kernels: the platform it belongs to and what a child's environment says to get it.
+struct Place {
+  std::string name, platform, environment;
+  std::vector<std::string> mappings;  ///< that it can draw with (docs/devices.md)
+  bool slow;                          ///< compiling takes it minutes
+};
+
+inline void PrintTo(const Place& place, std::ostream* out) {
+  *out << place.name;
+}
+
+/// PoCL's ways of making a work-group of work-items besides its default, loops over them with LLVM's
+/// vectorizer, which all other tests run with: loops without it, and a copy of the kernel per work-item, for
+/// which groups must be small (docs/devices.md).
+inline const std::vector<Place>& places() {
+  static const std::string pocl = "Portable Computing Language";
+  static const std::vector<Place> all{
+      {"loops", pocl, "POCL_WORK_GROUP_METHOD=loops", {"tile", "pixel", "group"}, false},
+      {"repl", pocl, "POCL_WORK_GROUP_METHOD=repl POCL_MAX_WORK_GROUP_SIZE=16", {"tile", "pixel"}, false},
+      {"rusticl", "rusticl", "RUSTICL_ENABLE=llvmpipe PELAGE_LANES=1", {"pixel", "group"}, true},
+  };
+  return all;
+}
+
+/// Why nothing can be run there now; empty where it can.
+inline std::string obstacle(const Place& place, bool slow) {
+  const auto platforms = cl::platforms();
+  if (std::none_of(platforms.begin(), platforms.end(),
+                   [&](const cl::PlatformInfo& platform) { return platform.name == place.platform; }))
+    return fmt::format("no OpenCL platform '{}' here", place.platform);
+  if (slow && std::getenv("PELAGE_SLOW_TESTS") == nullptr)
+    return fmt::format("compiling takes {} minutes: PELAGE_SLOW_TESTS=1 runs it, as .ci/full does",
+                       place.name);
+  return {};
+}
+
+/// A folder for what the child leaves, gone with the object.
+class Elsewhere {
+ public:
+  Elsewhere() {
+    std::string name = (std::filesystem::temp_directory_path() / "pelage-elsewhere-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) std::abort();
+    folder_ = name;
+  }
+  ~Elsewhere() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  Elsewhere(const Elsewhere&) = delete;
+  Elsewhere& operator=(const Elsewhere&) = delete;
+
+  /// Runs the disabled test of that name at that place for at most `seconds`; empty when it passed, else how
+  /// it ended and what it said last.
+  std::string run(const Place& place, const std::string& test, int seconds,
+                  const std::string& variables = "") const {
+    const std::string said = (folder_ / "said").string();
+    const std::string command = fmt::format(
+        "ASAN_OPTIONS=detect_leaks=0 {} {} PELAGE_DEVICE='{}' PELAGE_TEST_FOLDER='{}' timeout {} '{}' "
+        "--gtest_filter='{}' --gtest_also_run_disabled_tests >'{}' 2>&1",
+        place.environment, variables, place.platform, folder_.string(), seconds,
+        std::filesystem::read_symlink("/proc/self/exe").string(), test, said);
+    const int status = std::system(command.c_str());
+    std::ifstream stream(said);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    // PoCL then takes its default.
+    if (text.find("Unknown work group generation method") != std::string::npos)
+      return "PoCL knows no such method";
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+    if (text.size() > 1500) text.erase(0, text.size() - 1500);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return fmt::format(
+        "{} at {}: {}\n{}", test, place.name,
+        code == 124 ? fmt::format("not done after {} s", seconds) : fmt::format("exit {}", code), text);
+  }
+
+  template <class T>
+  std::vector<T> read(const std::string& name) const {
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    std::vector<T> values(bytes.size() / sizeof(T));
+    std::copy_n(bytes.data(), values.size() * sizeof(T), reinterpret_cast<char*>(values.data()));
+    return values;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// By the child, for Elsewhere::read().
+template <class T>
+void leave(const std::string& name, const std::vector<T>& values) {
+  const char* folder = std::getenv("PELAGE_TEST_FOLDER");
+  std::ofstream stream(std::filesystem::path(folder != nullptr ? folder : ".") / name, std::ios::binary);
+  stream.write(reinterpret_cast<const char*>(values.data()), std::streamsize(values.size() * sizeof(T)));
+}
+
+}  // namespace pelage::portability

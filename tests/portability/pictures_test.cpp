@@ -1,0 +1,99 @@
+// One picture from every compiler of kernels and every mapping: the reference's, and the coverage of this
+// machine's own device to the pixel.
+#include "tests/pictures/pictures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/shells/shells.hpp"
+#include "tests/portability/elsewhere.hpp"
+#include "tests/synthetic/synthetic.hpp"
+
+namespace pelage::portability {
+namespace {
+
+using namespace pictures;
+
+struct Sight {
+  const char* name;
+  std::shared_ptr<const FrameInput> input;
+};
+
+/// 160 x 100, few layers: combed, curly, wet and windy fur by either model, and a square so near that its
+/// triangles cross the near plane and leave the guard band.
+std::vector<Sight> sights() {
+  Scene near = synthetic::lively_scene();
+  near.fur.length = .05f;
+  near.fur.layers = 6;
+  near.camera.eye = {.13f, -.21f, .25f};
+  near.camera.target = {.3f, 1.2f, 0};
+  near.camera.up = {0, 0, 1};
+  near.camera.fov = 70;
+  return {{"curling", small_frame("curling", "shared", 6)},
+          {"wet", small_frame("wet", "separate", 6)},
+          {"near", std::make_shared<FrameInput>(synthetic::frame(near, synthetic::square(6), 7, 7, 30))}};
+}
+
+Picture drawn_by(const cl::Device& device, const FrameInput& input, const std::string& mapping) {
+  Shells shells(device, std::make_shared<FrameInput>(input), {mapping, {}});
+  shells.advance(frames - 1);
+  shells.frame();
+  return shells.read();
+}
+
+// By a child of the tests below.
+TEST(DISABLED_Elsewhere, Pictures) {
+  const char* mapping = std::getenv("PELAGE_TEST_MAPPING");
+  ASSERT_NE(mapping, nullptr);
+  for (const Sight& sight : sights())
+    leave(sight.name, drawn_by(cl::choose_device(""), *sight.input, mapping).pixel);
+}
+
+std::size_t covered_in_one_only(const Picture& a, const Picture& b) {
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < a.pixel.size(); ++i) pixels += (a.pixel[i].w > 0) != (b.pixel[i].w > 0);
+  return pixels;
+}
+
+std::vector<std::tuple<Place, std::string>> cases() {
+  std::vector<std::tuple<Place, std::string>> all;
+  for (const Place& place : places())
+    for (const std::string& mapping : place.mappings) all.emplace_back(place, mapping);
+  return all;
+}
+
+struct Pictures : testing::TestWithParam<std::tuple<Place, std::string>> {};
+
+TEST_P(Pictures, AreThoseOfThisMachinesDeviceAndOfTheReference) {
+  const auto& [place, mapping] = GetParam();
+  if (const std::string why = obstacle(place, place.slow); !why.empty()) GTEST_SKIP() << why;
+  const Elsewhere elsewhere;
+  const std::string failure = elsewhere.run(place, "DISABLED_Elsewhere.Pictures", place.slow ? 900 : 200,
+                                            "PELAGE_TEST_MAPPING=" + mapping);
+  ASSERT_EQ(failure, "");
+  for (const Sight& sight : sights()) {
+    SCOPED_TRACE(sight.name);
+    const Picture reference = drawn_by_reference(*sight.input),
+                  here = drawn_by(cl::choose_device(""), *sight.input, "");
+    Picture there = here;
+    there.pixel = elsewhere.read<glm::vec4>(sight.name);
+    ASSERT_EQ(there.pixel.size(), here.pixel.size());
+    EXPECT_EQ(covered_in_one_only(there, here), 0u);
+    EXPECT_EQ(covered_in_one_only(there, reference), 0u);
+    const Agreement with_here = compare(there, here), with_reference = compare(there, reference);
+    EXPECT_GE(with_here.psnr, 60) << describe(with_here);
+    EXPECT_LE(with_here.worst, 1.0 / 255) << describe(with_here);
+    EXPECT_TRUE(within(with_reference)) << describe(with_reference);
+    EXPECT_GT(with_here.pixels, 5000u);
+    std::printf("%s: %s; the reference: %s\n", sight.name, describe(with_here).c_str(),
+                describe(with_reference).c_str());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Pictures, testing::ValuesIn(cases()), [](const auto& given) {
+  return std::get<0>(given.param).name + "_" + std::get<1>(given.param);
+});
+
+}  // namespace
+}  // namespace pelage::portability

@@ -1,0 +1,74 @@
+// Every topology by every solver on every compiler of kernels: the double-precision reference's motion.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/topology/mass_springs.hpp"
+#include "harness/topology/reference.hpp"
+#include "tests/portability/elsewhere.hpp"
+#include "tests/topology/device.hpp"
+#include "tests/topology/meshes.hpp"
+#include "tests/topology/scenes.hpp"
+
+namespace pelage::portability {
+namespace {
+
+using namespace springs;
+using namespace springs::test;
+
+constexpr int steps = 60;
+
+std::string file_of(Kind kind, Solver solver) {
+  return std::string(name(kind)) + "-" + std::string(name(solver));
+}
+
+// By a child of the tests below.
+TEST(DISABLED_Elsewhere, Topologies) {
+  const char* wanted = std::getenv("PELAGE_TEST_KIND");
+  ASSERT_NE(wanted, nullptr);
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      if (name(kind) != wanted) continue;
+      MassSprings masses(queue(), build(kind, sphere(1), fur_length), lively(solver));
+      masses.advance(queue(), steps);
+      leave(file_of(kind, solver), masses.offsets(queue()));
+    }
+}
+
+struct Topologies : testing::TestWithParam<std::tuple<Place, Kind>> {};
+
+TEST_P(Topologies, MoveAsTheReferenceDoes) {
+  const auto& [place, kind] = GetParam();
+  // Sticks are few lines.
+  const std::string why = obstacle(place, place.slow && kind != Kind::sticks);
+  if (!why.empty()) GTEST_SKIP() << why;
+  const Elsewhere elsewhere;
+  ASSERT_EQ(elsewhere.run(place, "DISABLED_Elsewhere.Topologies", place.slow ? 900 : 200,
+                          "PELAGE_TEST_KIND=" + std::string(name(kind))),
+            "");
+  double worst = 0;
+  for (const Solver solver : solvers) {
+    const Topology topology = build(kind, sphere(1), fur_length);
+    const Dynamics dynamics = lively(solver);
+    reference::State state = reference::rest(topology);
+    const auto rest = reference::offsets(topology, state);
+    for (int i = 0; i < steps; ++i) state = reference::step({topology, dynamics}, state, i);
+    const auto offsets = reference::offsets(topology, state);
+    EXPECT_GT(largest_difference(rest, offsets), 0.01) << "something moved";
+    const double error = largest_difference(elsewhere.read<glm::vec3>(file_of(kind, solver)), offsets);
+    EXPECT_LT(error, 1e-4 * double(fur_length)) << file_of(kind, solver);
+    worst = std::max(worst, error);
+  }
+  std::printf("worst %.2g of the fur's length\n", worst / double(fur_length));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Topologies,
+                         testing::Combine(testing::ValuesIn(places()), testing::ValuesIn(kinds)),
+                         [](const auto& given) {
+                           std::string text(name(std::get<1>(given.param)));
+                           std::replace(text.begin(), text.end(), '-', '_');
+                           return std::get<0>(given.param).name + "_" + text;
+                         });
+
+}  // namespace
+}  // namespace pelage::portability
