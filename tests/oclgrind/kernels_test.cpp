@@ -137,6 +137,9 @@ TEST(DISABLED_Tiny, Measures) {
   const cl::Event triad = cl::Kernel(program, "triad").with(a, b, c, 2.0f).enqueue(queue, items);
   const cl::Event chains = cl::Kernel(program, "chains").with(2, .5f, b).enqueue(queue, items);
   const cl::Event nothing = cl::Kernel(program, "nothing").with(c).enqueue(queue, items);
+  const cl::Buffer<float> d(queue, ones), e(queue, ones), f(queue, ones), g(queue, ones);
+  const cl::Event seven =
+      cl::Kernel(program, "nothing_of_seven").with(a, b, c, d, e, f, g).enqueue(queue, items);
   queue.finish();
   EXPECT_EQ(a.read(queue).back(), 3.0f);
 }
