@@ -124,7 +124,7 @@ std::size_t memory(const Layout& layout, Solver solver) {
       columns += 16 + 9;  // those of two stages; the stage's offset and the weighted rates
       break;
     case Solver::backward_euler:
-      columns += 8 + 6 + 6;  // x and d; r and A d; A's blocks
+      columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
       values += 4 * layout.neighbour.size();
       break;
   }

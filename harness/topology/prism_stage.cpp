@@ -82,7 +82,8 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   };
   tip_ = cl::Buffer<float>(queue, std::span<const float>(tips(layout, layout.offset)));
   if (solver_ == Solver::backward_euler) {
-    diagonal_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4), along_ = floats(3);
+    diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
+    along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 4 * layout.neighbour.size());
     sums_ = cl::Memory(queue.device(),
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
@@ -148,8 +149,8 @@ void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buf
 
 void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
   kernels_[0].with(params, most_iterations_, float(residual_), b.moments, b.sites, b.push, start_, neighbour_,
-                   rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_, left_, way_, along_, sums_,
-                   b.diverged_at, b.first, solved_);
+                   rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_, coupling_, left_, way_,
+                   along_, sums_, b.diverged_at, b.first, solved_);
   launch(queue, kernels_[0], 1);
   std::array<float, SOLVED> solved{};
   solved_.read(queue, solved);
@@ -204,17 +205,17 @@ bool PrismStage::converged(const cl::Queue& queue) {
 void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
                                 int substep) {
   kernels_[SET_UP].with(params, chunks_, params.first_moment + 2 * substep + 2, b.moments, b.sites, b.push,
-                        start_, neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, coupling_,
-                        left_, way_, sums_);
+                        start_, neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_,
+                        coupling_, left_, way_, sums_);
   launch(queue, kernels_[SET_UP], chunks_);
   int done = 0;
   const auto iterate = [&] {
     const int odd = done++ % 2;
     kernels_[PRODUCT].with(params, chunks_, start_, neighbour_, diagonal_, coupling_, way_, along_, sums_);
     launch(queue, kernels_[PRODUCT], chunks_);
-    kernels_[ADVANCE].with(params, chunks_, odd, diagonal_, way_, along_, change_, left_, sums_);
+    kernels_[ADVANCE].with(params, chunks_, odd, inverse_, along_, left_, sums_);
     launch(queue, kernels_[ADVANCE], chunks_);
-    kernels_[TURN].with(params, chunks_, odd, diagonal_, left_, way_, sums_);
+    kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
   // As many as the step before needed, less the two that a test may have wasted; then two at a time.
@@ -235,7 +236,7 @@ std::size_t PrismStage::bytes() const {
   std::size_t values = start_.size() + neighbour_.size() + rest_.size();
   for (const cl::Buffer<float>* buffer :
        {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
-        &sum_speed_, &diagonal_, &coupling_, &change_, &left_, &way_, &along_})
+        &sum_speed_, &diagonal_, &inverse_, &coupling_, &change_, &left_, &way_, &along_})
     values += buffer->size();
   return 4 * values;
 }

@@ -89,7 +89,8 @@ class PrismStage {
   cl::Buffer<float> rest_;
   cl::Buffer<float> tip_, other_tip_, other_speed_;                                    // rows
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4: two of rows
-  cl::Buffer<float> diagonal_, coupling_, change_, left_, way_, along_;  // A; x (rows), r, d (rows), A d
+  // A's blocks, their inverses and couplings; x (rows), r, d (rows), A d and then z
+  cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // of gradients_whole
 };

@@ -18,10 +18,22 @@ typedef double total;
 typedef float total;
 #endif
 
-static inline total lane_sum(real v) {
+// A chunk's sum, lane by lane until its last unit.
+#if LANES == 16 && DOUBLE_SUMS
+typedef double16 totals;
+#define to_totals convert_double16
+#elif LANES == 16
+typedef float16 totals;
+#define to_totals(v) (v)
+#else
+typedef total totals;
+#define to_totals(v) ((total)(v))
+#endif
+
+static inline total total_of(totals v) {
 #if LANES == 16
-  float lanes[16];
-  spill_real(v, lanes);
+  total lanes[16];
+  vstore16(v, 0, lanes);
   total sum = 0;
   for (int k = 0; k < 16; ++k) sum += lanes[k];
   return sum;
@@ -48,6 +60,16 @@ static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
   store3(vec3(m.xy, m.xz, m.yz), diagonal, u, 6, 3);
 }
 
+// Of a block: the preconditioner.
+INLINE Symmetric inverse_of(Symmetric m) {
+  Factors f = factored(m);
+  real3 x = solved(f, uniform3(1.0f, 0.0f, 0.0f)), y = solved(f, uniform3(0.0f, 1.0f, 0.0f));
+  real3 z = solved(f, uniform3(0.0f, 0.0f, 1.0f));
+  Symmetric i;
+  i.xx = x.x, i.yy = y.y, i.zz = z.z, i.xy = y.x, i.xz = z.x, i.yz = z.y;
+  return i;
+}
+
 // A's block of two tops on a spring is -(even I + g g^T): four columns per entry.
 static inline real3 load_pull(TABLE(scalar) coupling, int e, real *even) {
   *even = load_real(coupling, column_of(e, 4, 0));
@@ -68,13 +90,13 @@ static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TAB
   return sum;
 }
 
-// A and b from the state, and r = b - A x, z = r / diagonal, d = z. at: the moment's entry, of the step's end.
+// A, its blocks' inverses and b from the state, and r = b - A x, z = inverse r, d = z. at: the moment's entry, of the step's end.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
-                         __global scalar *diagonal, __global scalar *coupling, __global scalar *r, __global scalar *d,
-                         __global total *sums) {
-  total rz = 0, rr = 0, bb = 0;
+                         __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                         __global scalar *r, __global scalar *d, __global total *sums) {
+  totals rz = 0, rr = 0, bb = 0;
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     Site site = load_site(p, sites, push, u, 1);
     whole own = WHOLE(u * LANES) + lane_numbers();
@@ -104,40 +126,42 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
     real3 b = choose3(real_row, row.load, zero);
     real3 left = sub3(b, product(u, row.block, xyz(load_rows(x, u)), start, neighbour, coupling, x));
     left = choose3(real_row, left, zero);
-    real3 z = solved(factored(row.block), left);
+    Symmetric over = inverse_of(row.block);
+    store_block(over, inverse, u);
+    real3 z = times(over, left);
     store3(left, r, u, 3, 0);
     store_rows(row_of(z), d, u);
-    rz += lane_sum(dot3(left, z));
-    rr += lane_sum(dot3(left, left));
-    bb += lane_sum(dot3(b, b));
+    rz += to_totals(dot3(left, z));
+    rr += to_totals(dot3(left, left));
+    bb += to_totals(dot3(b, b));
   }
-  sums[SUM_RZ_EVEN * chunks + chunk] = rz;
-  sums[SUM_RR * chunks + chunk] = rr;
-  sums[SUM_BB * chunks + chunk] = bb;
+  sums[SUM_RZ_EVEN * chunks + chunk] = total_of(rz);
+  sums[SUM_RR * chunks + chunk] = total_of(rr);
+  sums[SUM_BB * chunks + chunk] = total_of(bb);
 }
 __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                                TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                                TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
-                               __global scalar *diagonal, __global scalar *coupling, __global scalar *r,
-                               __global scalar *d, __global total *sums) {
+                               __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                               __global scalar *r, __global scalar *d, __global total *sums) {
   int chunk = (int)get_global_id(0);
   if (chunk < chunks)
     set_up_chunk(p, chunks, chunk, at, moments, sites, push, start, neighbour, rest, tip, offset, speed, x, diagonal,
-                 coupling, r, d, sums);
+                 inverse, coupling, r, d, sums);
 }
 
 // A d and d.Ad
 INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
                           TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
                           __global total *sums) {
-  total sum = 0;
+  totals sum = 0;
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     real3 v = xyz(load_rows(d, u));
     real3 w = product(u, load_block(diagonal, u), v, start, neighbour, coupling, d);
     store3(w, product_d, u, 3, 0);
-    sum += lane_sum(dot3(v, w));
+    sum += to_totals(dot3(v, w));
   }
-  sums[SUM_DAD * chunks + chunk] = sum;
+  sums[SUM_DAD * chunks + chunk] = total_of(sum);
 }
 __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, TABLE(int) neighbour,
                                 TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d,
@@ -146,44 +170,52 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
   if (chunk < chunks) product_chunk(p, chunks, chunk, start, neighbour, diagonal, coupling, d, product_d, sums);
 }
 
-// x += alpha d, r -= alpha A d, with alpha = r.z / d.Ad; odd: of the iteration's number.
-INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
-                          TABLE(scalar) product_d, __global scalar *x, __global scalar *r, __global total *sums) {
+// r.z / d.Ad; odd: of the iteration's number.
+static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
   // No number makes x none, too, which is noted: a lost mass is not to stay where it was.
-  real alpha = REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
-  total rz = 0, rr = 0;
-  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
-    store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, xyz(load_rows(d, u)))), x, u);
-    real3 left = along3(load3(r, u, 3, 0), -alpha, load3(product_d, u, 3, 0));
-    store3(left, r, u, 3, 0);
-    rz += lane_sum(dot3(left, solved(factored(load_block(diagonal, u)), left)));
-    rr += lane_sum(dot3(left, left));
-  }
-  sums[(odd ? SUM_RZ_EVEN : SUM_RZ_ODD) * chunks + chunk] = rz;
-  sums[SUM_RR * chunks + chunk] = rr;
-}
-__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) d,
-                                TABLE(scalar) product_d, __global scalar *x, __global scalar *r, __global total *sums) {
-  int chunk = (int)get_global_id(0);
-  if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, diagonal, d, product_d, x, r, sums);
+  return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 
-// d = z + beta d, with beta = the new r.z / the old one.
-INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
-                       __global scalar *d, __global const total *sums) {
+// r -= alpha A d, and z in the place of A d.
+INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
+                          __global scalar *product_d, __global scalar *r, __global total *sums) {
+  real alpha = alpha_of(sums, chunks, odd);
+  totals rz = 0, rr = 0;
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    real3 left = along3(load3(r, u, 3, 0), -alpha, load3(product_d, u, 3, 0));
+    real3 z = times(load_block(inverse, u), left);
+    store3(left, r, u, 3, 0);
+    store3(z, product_d, u, 3, 0);
+    rz += to_totals(dot3(left, z));
+    rr += to_totals(dot3(left, left));
+  }
+  sums[(odd ? SUM_RZ_EVEN : SUM_RZ_ODD) * chunks + chunk] = total_of(rz);
+  sums[SUM_RR * chunks + chunk] = total_of(rr);
+}
+__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) inverse, __global scalar *product_d,
+                                __global scalar *r, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, inverse, product_d, r, sums);
+}
+
+// x += alpha d, then d = z + beta d, with beta = the new r.z / the old one.
+INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
+                       __global scalar *x, __global const total *sums) {
+  real alpha = alpha_of(sums, chunks, odd);
   total before = sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks);
   total after = sum_of(sums, odd ? SUM_RZ_EVEN : SUM_RZ_ODD, chunks);
   real beta = REAL((scalar)(before > 0 ? after / before : 0));
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
-    real3 z = solved(factored(load_block(diagonal, u)), load3(r, u, 3, 0));
-    store_rows(row_of(along3(z, beta, xyz(load_rows(d, u)))), d, u);
+    real3 way = xyz(load_rows(d, u));
+    store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, way)), x, u);
+    store_rows(row_of(along3(load3(z, u, 3, 0), beta, way)), d, u);
   }
 }
-__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) diagonal, TABLE(scalar) r,
-                             __global scalar *d, __global const total *sums) {
+__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) z, __global scalar *d,
+                             __global scalar *x, __global const total *sums) {
   int chunk = (int)get_global_id(0);
-  if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, diagonal, r, d, sums);
+  if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
 }
 
 // v += x, q += h v.
@@ -212,21 +244,21 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
 __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                               __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
-                              __global scalar *diagonal, __global scalar *coupling, __global scalar *r,
-                              __global scalar *d, __global scalar *product_d, __global total *sums,
+                              __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                              __global scalar *r, __global scalar *d, __global scalar *product_d, __global total *sums,
                               __global int *diverged_at, __global int *first, __global scalar *solved) {
   if (get_global_id(0) != 0) return;
   for (int k = 0; k < 3; ++k) solved[k] = 0;
   for (int i = 0; i < p.substeps; ++i) {
     set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, tip, offset, speed, x,
-                 diagonal, coupling, r, d, sums);
+                 diagonal, inverse, coupling, r, d, sums);
     total bb = sums[SUM_BB];
     int done = 0;
     // One at least: where a sum is infinite or no number the masses are lost, which shows in x then.
     for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
       product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
-      advance_chunk(p, 1, 0, done % 2, diagonal, d, product_d, x, r, sums);
-      turn_chunk(p, 1, 0, done % 2, diagonal, r, d, sums);
+      advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);
+      turn_chunk(p, 1, 0, done % 2, product_d, d, x, sums);
     }
     move_chunk(p, 0, p.first_step + i, sites, x, offset, speed, tip, diverged_at, first);
     scalar left = bb > 0 ? sqrt((scalar)(sums[SUM_RR] / bb)) : 0;

@@ -20,8 +20,8 @@ int gradients_substep(Memory& m, int substep, double residual) {
   const Layout& l = *m.layout;
   const int chunks = 16 * l.slices;
   const std::size_t places = l.places();
-  std::vector<double> diagonal(6 * places), coupling(4 * l.neighbour.size()), r(3 * places), d(4 * places),
-      product(3 * places), sums(std::size_t(SUM_ROWS * chunks));
+  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(4 * l.neighbour.size()),
+      r(3 * places), d(4 * places), product(3 * places), sums(std::size_t(SUM_ROWS * chunks));
   const auto each = [&](const auto& kernel) {
     for (in_double::work_item = 0; in_double::work_item < chunks; ++in_double::work_item) kernel();
   };
@@ -34,7 +34,7 @@ int gradients_substep(Memory& m, int substep, double residual) {
     kernels::gradients_set_up(m.params, chunks, 2 * substep + 2, m.moments.data(), m.sites.data(),
                               m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(), m.tip.data(),
                               m.offset.data(), m.speed.data(), m.change.data(), diagonal.data(),
-                              coupling.data(), r.data(), d.data(), sums.data());
+                              inverse.data(), coupling.data(), r.data(), d.data(), sums.data());
   });
   int done = 0;
   while (sum(SUM_RR) > residual * residual * sum(SUM_BB) && done < 1000) {
@@ -44,11 +44,11 @@ int gradients_substep(Memory& m, int substep, double residual) {
                                  coupling.data(), d.data(), product.data(), sums.data());
     });
     each([&] {
-      kernels::gradients_advance(m.params, chunks, odd, diagonal.data(), d.data(), product.data(),
-                                 m.change.data(), r.data(), sums.data());
+      kernels::gradients_advance(m.params, chunks, odd, inverse.data(), product.data(), r.data(),
+                                 sums.data());
     });
     each([&] {
-      kernels::gradients_turn(m.params, chunks, odd, diagonal.data(), r.data(), d.data(), sums.data());
+      kernels::gradients_turn(m.params, chunks, odd, product.data(), d.data(), m.change.data(), sums.data());
     });
   }
   each([&] {
@@ -62,16 +62,16 @@ int gradients_substep(Memory& m, int substep, double residual) {
 int gradients_whole(Memory& m, double residual) {
   const Layout& l = *m.layout;
   const std::size_t places = l.places();
-  std::vector<double> diagonal(6 * places), coupling(4 * l.neighbour.size()), r(3 * places), d(4 * places),
-      product(3 * places), sums(SUM_ROWS), solved(3);
+  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(4 * l.neighbour.size()),
+      r(3 * places), d(4 * places), product(3 * places), sums(SUM_ROWS), solved(3);
   TopologyParams params = m.params;
   params.blocks_per_item = 16 * l.slices;
   in_double::work_item = 0;
-  gradients_in_double::gradients_whole(params, 1000, residual, m.moments.data(), m.sites.data(),
-                                       m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(),
-                                       m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
-                                       diagonal.data(), coupling.data(), r.data(), d.data(), product.data(),
-                                       sums.data(), m.diverged_at.data(), m.first.data(), solved.data());
+  gradients_in_double::gradients_whole(
+      params, 1000, residual, m.moments.data(), m.sites.data(), m.push.data(), l.start.data(),
+      l.neighbour.data(), m.rest.data(), m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
+      diagonal.data(), inverse.data(), coupling.data(), r.data(), d.data(), product.data(), sums.data(),
+      m.diverged_at.data(), m.first.data(), solved.data());
   return int(solved[0]);
 }
 
