@@ -114,16 +114,16 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       options_(build_options(queue.device(), mapping_.lanes, tuning_)),
       one_lane_(build_options(queue.device(), 1, tuning_)),
       layers_at_once_(layers_at_once(params_, options.layers_at_once, queue.device())),
-      transform_(queue.device(), "rasterize/transform.cl", options_),
-      bin_(queue.device(), "rasterize/bin.cl", options_),
+      packed_(std::async(std::launch::async, [&] { return packed_fur(input.fur); })),
+      geometry_(queue.device(), "rasterize/geometry.cl", options_),
       raster_(queue.device(), mapping_.file, options_),
-      tips_(transform_, "vertex_tips"),
-      layers_(transform_, "layer_vertices"),
-      records_(transform_, "vertex_records"),
-      count_(bin_, "bin_count"),
-      sum_(bin_, "bin_sum"),
-      start_(bin_, "bin_start"),
-      fill_(bin_, "bin_fill"),
+      tips_(geometry_, "vertex_tips"),
+      layers_(geometry_, "layer_vertices"),
+      records_(geometry_, "vertex_records"),
+      count_(geometry_, "bin_count"),
+      sum_(geometry_, "bin_sum"),
+      start_(geometry_, "bin_start"),
+      fill_(geometry_, "bin_fill"),
       table_(upload(queue, layer_table(input.scene))),
       vertex_(upload(queue, g.vertex)),
       uv_(upload(queue, g.uv)),
@@ -132,7 +132,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       corner_(upload(queue, g.corner)),
       slice_(upload(queue, g.slice)),
       strand_(upload(queue, g.strand)),
-      fur_(upload(queue, packed_fur(input.fur))),
+      fur_(upload(queue, packed_.get())),
       coat_(upload(queue, packed_coat(input.coat))),
       mask_(&wet.mask()) {
   const cl::Device& device = queue.device();
@@ -159,14 +159,14 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   covered_ = cl::Buffer<std::uint32_t>(device, mapping_.name == "tile" ? tiles : pixels);
 
   const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
-  cl::Kernel dryness(transform_, "vertex_dryness");
+  cl::Kernel dryness(geometry_, "vertex_dryness");
   dryness.with(params_, mask_uv, *mask_, dry_);
   const cl::Event event = dryness.enqueue(queue, vertices / std::size_t(mapping_.lanes));
   // Only sub-steps read them.
   curl_ = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
   cl::Event curls;
   if (params_.substeps > 1) {
-    cl::Kernel kernel(transform_, "vertex_curls");
+    cl::Kernel kernel(geometry_, "vertex_curls");
     kernel.with(params_, vertex_, dry_, curl_);
     curls = kernel.enqueue(queue, vertices);
   }
@@ -184,8 +184,7 @@ void RasterStage::reach(const cl::Queue& queue) {
 }
 
 double RasterStage::build_ms() const {
-  return transform_.build_ms() + bin_.build_ms() + raster_.build_ms() +
-         (group_bins_ ? group_bins_->build_ms() : 0);
+  return geometry_.build_ms() + raster_.build_ms() + (group_bins_ ? group_bins_->build_ms() : 0);
 }
 
 void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {

@@ -1,5 +1,6 @@
 // The stages of a frame on a device, each owning its buffers and kernels: simulate, wet, rasterize.
 #pragma once
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -108,9 +109,10 @@ class RasterStage {
   RasterParams params_;
   std::string options_, one_lane_;  // -D of kernels on all lanes, and on one
   int layers_at_once_;
-  cl::Program transform_, bin_, raster_;
+  std::future<std::vector<std::int32_t>> packed_;  // the fur's texels, while the programs are built
+  cl::Program geometry_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
-  std::unique_ptr<GroupBins> group_bins_;  // of the mapping "group", in place of bin_
+  std::unique_ptr<GroupBins> group_bins_;  // of the mapping "group", in place of the kernels above
   cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_, nearest_;
   cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_, shown_,
       next_tile_;
