@@ -25,6 +25,7 @@ int report(const ReportOptions& options) {
   for (const PaperTable& table : written.tables) fmt::print("{}\n", text_of(table));
   for (const TopologyTable& table : written.topologies) fmt::print("{}\n", text_of(table));
   for (const RivalTable& table : written.rivals) fmt::print("{}\n", text_of(table));
+  for (const WayTable& table : written.ways) fmt::print("{}\n", text_of(table));
   fmt::print("{}", text_of(written.claims));
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);

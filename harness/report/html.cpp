@@ -162,6 +162,12 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         "href=\"tables/{}.csv\">CSV</a></p>\n{}",
         escaped(report.rivals[i].experiment), escaped(report.rivals[i].device), report.rival_stems[i],
         html_of(report.rivals[i]));
+  for (std::size_t i = 0; i < report.ways.size(); ++i)
+    body += fmt::format(
+        "<h2>Ways to draw the same</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
+        "href=\"tables/{}.csv\">CSV</a></p>\n{}",
+        escaped(report.ways[i].experiment), escaped(report.ways[i].device), report.way_stems[i],
+        html_of(report.ways[i]));
   body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);

@@ -9,6 +9,7 @@
 
 #include "harness/report/csv.hpp"
 #include "harness/report/topology_table.hpp"
+#include "harness/report/way_table.hpp"
 #include "harness/results/provenance.hpp"
 
 namespace pelage {
@@ -137,7 +138,7 @@ std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const Model
     if (c.metrics.contains("opengl_ratio")) duels.insert(c.experiment);
   for (const Cell& c : cells)
     if (c.overrides.empty() && !duels.contains(c.experiment) && c.axes.contains("model") &&
-        c.axes.contains("layers") && c.axes.contains("size") && !has_topology_axis(c))
+        c.axes.contains("layers") && c.axes.contains("size") && !has_topology_axis(c) && !has_ways(cells, c))
       groups[{c.experiment, c.device, c.host, c.reading(), c.variant}].push_back(c);
   std::vector<PaperTable> tables;
   tables.reserve(groups.size());

@@ -101,6 +101,15 @@ void write_rivals(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
+void write_ways(Report& report, const fs::path& folder, bool several_devices) {
+  for (const WayTable& table : report.ways) {
+    const std::string stem = file_name_of(
+        table.experiment + (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
+    report.way_stems.push_back(stem);
+  }
+}
+
 /// How time grows with layers, pixels and triangles: a table, a plot, and the fit that the plot's program
 /// makes.
 void write_scaling(Report& report, const fs::path& folder) {
@@ -162,12 +171,14 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   report.tables = paper_tables(report.cells, note);
   report.topologies = topology_tables(rows);
   report.rivals = rival_tables(rows);
+  report.ways = way_tables(report.cells);
   add_titles(report.tables);
   std::set<std::pair<std::string, std::string>> devices;
   for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
   write_tables(report, folder, devices.size() > 1);
   write_topologies(report, folder, devices.size() > 1);
   write_rivals(report, folder, devices.size() > 1);
+  write_ways(report, folder, devices.size() > 1);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
   if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));

@@ -10,6 +10,7 @@
 #include "harness/report/rival_table.hpp"
 #include "harness/report/springs.hpp"
 #include "harness/report/topology_table.hpp"
+#include "harness/report/way_table.hpp"
 
 namespace pelage {
 
@@ -29,8 +30,10 @@ struct Report {
   std::vector<std::string> topology_stems;  ///< tables/STEM.csv, .tex, one per such table
   std::vector<RivalTable> rivals;
   std::vector<std::string> rival_stems;  ///< tables/STEM.csv, one per such table
-  std::vector<SolverLine> solvers;       ///< tables/topology-solvers.csv where there are any
-  std::vector<Claim> claims;             ///< tables/claims.csv where there are any
+  std::vector<WayTable> ways;
+  std::vector<std::string> way_stems;  ///< tables/STEM.csv, one per such table
+  std::vector<SolverLine> solvers;     ///< tables/topology-solvers.csv where there are any
+  std::vector<Claim> claims;           ///< tables/claims.csv where there are any
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::string scaling;             ///< what doubling the layers costs; tables/scaling.txt has the fit as well
