@@ -14,6 +14,16 @@ namespace {
 
 const std::map<std::string, std::string>& papers() {
   static const std::map<std::string, std::string> entries{
+      {"banisch2006-grass-and-fur", R"(@article{banisch2006-grass-and-fur,
+  author  = {Banisch, Sven and W{\"u}thrich, Charles A.},
+  title   = {Making Grass and Fur Move},
+  journal = {Journal of WSCG},
+  volume  = {14},
+  number  = {1--3},
+  pages   = {25--32},
+  year    = {2006}
+}
+)"},
       {"silva2010-curling-clumping", R"(@article{silva2010-curling-clumping,
   author  = {Silva, Paulo and Bando, Yosuke and Chen, Bing-Yu and Nishita, Tomoyuki},
   title   = {Curling and Clumping Fur Represented by Texture Layers},

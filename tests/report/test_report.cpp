@@ -163,6 +163,20 @@ TEST(Report, WritesEverythingItPromises) {
 }
 
 /// A report without matplotlib is a report without plots, and says so.
+TEST(Report, EveryExperimentsPaperCanBeCited) {
+  std::vector<FoundRow> rows;
+  for (const auto& file : experiment_files()) {
+    FoundRow found;
+    found.row.experiment = file.stem().string();
+    rows.push_back(found);
+  }
+  const std::string text = bibliography_of(rows);
+  for (const auto& file : experiment_files()) {
+    const std::string paper = read_experiment(file).paper;
+    EXPECT_NE(text.find("{" + paper + ",\n"), std::string::npos) << file << ": " << paper;
+  }
+}
+
 TEST(Report, APlotThatFailsIsANote) {
   const Folder folder;
   std::ofstream(folder.path / "none.py") << "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n";
