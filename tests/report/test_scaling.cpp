@@ -85,6 +85,15 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
   EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
   EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
+  // No size, and no number of layers, is left out of the fit whole.
+  for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
+    int left_out = 0;
+    for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {
+      const std::string line = fit.substr(at, fit.find('\n', at) - at);
+      left_out += line.ends_with("held out");
+    }
+    EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
+  }
   EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
   // Too few cases are said to be too few, not fitted.
   std::vector<Cell> few = cells();

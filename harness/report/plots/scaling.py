@@ -9,8 +9,9 @@ The model is a sum of costs, none of them negative:
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
 fitted by least squares of relative errors. Intervals are percentiles over 1000 resamplings of the cases. Left out of the fit
-are every third case (in the order of their names) and all that lie beyond: more than 64 layers, more pixels than
-1680 x 1050, more than a million triangles. Only matplotlib and numpy are needed.
+are a third of the cases, spread so that each number of triangles, layers and pixels is in both parts, and all that lie
+beyond: more than 64 layers, more pixels than 1680 x 1050, more than a million triangles. Only matplotlib and numpy are
+needed.
 """
 import csv
 import os
@@ -22,8 +23,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
-MARKERS = ["o", "s", "^", "D", "v", "P"]
+COLOURS = {"pixels": ["#0072B2", "#D55E00", "#009E73", "#CC79A7"], "layers": ["#56B4E9", "#E69F00", "#882255", "#000000"]}
+MARKERS = ["o", "^"]  # of the fewest triangles, of the most
 TERMS = [("frame", "ms", 1), ("triangle", "ns", 1e6), ("triangle and layer", "ns", 1e6), ("pixel", "ns", 1e6),
          ("pixel and layer", "ns", 1e6)]
 
@@ -61,8 +62,9 @@ def read(table):
               "low": float(r["median_ms_low"]), "high": float(r["median_ms_high"])} for r in rows]
     cases.sort(key=lambda c: c["name"])
     inside = [c for c in cases if not beyond(c)]
-    for i, c in enumerate(inside):
-        c["use"] = "held out" if i % 3 == 2 else "fit"
+    axes = {key: sorted({c[key] for c in inside}) for key in ("triangles", "layers", "pixels")}
+    for c in inside:
+        c["use"] = "held out" if sum(values.index(c[key]) for key, values in axes.items()) % 3 == 2 else "fit"
     for c in cases:
         c.setdefault("use", "beyond")
     return cases
@@ -90,26 +92,41 @@ def report(cases, fit, samples):
     return "\n".join(lines) + "\n"
 
 
-def panel(axis, cases, fit, x, label, series, names):
-    drawn = 0
-    for key in sorted({tuple(c[s] for s in series) for c in cases}):
-        mine = sorted((c for c in cases if tuple(c[s] for s in series) == key), key=lambda c: c[x])
-        if len({c[x] for c in mine}) < 2:
-            continue
-        colour, marker = COLOURS[drawn % 6], MARKERS[drawn % 6]
-        drawn += 1
-        grid = np.geomspace(mine[0][x], mine[-1][x], 60)
-        axis.plot(grid, [features({**mine[0], x: g}) @ fit for g in grid], color=colour, linewidth=1)
-        for c in mine:
-            axis.errorbar(c[x], c["ms"], yerr=[[max(0, c["ms"] - c["low"])], [max(0, c["high"] - c["ms"])]], color=colour,
-                          marker=marker, markersize=5, capsize=2, linestyle="none",
-                          markerfacecolor=colour if c["use"] == "fit" else "white")
-        axis.plot([], [], color=colour, marker=marker, markersize=5, linewidth=1, label=names(mine[0]))
+def amount(key, value):
+    if key == "triangles":
+        return f"{value / 1e3:.0f}k triangles" if value < 1e6 else f"{value / 1e6:.1f}M triangles"
+    return f"{value / 1e6:.2g} Mpixel" if key == "pixels" else f"{value:.0f} layers"
+
+
+def panel(axis, cases, fit, x, by, every):
+    """One panel against x: a colour for each value of `by` among all cases, a marker for the number of triangles."""
+    values = sorted({c[by] for c in every})
+    triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
+    for value in values:
+        colour = COLOURS[by][values.index(value) % len(COLOURS[by])]
+        drawn = False
+        for t in triangles or [None]:
+            marker = MARKERS[triangles.index(t) % 2] if triangles else "s"
+            mine = sorted((c for c in cases if c[by] == value and t in (None, c["triangles"])), key=lambda c: c[x])
+            if len({c[x] for c in mine}) < 2:
+                continue
+            drawn = True
+            grid = np.geomspace(mine[0][x], mine[-1][x], 60)
+            axis.plot(grid, [features({**mine[0], x: g}) @ fit for g in grid], color=colour, linewidth=1)
+            for c in mine:
+                axis.errorbar(c[x], c["ms"], yerr=[[max(0, c["ms"] - c["low"])], [max(0, c["high"] - c["ms"])]],
+                              color=colour, marker=marker, markersize=5, capsize=2, linestyle="none",
+                              markerfacecolor=colour if c["use"] == "fit" else "white")
+        if drawn:
+            axis.plot([], [], color=colour, label=amount(by, value))
+    for t in triangles:
+        axis.plot([], [], color="0.35", marker=MARKERS[triangles.index(t) % 2], markersize=5, linestyle="none",
+                  label=amount("triangles", t))
     axis.set_xscale("log")
     axis.set_yscale("log")
-    axis.set_xlabel(label)
+    axis.set_xlabel(x if x != "triangles" else "triangles, 16 layers")
     axis.grid(True, which="major", color="0.88", linewidth=0.6)
-    axis.legend(frameon=False, fontsize=7, loc="upper left")
+    axis.legend(frameon=False, fontsize=8, loc="upper center", bbox_to_anchor=(0.5, -0.18), ncol=2)
     for side in ("top", "right"):
         axis.spines[side].set_visible(False)
 
@@ -126,18 +143,13 @@ def main(table, outputs):
         file.write(report(cases, fit, samples))
 
     plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
-    figure, axes = plt.subplots(1, 3, figsize=(10.2, 3.7), sharey=True, constrained_layout=True)
-    thousand = lambda t: f"{t / 1e3:.0f}k" if t < 1e6 else f"{t / 1e6:.1f}M"  # noqa: E731
+    figure, axes = plt.subplots(1, 3, figsize=(10.2, 4.3), sharey=True, constrained_layout=True)
     several = [c for c in cases if c["layers"] > 16] or cases
     fewest, most = min(c["triangles"] for c in several), max(c["triangles"] for c in several)
     ends = [c for c in cases if c["triangles"] in (fewest, most)]
-    few = [c for c in cases if c["layers"] == 16]
-    panel(axes[0], [c for c in ends if c["pixels"] in (480000, 1764000)], fit, "layers", "layers", ("triangles", "pixels"),
-          lambda c: f"{thousand(c['triangles'])} triangles, {c['pixels'] / 1e6:.2g} Mpixel")
-    panel(axes[1], ends, fit, "pixels", "pixels", ("triangles", "layers"),
-          lambda c: f"{thousand(c['triangles'])} triangles, {c['layers']:.0f} layers")
-    panel(axes[2], few, fit, "triangles", "triangles", ("pixels",),
-          lambda c: f"{c['pixels'] / 1e6:.2g} Mpixel, 16 layers")
+    panel(axes[0], [c for c in ends if c["pixels"] in (480000, 1764000)], fit, "layers", "pixels", cases)
+    panel(axes[1], ends, fit, "pixels", "layers", cases)
+    panel(axes[2], [c for c in cases if c["layers"] == 16], fit, "triangles", "pixels", cases)
     layers = sorted({int(c["layers"]) for c in cases})
     axes[0].set_xticks(layers, [str(n) for n in layers])
     axes[0].minorticks_off()
