@@ -67,7 +67,8 @@ std::set<std::string> said(const std::string& folder) {
 struct Sweep : ::testing::Test {
   void SetUp() override {
     ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
-    // Kernels may have to be compiled and textures made: that belongs to no moment at which a sweep is killed.
+    // Kernels may have to be compiled and textures made: that belongs to no moment at which a sweep is
+    // killed.
     ASSERT_EQ(pelage(run({"-o", (folder.path / "first").string()})), 0) << "the smoke sweep itself failed";
     const auto started = std::chrono::steady_clock::now();
     ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
