@@ -125,6 +125,18 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
+/// A heading, where the CSV is, and the table, for each of them.
+template <class Table>
+std::string sections(const char* title, const std::vector<Table>& tables,
+                     const std::vector<std::string>& stems) {
+  std::string html;
+  for (std::size_t i = 0; i < tables.size(); ++i)
+    html += fmt::format(
+        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a href=\"tables/{}.csv\">CSV</a></p>\n{}",
+        title, escaped(tables[i].experiment), escaped(tables[i].device), stems[i], html_of(tables[i]));
+  return html;
+}
+
 }  // namespace
 
 std::string html_of(const Report& report, const std::filesystem::path& folder) {
@@ -156,18 +168,8 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
         escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
         report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
-  for (std::size_t i = 0; i < report.rivals.size(); ++i)
-    body += fmt::format(
-        "<h2>Against the paper's own pipeline</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
-        "href=\"tables/{}.csv\">CSV</a></p>\n{}",
-        escaped(report.rivals[i].experiment), escaped(report.rivals[i].device), report.rival_stems[i],
-        html_of(report.rivals[i]));
-  for (std::size_t i = 0; i < report.ways.size(); ++i)
-    body += fmt::format(
-        "<h2>Ways to draw the same</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
-        "href=\"tables/{}.csv\">CSV</a></p>\n{}",
-        escaped(report.ways[i].experiment), escaped(report.ways[i].device), report.way_stems[i],
-        html_of(report.ways[i]));
+  body += sections("Against the paper's own pipeline", report.rivals, report.rival_stems);
+  body += sections("Ways to draw the same", report.ways, report.way_stems);
   body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);

@@ -81,10 +81,16 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
+/// tables/STEM.* of a table that is one of its experiment, device and host.
+template <class Table>
+std::string stem_of(const Table& table, const char* suffix, bool several_devices) {
+  return file_name_of(table.experiment + suffix +
+                      (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+}
+
 void write_topologies(Report& report, const fs::path& folder, bool several_devices) {
   for (const TopologyTable& table : report.topologies) {
-    const std::string stem = file_name_of(
-        table.experiment + (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    const std::string stem = stem_of(table, "", several_devices);
     write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
     write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
     report.topology_stems.push_back(stem);
@@ -93,9 +99,7 @@ void write_topologies(Report& report, const fs::path& folder, bool several_devic
 
 void write_rivals(Report& report, const fs::path& folder, bool several_devices) {
   for (const RivalTable& table : report.rivals) {
-    const std::string stem =
-        file_name_of(table.experiment + "-ratio" +
-                     (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    const std::string stem = stem_of(table, "-ratio", several_devices);
     write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
     report.rival_stems.push_back(stem);
   }
@@ -103,8 +107,7 @@ void write_rivals(Report& report, const fs::path& folder, bool several_devices) 
 
 void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   for (const WayTable& table : report.ways) {
-    const std::string stem = file_name_of(
-        table.experiment + (several_devices ? "-" + table.device + "-" + table.host : std::string()));
+    const std::string stem = stem_of(table, "", several_devices);
     write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
     report.way_stems.push_back(stem);
   }

@@ -10,6 +10,25 @@
 
 namespace pelage::test {
 
+/// A row without samples for every case of a shipped experiment's preset, in its journal's name.
+inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std::string& preset,
+                                       const std::string& device = "test device") {
+  const Experiment e =
+      read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments" / (experiment + ".toml"));
+  std::vector<FoundRow> rows;
+  for (const Case& c : cases_of(e, preset_of(e, preset))) {
+    Row row;
+    row.experiment = e.name;
+    row.case_name = c.name;
+    row.variant = c.variant;
+    row.axes = c.axes;
+    row.device = device;
+    row.provenance = {{"host", "h"}, {"converged", true}};
+    rows.push_back({row, "results/" + experiment + "/test_device@h.jsonl"});
+  }
+  return rows;
+}
+
 /// All 32 cells. A frame of F triangles, N layers and a picture of P pixels takes (F N / 1e6 + P N / 1e6) ms,
 /// within
 /// +-1%.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "harness/report/report.hpp"
-#include "harness/results/experiment.hpp"
+#include "tests/report/rows.hpp"
 
 namespace pelage {
 namespace {
@@ -12,16 +12,10 @@ namespace {
 /// Every case of rivals.toml: ours 10 ms (curly) or 8 (plain); OpenGL's four times that on the torus, else
 /// nine times ours when curly, six when plain.
 std::vector<FoundRow> duel_rows() {
-  const Experiment e = read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/rivals.toml");
-  std::vector<FoundRow> rows;
-  for (const Case& c : cases_of(e, preset_of(e, "paper"))) {
-    Row row;
-    row.experiment = e.name;
-    row.case_name = c.name;
-    row.variant = c.variant;
-    row.axes = c.axes;
-    row.device = "test device";
-    const bool torus = c.axes.at("model") == "torus", plain = c.axes.at("reading") == "plain";
+  std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    const bool torus = row.axes.at("model") == "torus", plain = row.axes.at("reading") == "plain";
     const double ours = plain ? 8 : 10, ratio = torus ? 4 : plain ? 6 : 9;
     for (int i = 0; i < 11; ++i) {
       row.samples["frame"].wall_ms.push_back(ours);
@@ -29,8 +23,7 @@ std::vector<FoundRow> duel_rows() {
     }
     row.metrics["triangles"] = {torus ? 9360.0 : 20000.0, "triangles"};
     row.metrics["opengl_ratio"] = {ratio, "times", "", ratio - 1, ratio + 1};
-    row.provenance = {{"host", "h"}, {"converged", true}, {"opengl_renderer", "softpipe, Mesa"}};
-    rows.push_back({row, "results/rivals/test_device@h.jsonl"});
+    row.provenance["opengl_renderer"] = "softpipe, Mesa";
   }
   return rows;
 }

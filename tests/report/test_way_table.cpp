@@ -4,30 +4,21 @@
 #include <algorithm>
 
 #include "harness/report/report.hpp"
-#include "harness/results/experiment.hpp"
+#include "tests/report/rows.hpp"
 
 namespace pelage {
 namespace {
 
 /// Every case of rival-options.toml, 10 ms a layer; "byte" takes half of it, "volume" fails.
 std::vector<FoundRow> option_rows() {
-  const Experiment e =
-      read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/rival-options.toml");
-  std::vector<FoundRow> rows;
-  for (const Case& c : cases_of(e, preset_of(e, "quick"))) {
-    Row row;
-    row.experiment = e.name;
-    row.case_name = c.name;
-    row.variant = c.variant;
-    row.axes = c.axes;
-    row.device = "test device";
-    row.provenance = {{"host", "h"}, {"converged", true}};
-    const double ms = std::stod(c.axes.at("layers")) * (c.variant == "byte" ? 5 : 10);
-    if (c.variant == "volume")
+  std::vector<FoundRow> rows = test::bare_rows("rival-options", "quick");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    const double ms = std::stod(row.axes.at("layers")) * (row.variant == "byte" ? 5 : 10);
+    if (row.variant == "volume")
       row.status = Status::failed_check;
     else
       row.samples["frame"].wall_ms.assign(11, ms);
-    rows.push_back({row, "results/rival-options/test_device@h.jsonl"});
   }
   return rows;
 }
