@@ -85,8 +85,8 @@ std::string times(double value) {
 }
 
 constexpr const char* legend =
-    "A frame's time, ms, median and 95% interval; times: by the fastest that draws the picture asked for, "
-    "geometric mean.";
+    "A frame's time, ms, median and 95% interval (*: wider than the preset asks for); times: by the fastest "
+    "that draws the picture asked for, geometric mean.";
 
 }  // namespace
 
