@@ -21,13 +21,13 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
-      int drawn_corner = index[as_int(d->vertex[1 + c])];
+      int drawn_corner = index[as_int(d->triangle[9 + c])];
       piece.b1[c] = polygon[drawn_corner].b1;
       piece.b2[c] = polygon[drawn_corner].b2;
     }
-    d->vertex[1] = as_float(v0);
-    d->vertex[2] = as_float(v1);
-    d->vertex[3] = as_float(v2);
+    d->triangle[9] = as_float(v0);
+    d->triangle[10] = as_float(v1);
+    d->triangle[11] = as_float(v2);
     covered += cover_pixels(batch, 0, 0, d);
     flush(pass, &piece, d, tile);
   }
