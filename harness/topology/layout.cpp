@@ -125,7 +125,7 @@ std::size_t memory(const Layout& layout, Solver solver) {
       break;
     case Solver::backward_euler:
       columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
-      values += 4 * layout.neighbour.size();
+      values += 3 * layout.neighbour.size();
       break;
   }
   return 4 * (columns * layout.places() + values);

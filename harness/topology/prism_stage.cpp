@@ -84,7 +84,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   if (solver_ == Solver::backward_euler) {
     diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
     along_ = floats(3);
-    coupling_ = cl::Buffer<float>(queue.device(), 4 * layout.neighbour.size());
+    coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
     sums_ = cl::Memory(queue.device(),
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
     solved_ = cl::Buffer<float>(queue.device(), SOLVED);

@@ -42,9 +42,14 @@ static inline total total_of(totals v) {
 #endif
 }
 
+// Eight sums side by side, then these in order: a work-item waits for chunks / 8 additions, not for chunks.
 static inline total sum_of(__global const total *sums, int row, int chunks) {
-  total sum = 0;
-  for (int k = 0; k < chunks; ++k) sum += sums[row * chunks + k];
+  total part[8] = {0, 0, 0, 0, 0, 0, 0, 0}, sum = 0;
+  int k = 0;
+  for (; k + 8 <= chunks; k += 8)
+    for (int j = 0; j < 8; ++j) part[j] += sums[row * chunks + k + j];
+  for (int j = 0; j < 8; ++j) sum += part[j];
+  for (; k < chunks; ++k) sum += sums[row * chunks + k];
   return sum;
 }
 
@@ -70,25 +75,16 @@ INLINE Symmetric inverse_of(Symmetric m) {
   return i;
 }
 
-// A's block of two tops on a spring is -(even I + g g^T): four columns per entry.
-static inline real3 load_pull(TABLE(scalar) coupling, int e, real *even) {
-  *even = load_real(coupling, column_of(e, 4, 0));
-  return load3(coupling, e, 4, 1);
+// A's block of two tops on a spring is -(even I + g g^T): g is kept, three columns per entry, and even is what g leaves of
+// even + g.g, which is the same for all springs. No g at all: no spring.
+INLINE real even_of(TopologyParams p, real3 g) {
+  real along = dot3(g, g);
+  real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;
+  return along > REAL(0.0f) ? even : REAL(0.0f);
 }
 
-static inline real3 product(int u, Symmetric own, real3 v, TABLE(int) start, TABLE(int) neighbour,
-                            TABLE(scalar) coupling, TABLE(scalar) vectors) {
-  real3 sum = times(own, v);
-  int width = width_of(start, u);
-  for (int k = 0; k < width; ++k) {
-    int e = entry_of(start, u, k);
-    real3 w = xyz(gather_rows(vectors, load_whole(neighbour, e)));
-    real even;
-    real3 g = load_pull(coupling, e, &even);
-    sum = sub3(sum, along3(scale3(even, w), dot3(g, w), g));
-  }
-  return sum;
-}
+// (even I + g g^T) w
+INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
 // A, its blocks' inverses and b from the state, and r = b - A x, z = inverse r, d = z. at: the moment's entry, of the step's end.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
@@ -96,35 +92,40 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
                          __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
                          __global scalar *r, __global scalar *d, __global total *sums) {
+  real3 zero = uniform3(0.0f, 0.0f, 0.0f);
   totals rz = 0, rr = 0, bb = 0;
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
-    Site site = load_site(p, sites, push, u, 1);
     whole own = WHOLE(u * LANES) + lane_numbers();
-    truth real_row = own < WHOLE(p.sticks);
     real3 here = xyz(load_rows(tip, u));
     Top a;
     a.q = load3(offset, u, 3, 0);
     a.v = xyz(load_rows(speed, u));
-    Row row = stick_row(p, site, a, top_force(p, moments[at], u, site, a, here, start, neighbour, rest, tip, speed));
+    real3 force = zero, load = zero, pulls = zero;
+    Symmetric springs = symmetric(REAL(0.0f), REAL(0.0f), zero, REAL(0.0f), zero);
     int width = width_of(start, u);
     for (int k = 0; k < width; ++k) {
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
       real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the row fills up its slice
-      Span edge = span_of(sub3(xyz(gather_rows(tip, other)), here));
-      real3 dv = sub3(xyz(gather_rows(speed, other)), a.v);
-      Stiffness m = stiffness_of(p.step, p.edge_stiffness, p.edge_damping, edge, load_real(rest, e));
-      m.even *= spring, m.along *= spring, m.stiff_along *= spring;
-      row.block = plus(row.block, symmetric(m.even, m.along, edge.s, REAL(0.0f), edge.s));
-      row.load = add3(row.load, along3(scale3(m.even, dv), m.stiff_along * dot3(edge.s, dv), edge.s));
-      real3 g = scale3(sqrt(m.along), edge.s);
-      store_real(m.even, coupling, column_of(e, 4, 0));
-      store3(g, coupling, e, 4, 1);
+      real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
+      real length = load_real(rest, e);
+      force = add3(force, edge_force(p, apart, parting, length));
+      Span edge = span_of(apart);
+      Stiffness m = stiffness_of(p.step, p.edge_stiffness, p.edge_damping, edge, length);
+      real3 g = scale3(spring * sqrt(m.along), edge.s);
+      real even = even_of(p, g);
+      springs = plus(springs, symmetric(even, REAL(1.0f), g, REAL(0.0f), zero));
+      load = add3(load, along3(scale3(even, parting), spring * m.stiff_along * dot3(edge.s, parting), edge.s));
+      pulls = add3(pulls, pulled(p, g, xyz(gather_rows(x, other))));
+      store3(g, coupling, e, 3, 0);
     }
+    Site site = load_site(p, sites, push, u, 1);
+    Row row = stick_row(p, site, a, add3(stick_force(p, moments[at], site, a), force));
+    row.block = plus(row.block, springs);
     store_block(row.block, diagonal, u);
-    real3 zero = uniform3(0.0f, 0.0f, 0.0f);
-    real3 b = choose3(real_row, row.load, zero);
-    real3 left = sub3(b, product(u, row.block, xyz(load_rows(x, u)), start, neighbour, coupling, x));
+    truth real_row = own < WHOLE(p.sticks);
+    real3 b = choose3(real_row, add3(row.load, load), zero);
+    real3 left = sub3(b, sub3(times(row.block, xyz(load_rows(x, u))), pulls));
     left = choose3(real_row, left, zero);
     Symmetric over = inverse_of(row.block);
     store_block(over, inverse, u);
@@ -156,8 +157,12 @@ INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) st
                           __global total *sums) {
   totals sum = 0;
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
-    real3 v = xyz(load_rows(d, u));
-    real3 w = product(u, load_block(diagonal, u), v, start, neighbour, coupling, d);
+    real3 v = xyz(load_rows(d, u)), w = times(load_block(diagonal, u), v);
+    int width = width_of(start, u);
+    for (int k = 0; k < width; ++k) {
+      int e = entry_of(start, u, k);
+      w = sub3(w, pulled(p, load3(coupling, e, 3, 0), xyz(gather_rows(d, load_whole(neighbour, e)))));
+    }
     store3(w, product_d, u, 3, 0);
     sum += to_totals(dot3(v, w));
   }

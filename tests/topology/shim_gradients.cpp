@@ -20,7 +20,7 @@ int gradients_substep(Memory& m, int substep, double residual) {
   const Layout& l = *m.layout;
   const int chunks = 16 * l.slices;
   const std::size_t places = l.places();
-  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(4 * l.neighbour.size()),
+  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(3 * l.neighbour.size()),
       r(3 * places), d(4 * places), product(3 * places), sums(std::size_t(SUM_ROWS * chunks));
   const auto each = [&](const auto& kernel) {
     for (in_double::work_item = 0; in_double::work_item < chunks; ++in_double::work_item) kernel();
@@ -62,7 +62,7 @@ int gradients_substep(Memory& m, int substep, double residual) {
 int gradients_whole(Memory& m, double residual) {
   const Layout& l = *m.layout;
   const std::size_t places = l.places();
-  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(4 * l.neighbour.size()),
+  std::vector<double> diagonal(6 * places), inverse(6 * places), coupling(3 * l.neighbour.size()),
       r(3 * places), d(4 * places), product(3 * places), sums(SUM_ROWS), solved(3);
   TopologyParams params = m.params;
   params.blocks_per_item = 16 * l.slices;
