@@ -2,7 +2,7 @@
 # Keeps what a machine found: rows under results/, and their report's tables, charts and claims in a folder of docs/.
 # Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote; an earlier recording is replaced.
 #
-# docs/topology, about 40 minutes on two cores:
+# docs/topology, about 30 minutes on two cores, all with --preset quick:
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
