@@ -1,7 +1,7 @@
 // Shared prisms by backward Euler: the equations of all tops at once, A x = b for x = dv, solved by conjugate gradients
 // preconditioned with the inverses of A's 3 x 3 diagonal blocks (block-Jacobi), started from the last step's x.
 // A work-item has a chunk of units; chunks do not depend on the work-group size, and neither do the sums, which every
-// work-item that needs one adds up in the order of chunks. A large model takes a launch for each part of a step, a small one
+// work-item that needs one adds up in the same order. A large model takes a launch for each part of a step, a small one
 // a single launch of one work-item for all of it (gradients_whole): there a launch would cost more than what it does.
 #include "topology/implicit.clh"
 #include "topology/springs.clh"
