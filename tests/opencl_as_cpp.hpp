@@ -33,6 +33,9 @@ inline real gather(const float* table, whole i) {
 inline whole gather_whole(const std::int32_t* table, whole i) {
   return table[i];
 }
+inline real floor_real(real x) {
+  return floor(x);
+}
 inline bool some(truth m) {
   return m;
 }

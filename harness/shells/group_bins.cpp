@@ -95,7 +95,7 @@ GroupBins::GroupBins(const cl::Device& device, const RasterParams& p, const std:
 }
 
 void GroupBins::make(const cl::Queue& queue, const RasterParams& p, const cl::Buffer<std::int32_t>& corner,
-                     const cl::Buffer<std::int16_t>& box, const cl::Buffer<std::int32_t>& start,
+                     const cl::Buffer<float>& box, const cl::Buffer<std::int32_t>& start,
                      cl::Buffer<std::int32_t>& list, PhaseEvents* events) {
   const std::size_t items = std::size_t(p.groups) * std::size_t(p.triangles);
   count_.with(p, corner, box, offset_);

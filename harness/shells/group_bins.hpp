@@ -39,7 +39,7 @@ class GroupBins {
   /// lists. list: grows as it must, so that no triangle is dropped. Waits for its length; throws DeviceError
   /// where that is 2^31 or more.
   void make(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<std::int32_t>& corner,
-            const cl::Buffer<std::int16_t>& box, const cl::Buffer<std::int32_t>& start,
+            const cl::Buffer<float>& box, const cl::Buffer<std::int32_t>& start,
             cl::Buffer<std::int32_t>& list, PhaseEvents* events);
   double build_ms() const { return program_.build_ms() + sort_.build_ms(); }
 

@@ -76,7 +76,6 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   copy(camera.ray, p.ray, 3);
   copy(camera.ray_dx, p.ray_dx, 3);
   copy(camera.ray_dy, p.ray_dy, 3);
-  p.pixel = camera.pixel;
   p.near_depth = camera.near;
   p.vertices = geometry.vertices;
   p.triangles = geometry.triangles;
@@ -95,8 +94,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.fur_levels = int(input.fur.level.size());
   p.fur_scale[0] = input.fur_scale.x;
   p.fur_scale[1] = input.fur_scale.y;
-  p.fur_density = scene.fur.tile * float(input.fur.size);
-  p.lod_bias = scene.fur.lod_bias;
+  p.footprint = camera.pixel * scene.fur.tile * float(input.fur.size) * std::exp2(scene.fur.lod_bias);
   p.substeps = scene.fur.substeps;
   p.coat_size = input.coat.size;
   // The wet model's diffuse term and occlusion, dry and without anything of ours, are the model of B.

@@ -37,7 +37,7 @@ void RasterStage::set_pass(int number) {
 
 void RasterStage::begin_pass(const cl::Queue& queue, int number, PhaseEvents* events) {
   set_pass(number);
-  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_, nearest_);
+  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_);
   cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / mapping_.lanes));
   if (events) events->emplace_back("transform", std::move(event));
   bin(queue, events);

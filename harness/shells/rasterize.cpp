@@ -146,8 +146,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   tip_ = cl::Buffer<float>(device, 3 * vertices);
   record_ = cl::Buffer<float>(device, RECORD * vertices);
   screen_ = cl::Buffer<float>(device, 4 * screens);
-  box_ = cl::Buffer<std::int16_t>(device, 4 * vertices * std::size_t(params_.groups + 1));
-  nearest_ = cl::Buffer<float>(device, vertices * std::size_t(params_.groups));
+  box_ = cl::Buffer<float>(device, 4 * vertices * std::size_t(params_.groups + 1));
   if (mapping_.name == "group") group_bins_ = std::make_unique<GroupBins>(device, params_, options_);
   length_ = cl::Buffer<std::int32_t>(device, lists);
   list_start_ =
@@ -224,8 +223,8 @@ cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program
     if (mapping_.name == "group") return kernel.enqueue(queue, tiles * group_items, group_items);
     return kernel.enqueue(queue, {std::size_t(params_.width), std::size_t(params_.height)});
   }
-  kernel.with(params_, table_, corner_, screen_, box_, nearest_, vertex_, tip_, dry_, list_start_, list_,
-              shown_, record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
+  kernel.with(params_, table_, corner_, screen_, box_, vertex_, tip_, dry_, list_start_, list_, shown_,
+              record_, tangent_, curl_, fur_, coat_, *mask_, image_, covered_, next_tile_);
   // Work-items fetch tiles until there are none. Platforms hand them to threads by the dozen: more than
   // threads.
   return kernel.enqueue(queue, std::min(tiles, 32 * std::size_t(queue.device().info().compute_units)), 1);

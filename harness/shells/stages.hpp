@@ -113,10 +113,9 @@ class RasterStage {
   cl::Program geometry_, raster_;
   cl::Kernel tips_, layers_, records_, count_, sum_, start_, fill_;
   std::unique_ptr<GroupBins> group_bins_;  // of the mapping "group", in place of the kernels above
-  cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_, nearest_;
+  cl::Buffer<float> table_, vertex_, uv_, tangent_, curl_, weight_, dry_, tip_, record_, screen_, box_;
   cl::Buffer<std::int32_t> corner_, slice_, strand_, chunk_count_, length_, list_start_, list_, shown_,
       next_tile_;
-  cl::Buffer<std::int16_t> box_;
   cl::Buffer<std::int32_t> fur_, coat_;
   const cl::Buffer<float>* mask_;
   cl::Buffer<glm::vec4> image_;

@@ -41,15 +41,15 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 }
 
 // The box of pixels whose centres LANES vertices bound in some layers, from the image's corner.
-typedef struct { whole left, top, right, bottom; } Bounds;
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: the greatest 1/w
 
 static inline Bounds nothing(void) {
-  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768)};
+  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
   return b;
 }
 
 static inline Bounds both(Bounds a, Bounds b) {
-  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom)};
+  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom), fmax(a.most, b.most)};
   return c;
 }
 
@@ -62,31 +62,22 @@ static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   b.top = clipped ? WHOLE(-32768) : (y + WHOLE(SUBPIXEL - 1)) >> 8;
   b.right = clipped ? WHOLE(32767) : x >> 8;
   b.bottom = clipped ? WHOLE(32767) : y >> 8;
+  b.most = clipped ? REAL(INFINITY) : v.iw;
   return b;
 }
 
-static inline void store_bounds(Bounds b, __global short *box, int block) {
-  __global short *out = box + (size_t)block * LANES * 4;
-#if LANES == 16
-  short16 l = convert_short16(b.left), t = convert_short16(b.top), r = convert_short16(b.right), o = convert_short16(b.bottom);
-  vstore16((short16)(l.s0, t.s0, r.s0, o.s0, l.s1, t.s1, r.s1, o.s1, l.s2, t.s2, r.s2, o.s2, l.s3, t.s3, r.s3, o.s3), 0, out);
-  vstore16((short16)(l.s4, t.s4, r.s4, o.s4, l.s5, t.s5, r.s5, o.s5, l.s6, t.s6, r.s6, o.s6, l.s7, t.s7, r.s7, o.s7), 1, out);
-  vstore16((short16)(l.s8, t.s8, r.s8, o.s8, l.s9, t.s9, r.s9, o.s9, l.sa, t.sa, r.sa, o.sa, l.sb, t.sb, r.sb, o.sb), 2, out);
-  vstore16((short16)(l.sc, t.sc, r.sc, o.sc, l.sd, t.sd, r.sd, o.sd, l.se, t.se, r.se, o.se, l.sf, t.sf, r.sf, o.sf), 3, out);
-#else
-  out[0] = (short)b.left;
-  out[1] = (short)b.top;
-  out[2] = (short)b.right;
-  out[3] = (short)b.bottom;
-#endif
+// As box_of() in boxes.clh reads them.
+static inline void store_bounds(Bounds b, __global float *box, int block) {
+  real4 row = {bits_as_real((b.left & 0xffff) | (b.top << 16)), bits_as_real((b.right & 0xffff) | (b.bottom << 16)), b.most,
+               REAL(0.0f)};
+  store_rows(row, box, block);
 }
 
 // The vertices of the base and of a pass's layers: rows of screen x, y (1/256 pixel from the image centre, integers' bits)
 // and 1/w from screen_row(n) on; for each group of layers, and last for all of the pass together, the vertices' bounds at
-// [(group vertices + i) 4]; for each group the greatest 1/w, at [group vertices + i]. A vertex that needs clipping has
-// 1/w = 0 and an infinite greatest 1/w.
+// [(group vertices + i) 4]. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
-                             __global float *screen, __global short *box, __global float *nearest) {
+                             __global float *screen, __global float *box) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   Corner c = corner(&s, vertex, tip, dry, block);
@@ -95,16 +86,13 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
     int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.group;
     int last = g == 0 ? 0 : min(first + s.group, s.end_layer);
     Bounds bounds = nothing();
-    real most = REAL(0.0f);
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
       real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
       store_rows(row, screen + 4 * screen_row(&s, n), block);
       bounds = both(bounds, bounds_of(&s, v));
-      most = v.iw == REAL(0.0f) ? REAL(INFINITY) : fmax(most, v.iw);
     }
     store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
-    store_real(most, nearest + (size_t)g * s.vertices, block);
     if (g > 0) all = both(all, bounds);
   }
   store_bounds(all, box + (size_t)s.groups * s.vertices * 4, block);

@@ -7,14 +7,14 @@
 typedef struct { int left, top, right, bottom; } Span;
 
 // The tiles that triangle t may touch in group g; right < left when it covers no pixel centre there.
-static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(int) box, int g, int t) {
+static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) box, int g, int t) {
   Box b = box_of(s, load_rows(corners, t), box, g);
   Span tiles = {b.left / TILE_W, b.top / TILE_H, b.live ? b.right / TILE_W : -1, b.live ? b.bottom / TILE_H : -1};
   return tiles;
 }
 
 // count: [g triangles + t].
-__kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(int) box, __global int *count) {
+__kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
   int i = (int)get_global_id(0);
   if (i >= s.groups * s.triangles) return;
   Span tiles = tiles_of(&s, corners, box, i / s.triangles, i % s.triangles);
@@ -22,7 +22,7 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(int) box, 
 }
 
 // start: the counts' prefix sum. key: the list, g tiles + tile. triangle: in whose list.
-__kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(int) box, TABLE(int) start, __global int *key,
+__kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);
   if (i >= s.groups * s.triangles) return;

@@ -7,7 +7,6 @@ typedef struct {
   int width, height;
   float row_x[4], row_y[4], row_w[4];         // dot with (p, 1): pixels from the image centre times w; view depth w
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the centre, its change per pixel
-  float pixel;                                // R per pixel at view depth 1
   float near_depth;                           // R
   // Geometry.
   int vertices;                               // columns' length: corners or copies, rounded up to a multiple of 16
@@ -35,8 +34,7 @@ typedef struct {
   // Textures.
   int fur_size, fur_levels;
   float fur_scale[2];                         // repeats per unit of u and v
-  float fur_density;                          // texels of level 0 per R
-  float lod_bias;
+  float footprint;                            // of a pixel at view depth 1, texels of level 0 times 2^bias
   int substeps;                               // looks into a fragment's layer: 1, 2, 4 or 8
   int coat_size;
   // Light (S Eq. 6; W Eq. 2-5).

@@ -28,7 +28,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     d->triangle[9] = as_float(v0);
     d->triangle[10] = as_float(v1);
     d->triangle[11] = as_float(v2);
-    covered += cover_pixels(batch, 0, 0, d);
+    covered += cover_pixels(batch, 0, 0, &pass->hidden, d);
     flush(pass, &piece, d, tile);
   }
   return covered;
@@ -49,7 +49,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
     if (clipped[lane]) {
       covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
     } else if (keep(t, b, d, batch) && batch->covering[lane]) {
-      covered += cover_pixels(batch, lane, lane, d);
+      covered += cover_pixels(batch, lane, lane, &pass->hidden, d);
       flush(pass, 0, d, tile);
     }
   }
@@ -57,7 +57,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
 }
 
 static void clear(const Place *place, Drawn *d, Tile *tile) {
-  d->used = 0;
+  d->used = d->large = 0;
   d->deepest = 0;
   for (int k = 0; k < AT_ONCE; ++k) d->count[TILE_PIXELS + k] = 0;
   for (int block = 0; block < BLOCKS; ++block) {
@@ -72,8 +72,8 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
   }
 }
 
-// The pass's layer of `entries` triangles; what is behind least_iw cannot be seen. Returns the number of covered fragments.
-static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries, float least_iw, Batch *batch, Drawn *d,
+// The pass's layer of `entries` triangles. Returns the number of covered fragments.
+static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries, Batch *batch, Drawn *d,
                       Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
@@ -87,10 +87,12 @@ static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries
       covered += draw_with_clipping(pass, m, b, count, batch, d, tile);
       continue;
     }
-    truth drawn_here = (b.reach > WHOLE(n)) && (fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw)) >= REAL(least_iw));
+    real nearest = fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw));
+    truth drawn_here = (b.reach > WHOLE(n)) && (nearest >= REAL(pass->hidden.least[WHOLE_TILE]));
     if (!some(drawn_here)) continue;
     Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
     t.live = t.live && drawn_here;
+    t.live = t.live && (nearest >= own_gather(pass->hidden.least, t.live ? rectangle(t.left, t.top, t.right, t.bottom) : WHOLE(0)));
     if (!keep(t, b, d, batch)) continue;
     int slot = d->used;
     d->used += LANES;
@@ -107,7 +109,7 @@ static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries
         flush(pass, 0, d, tile);
         d->used = slot + LANES;   // the rest of this batch still stands in its slots
       }
-      covered += cover_pixels(batch, lane, slot + lane, d);
+      covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
     }
     if (d->used + LANES > SLOTS) flush(pass, 0, d, tile);
   }
@@ -159,15 +161,13 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   Batch batch;
   Drawn drawn;
   clear(place, &drawn, &tile);
+  hide_nothing(&pass->hidden);
 
   pass->n = -1;
   pass->layer = layer_at(s, m.table, -1);
-  draw_layer(pass, m, list + list_start[number], list_start[number + 1] - list_start[number], 0.0f, &batch, &drawn, &tile);
-  float least_iw = 0.0f;
+  draw_layer(pass, m, list + list_start[number], list_start[number + 1] - list_start[number], &batch, &drawn, &tile);
 #ifndef COUNT_FRAGMENTS
-  Hidden hidden;
-  find_hidden(&tile, place, &hidden);
-  least_iw = hidden.least[WHOLE_TILE];
+  find_hidden(&tile, place, &pass->hidden);
   if (s->end_layer < s->layers) resume(s, place, &tile, image);
 #endif
 
@@ -179,13 +179,13 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
     int count = last - first;
 #else
     TABLE(int) drawn_here = shown + first;
-    int count = may_be_seen(pass, m, g, &hidden, list + first, last - first, shown + first);
+    int count = may_be_seen(pass, m, g, list + first, last - first, shown + first);
 #endif
     int inner = s->first_layer + (g - 1) * s->group;
     for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
       pass->n = n;
       pass->layer = layer_at(s, m.table, n);
-      fragments += (uint)draw_layer(pass, m, drawn_here, count, least_iw, &batch, &drawn, &tile);
+      fragments += (uint)draw_layer(pass, m, drawn_here, count, &batch, &drawn, &tile);
     }
   }
 #ifndef COUNT_FRAGMENTS
@@ -201,13 +201,13 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
 // shown: room for as much as list. next: the first tile that nobody draws yet, 0 at first; so no work-item is left with all the furry tiles.
-__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(int) box,
-                          TABLE(float) nearest, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(float) box,
+                          TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                           TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
                           TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
                           __global int *next) {
   own_lights(&s);
-  Geometry m = {corners, screen, vertex, tip, dry, table, box, nearest};
+  Geometry m = {corners, screen, vertex, tip, dry, table, box};
   Pass pass;
   pass.s = &s;
   pass.from.records = records;

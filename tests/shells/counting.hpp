@@ -73,7 +73,7 @@ inline double sqrt(double a) {
 inline real rint(real a) {
   return counted(std::rint(a.value));
 }
-inline real floor(real a) {
+inline real floor_real(real a) {
   return counted(std::floor(a.value));
 }
 inline real fabs(real a) {

@@ -42,8 +42,7 @@ struct Fragment : ::testing::Test {
     s.fur_size = 4;
     s.fur_levels = 3;
     s.fur_scale[0] = s.fur_scale[1] = 1;
-    s.fur_density = 100;
-    s.pixel = 0.01f;
+    s.footprint = 1;
     s.substeps = 1;
     s.coat_size = 4;
     s.shadow = 2;
