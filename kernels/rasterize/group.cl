@@ -40,7 +40,7 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Hit h, Pixe
   if (f.coverage <= 0.0f) return;
   real3 c = fur_colour(pass->s, pass->textures, pass->layer, at, f);
   float weight = p->front.w * f.coverage;
-  p->front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
+  p->front = fma((float4)(weight), (float4)(c.x, c.y, c.z, -1.0f), p->front);
 #endif
 }
 

@@ -99,7 +99,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       ++blended;
       real3 c = fur_colour(&s, textures, l, p, f);
       float weight = front.w * f.coverage;
-      front += (float4)(weight * c.x, weight * c.y, weight * c.z, -weight);
+      front = fma((float4)(weight), (float4)(c.x, c.y, c.z, -1.0f), front);
     }
   }
 #ifdef TALLY
