@@ -36,6 +36,9 @@ inline whole gather_whole(const std::int32_t* table, whole i) {
 inline real floor_real(real x) {
   return floor(x);
 }
+inline real inverse_root(real x) {
+  return 1 / sqrt(x);
+}
 inline bool some(truth m) {
   return m;
 }

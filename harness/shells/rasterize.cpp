@@ -53,14 +53,14 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   return words;
 }
 
-// RGB of a texel in one word; each row ends with its first texel again.
+// RGB of a texel in one word, with a border of a texel all around: the picture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat) {
   const auto side = std::size_t(coat.size);
   std::vector<std::int32_t> words;
-  words.reserve(side * (side + 1));
-  for (std::size_t y = 0; y < side; ++y)
-    for (std::size_t x = 0; x <= side; ++x) {
-      const auto& t = coat.texel[y * side + x % side];
+  words.reserve((side + 2) * (side + 2));
+  for (std::size_t y = 0; y < side + 2; ++y)
+    for (std::size_t x = 0; x < side + 2; ++x) {
+      const auto& t = coat.texel[(y + side - 1) % side * side + (x + side - 1) % side];
       words.push_back(static_cast<std::int32_t>(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 |
                                                 std::uint32_t(t[2]) << 16));
     }

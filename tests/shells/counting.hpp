@@ -111,13 +111,16 @@ inline whole2 gather_pairs(const std::int32_t* table, whole i) {
   return {table[i], table[i + 1]};
 }
 inline real4 gather_rows(const float* table, whole i) {
-  const float* row = table + 4 * i;
+  const float* row = table + 4 * std::ptrdiff_t(i);
   return {double(row[0]), double(row[1]), double(row[2]), double(row[3])};
 }
 inline real load_real(const float* table, int block) {
   return gather(table, block);
 }
 inline void read_soon(const void*, whole) {}
+inline real inverse_root(real x) {
+  return real(1.0) / sqrt(x);
+}
 inline bool some(truth m) {
   return m;
 }

@@ -81,8 +81,8 @@ struct Fragment : ::testing::Test {
   }
   RasterParams s{};
   c::Surface p{};
-  std::vector<float> table = std::vector<float>(17 * LAYER_COLUMNS, 0.5f);
-  std::vector<std::int32_t> fur = std::vector<std::int32_t>(16 * 64, 0x10203040), coat = fur;
+  std::vector<float> table = std::vector<float>(std::size_t(17) * LAYER_COLUMNS, 0.5f);
+  std::vector<std::int32_t> fur = std::vector<std::int32_t>(std::size_t(16) * 64, 0x10203040), coat = fur;
   std::vector<float> mask = std::vector<float>(64), dry = std::vector<float>(64, 0.0f);
 };
 
