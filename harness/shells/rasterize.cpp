@@ -28,7 +28,13 @@ int tile_side(const std::map<std::string, int>& tuning, const std::string& axis,
   return side;
 }
 
-// Coverage and shade of (x, y) and (x, y + 1) in one word; each row ends with its first texel again.
+// A word of four bytes, the first one lowest.
+std::int32_t word_of(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
+  return static_cast<std::int32_t>(std::uint32_t(a) | std::uint32_t(b) << 8 | std::uint32_t(c) << 16 |
+                                   std::uint32_t(d) << 24);
+}
+
+// Coverage and shade of (x, y), then of (x, y + 1), in one word; each row ends with its first texel again.
 std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   std::size_t texels = 0;
   for (std::size_t l = 0; l < fur.level.size(); ++l)
@@ -36,8 +42,7 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   std::vector<std::int32_t> words(texels);
   auto next = words.begin();
   const auto word = [](const auto& here, const auto& below) {
-    return static_cast<std::int32_t>(std::uint32_t(here[0]) | std::uint32_t(below[0]) << 8 |
-                                     std::uint32_t(here[1]) << 16 | std::uint32_t(below[1]) << 24);
+    return word_of(here[0], here[1], below[0], below[1]);
   };
   for (std::size_t l = 0; l < fur.level.size(); ++l) {
     const auto side = std::size_t(fur.size >> l);
@@ -53,17 +58,20 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur) {
   return words;
 }
 
-// RGB of a texel in one word, with a border of a texel all around: the picture repeats.
+// Two words per texel, red and green of (x, y) and of (x, y + 1), then blue of both, with a border of a texel
+// all around: the picture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat) {
   const auto side = std::size_t(coat.size);
   std::vector<std::int32_t> words;
-  words.reserve((side + 2) * (side + 2));
-  for (std::size_t y = 0; y < side + 2; ++y)
+  words.reserve(2 * (side + 2) * (side + 2));
+  for (std::size_t y = 0; y < side + 2; ++y) {
+    const auto *here = &coat.texel[(y + side - 1) % side * side], *below = &coat.texel[y % side * side];
     for (std::size_t x = 0; x < side + 2; ++x) {
-      const auto& t = coat.texel[(y + side - 1) % side * side + (x + side - 1) % side];
-      words.push_back(static_cast<std::int32_t>(std::uint32_t(t[0]) | std::uint32_t(t[1]) << 8 |
-                                                std::uint32_t(t[2]) << 16));
+      const auto &t = here[(x + side - 1) % side], &u = below[(x + side - 1) % side];
+      words.push_back(word_of(t[0], t[1], u[0], u[1]));
+      words.push_back(word_of(t[2], 0, u[2], 0));
     }
+  }
   return words;
 }
 
@@ -111,8 +119,8 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
     : mapping_(mapping_of(options.mapping, queue.device())),
       tuning_(tuning_of(mapping_, options.tuning)),
       params_(tiled(raster_params(input, g), tuning_, queue.device())),
-      options_(build_options(queue.device(), mapping_.lanes, tuning_)),
-      one_lane_(build_options(queue.device(), 1, tuning_)),
+      options_(build_options(mapping_.lanes, tuning_)),
+      one_lane_(build_options(1, tuning_)),
       layers_at_once_(layers_at_once(params_, options.layers_at_once, queue.device())),
       packed_(std::async(std::launch::async, [&] { return packed_fur(input.fur); })),
       geometry_(queue.device(), "rasterize/geometry.cl", options_),
@@ -175,7 +183,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
 
 // Once per mask, like the dryness: which layers each triangle reaches, into the corners' fourth column.
 void RasterStage::reach(const cl::Queue& queue) {
-  const cl::Program program(queue.device(), "rasterize/reach.cl", build_options(queue.device(), 1, {}));
+  const cl::Program program(queue.device(), "rasterize/reach.cl", build_options(1, {}));
   cl::Kernel kernel(program, "triangle_reach");
   kernel.with(params_, table_, uv_, *mask_, corner_);
   const cl::Event event = kernel.enqueue(queue, std::size_t(params_.triangles));

@@ -6,9 +6,8 @@
 
 namespace pelage::shells {
 
-std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning) {
+std::string build_options(int lanes, const std::map<std::string, int>& tuning) {
   std::string options = fmt::format("-D LANES={}", lanes);
-  if (device.info().platform == "rusticl") options += " -D OWN_LIGHTS";
   for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
   return options;
 }
@@ -33,7 +32,7 @@ std::vector<float> rest_state(const Geometry& g) {
 
 SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
                              int lanes, const std::map<std::string, int>& tuning)
-    : program_(queue.device(), "simulate/simulate.cl", build_options(queue.device(), lanes, {})),
+    : program_(queue.device(), "simulate/simulate.cl", build_options(lanes, {})),
       step_(program_, "strand_frame"),
       params_(simulate_params(input.scene, geometry)),
       dynamics_(input.scene.dynamics),

@@ -92,7 +92,7 @@ std::vector<glm::vec3> pushes(const springs::Topology& topology, const Mesh& mes
 
 SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes)
     : masses_(at_rest(queue, input, lanes)),
-      program_(queue.device(), "rasterize/sticks.cl", build_options(queue.device(), lanes, {})),
+      program_(queue.device(), "rasterize/sticks.cl", build_options(lanes, {})),
       tips_(program_, "stick_tips"),
       stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
       substeps_(input.scene.dynamics.substeps),

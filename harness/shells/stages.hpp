@@ -21,8 +21,8 @@ using PhaseEvents = std::vector<std::pair<std::string, cl::Event>>;
 /// The axis' value in `tuning`, else `otherwise`.
 int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise);
 
-/// "-D NAME=value ..." for a kernel build on `device`.
-std::string build_options(const cl::Device& device, int lanes, const std::map<std::string, int>& tuning);
+/// "-D NAME=value ..." for a kernel build.
+std::string build_options(int lanes, const std::map<std::string, int>& tuning);
 
 /// How the pixels are spread over a device's work-items.
 struct Mapping {

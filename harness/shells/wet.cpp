@@ -75,7 +75,7 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::m
 
 cl::Event WetStage::run(const cl::Queue& queue) {
   if (!kernel_) {
-    program_.emplace(queue.device(), "wet/wet.cl", build_options(queue.device(), 1, {}));
+    program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
     kernel_.emplace(*program_, "wetness_mask");
   }
   kernel_->with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);

@@ -5,7 +5,7 @@ namespace {
 
 double per_shaded(const RasterParams& p, double wet_share) {
   const int tables = 1 + (p.wet_model || p.substeps > 1) + (p.substeps > 1);
-  double sum = operations::point + tables * operations::record + operations::dry_fragment +
+  double sum = operations::point + tables * operations::record + operations::ray + operations::dry_fragment +
                wet_share * operations::clump;
   if (p.substeps > 1) sum += operations::substeps + (p.substeps - 1) * operations::substep;
   return sum;

@@ -2,7 +2,6 @@
 // up and finds the pixels that it covers as bits of a word; those that cover none drop out; then each pixel draws those
 // that cover it. Layers run from the tips down and triangles backwards, compositing front to back, as in tiles.cl.
 #include "rasterize/group_tile.clh"
-#include "rasterize/lights.clh"
 
 // What a layer's triangles are drawn with.
 typedef struct {
@@ -36,7 +35,7 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Hit h, Pixe
 #ifndef COUNT_FRAGMENTS
   if (h.iw < p->depth || p->front.w <= OPAQUE) return;
   Surface at = surface_at(pass->s, pass->from, h, vertex, p->from_centre_x, p->from_centre_y);
-  Fur f = fur_fragment(pass->s, pass->textures, pass->layer, pass->n, at);
+  Fur f = fur_fragment(pass->s, pass->textures, pass->layer, slice_of(pass->s, pass->n), at);
   if (f.coverage <= 0.0f) return;
   real3 c = fur_colour(pass->s, pass->textures, pass->layer, at, f);
   float weight = p->front.w * f.coverage;
@@ -77,7 +76,6 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
   int first_x = tile % s.tiles_x * TILE_W, first_y = tile / s.tiles_x * TILE_H;
   int origin_x = SUBPIXEL * first_x + 128 - 128 * s.width, origin_y = SUBPIXEL * first_y + 128 - 128 * s.height;
   int width = min(TILE_W, s.width - first_x), height = min(TILE_H, s.height - first_y);
-  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Pass pass = {&s, {records, tangents, curls}, {fur, coat, mask}};
 
@@ -114,7 +112,7 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
       if (item == 0) clear(&work, 1 - turn); // all have read it, and it is next
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
-        put_triangle(&work, turn, item, n, triangles_at(&s, m, n, list[entry], origin_x, origin_y), width, height, least_iw);
+        put_triangle(&work, turn, item, n, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
       }
       barrier(CLK_LOCAL_MEM_FENCE);
       ulong fans = raised(work.clipped[turn]), mine = 0;

@@ -1,7 +1,6 @@
 // The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's lists and shades each fragment
 // as it comes. The same equations on one lane; nothing queued, nothing skipped but what cannot be seen.
 #include "rasterize/fan.clh"
-#include "rasterize/lights.clh"
 #include "rasterize/surface.clh"
 
 // The centre of the pixel at the origin of the setup's coordinates.
@@ -25,7 +24,7 @@ static Hit hit_at(Setup t) {
 
 // A triangle of layer n at the pixel whose centre is the origin, clipped where it must be.
 static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
-  Triangles b = triangles_at(s, m, n, triangle, origin_x, origin_y);
+  Triangles b = triangles_at(s, m, n, gather_rows(m.corners, triangle), origin_x, origin_y);
   for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];
   if (!needs_clip(b)) return hit_at(set_up(b.corner[0], b.corner[1], b.corner[2], 1, 1));
   Cut polygon[POLYGON];
@@ -56,7 +55,6 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
   if ((pick ^ pick >> 12) % TALLY != 0) return;
 #endif
-  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
   Attributes from = {records, tangents, curls};
@@ -94,7 +92,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
       if (h.iw < nearest.iw || front.w <= OPAQUE || n >= reach) continue;
       ++shaded;
       Surface p = surface_at(&s, from, h, vertices, x, y);
-      Fur f = fur_fragment(&s, textures, l, n, p);
+      Fur f = fur_fragment(&s, textures, l, slice_of(&s, n), p);
       if (f.coverage <= 0.0f) continue;
       ++blended;
       real3 c = fur_colour(&s, textures, l, p, f);

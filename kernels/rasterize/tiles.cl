@@ -3,7 +3,6 @@
 // back: layers write no depth, so 'under' in reverse order is exactly the paper's 'over', and a pixel stops when nothing
 // more can be seen.
 #include "rasterize/hidden.clh"
-#include "rasterize/lights.clh"
 
 // The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
 // covered fragments.
@@ -18,7 +17,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
     for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
-    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, d, batch)) continue;
+    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, nearest_of(b), d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
       int drawn_corner = index[as_int(d->triangle[9 + c])];
@@ -48,7 +47,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
     int lane = pass->n < 0 ? k : count - 1 - k;
     if (clipped[lane]) {
       covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
-    } else if (keep(t, b, d, batch) && batch->covering[lane]) {
+    } else if (keep(t, b, nearest_of(b), d, batch) >> lane & 1) {
       covered += cover_pixels(batch, lane, lane, &pass->hidden, d);
       flush(pass, 0, d, tile);
     }
@@ -77,34 +76,37 @@ static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries
                       Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
+  real4 next_corners;                    // where they have been fetched ahead
+  bool fetched = false;
   for (int done = 0; done < entries; done += LANES) {
     int begin = n < 0 ? done : max(entries - done - LANES, 0);
     int count = min(LANES, entries - done);
-    Triangles b = triangles_at(pass->s, m, n, load_entries(list + begin, count), place->origin_x, place->origin_y);
+    real4 corners = fetched ? next_corners : gather_rows(m.corners, load_entries(list + begin, count));
+    Triangles b = triangles_at(pass->s, m, n, corners, place->origin_x, place->origin_y);
     int next = entries - done - 2 * LANES;
-    if (n >= 0 && next >= 0) triangles_soon(pass->s, m, n, load_whole(list + next, 0));
+    fetched = n >= 0 && next >= 0;
+    if (fetched) {
+      next_corners = gather_rows(m.corners, load_whole(list + next, 0));
+      triangles_soon(pass->s, m, n, next_corners);
+    }
     if (some(needs_clip(b))) {
       covered += draw_with_clipping(pass, m, b, count, batch, d, tile);
       continue;
     }
-    real nearest = fmax(b.corner[0].iw, fmax(b.corner[1].iw, b.corner[2].iw));
+    real nearest = nearest_of(b);
     truth drawn_here = (b.reach > WHOLE(n)) && (nearest >= REAL(pass->hidden.least[WHOLE_TILE]));
     if (!some(drawn_here)) continue;
     Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
     t.live = t.live && drawn_here;
     t.live = t.live && (nearest >= own_gather(pass->hidden.least, t.live ? rectangle(t.left, t.top, t.right, t.bottom) : WHOLE(0)));
-    if (!keep(t, b, d, batch)) continue;
+    uint covering = keep(t, b, nearest, d, batch) & ((1u << count) - 1);
+    if (covering == 0) continue;
     int slot = d->used;
     d->used += LANES;
-    // Those that cover something, in drawing order; collected without a branch.
-    int lanes[LANES], covering = 0;
-    for (int k = 0; k < count; ++k) {
-      int lane = n < 0 ? k : count - 1 - k;
-      lanes[covering] = lane;
-      covering += batch->covering[lane];
-    }
-    for (int k = 0; k < covering; ++k) {
-      int lane = lanes[k];
+    // Those that cover something, in drawing order.
+    while (covering != 0) {
+      int lane = n < 0 ? first_lane(covering) : last_lane(covering);
+      covering ^= 1u << lane;
       if (d->deepest == DEEP) {
         flush(pass, 0, d, tile);
         d->used = slot + LANES;   // the rest of this batch still stands in its slots
@@ -185,6 +187,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
     for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
       pass->n = n;
       pass->layer = layer_at(s, m.table, n);
+      pass->slice = slice_of(s, n);
       fragments += (uint)draw_layer(pass, m, drawn_here, count, &batch, &drawn, &tile);
     }
   }
@@ -206,7 +209,6 @@ __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corne
                           TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
                           TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
                           __global int *next) {
-  own_lights(&s);
   Geometry m = {corners, screen, vertex, tip, dry, table, box};
   Pass pass;
   pass.s = &s;

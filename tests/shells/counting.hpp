@@ -110,6 +110,18 @@ inline whole gather_whole(const std::int32_t* table, whole i) {
 inline whole2 gather_pairs(const std::int32_t* table, whole i) {
   return {table[i], table[i + 1]};
 }
+struct whole4 {
+  whole x, y, z, w;
+};
+inline whole4 gather_fours(const std::int32_t* table, whole i) {
+  return {table[i], table[i + 1], table[i + 2], table[i + 3]};
+}
+// Three operations, as floats would take: two products and a sum.
+inline whole dot_halves(whole a, whole b) {
+  operations += 3;
+  const auto low = [](whole v) { return whole(std::int16_t(v)); };
+  return low(a) * low(b) + (a >> 16) * (b >> 16);
+}
 inline real4 gather_rows(const float* table, whole i) {
   const float* row = table + 4 * std::ptrdiff_t(i);
   return {double(row[0]), double(row[1]), double(row[2]), double(row[3])};

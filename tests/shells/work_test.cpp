@@ -66,17 +66,17 @@ struct Fragment : ::testing::Test {
     p.along_u = p.curl_u = c::vec3(1.0, 0.0, 0.0);
     p.along_v = p.curl_v = c::vec3(0.0, 1.0, 0.0);
     p.w = 3.3;
-    p.x = p.y = 2;
+    c::look_at(&p, &s, 2.0, 2.0);
   }
   c::Textures textures(bool wet) { return {fur.data(), coat.data(), wet ? mask.data() : dry.data()}; }
   c::Layer layer() { return c::layer_at(&s, table.data(), 8); }
   double shaded(bool wet) {
     const c::Layer l = layer();
-    return c::count([&] { c::fur_fragment(&s, textures(wet), l, 8, p); });
+    return c::count([&] { c::fur_fragment(&s, textures(wet), l, c::slice_of(&s, 8), p); });
   }
   double lit() {
     const c::Layer l = layer();
-    const c::Fur f = c::fur_fragment(&s, textures(true), l, 8, p);
+    const c::Fur f = c::fur_fragment(&s, textures(true), l, c::slice_of(&s, 8), p);
     return c::count([&] { c::fur_colour(&s, textures(true), l, p, f); });
   }
   RasterParams s{};
@@ -87,6 +87,7 @@ struct Fragment : ::testing::Test {
 };
 
 TEST_F(Fragment, TakesWhatTheRooflineSays) {
+  c::expect_near(cost::ray, c::count([&] { c::look_at(&p, &s, 2.0, 2.0); }), "ray");
   const double dry_one = shaded(false);
   c::expect_near(cost::dry_fragment, dry_one, "dry fragment");
   c::expect_near(cost::clump, shaded(true) - dry_one, "clump");
