@@ -3,6 +3,7 @@
 # the lines between its markers). Usage: scripts/record.sh [options of pelage run]; replaces an earlier recording.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+command -v oiiotool >/dev/null || { echo "record.sh: no oiiotool for the sheet of models: install openimageio-tools" >&2; exit 2; }
 pelage=${PELAGE:-build/release/pelage}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
