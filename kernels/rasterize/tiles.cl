@@ -56,7 +56,7 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
 }
 
 static void clear(const Place *place, Drawn *d, Tile *tile) {
-  d->used = d->large = 0;
+  d->used = 0;
   d->deepest = 0;
   for (int k = 0; k < AT_ONCE; ++k) d->count[TILE_PIXELS + k] = 0;
   for (int block = 0; block < BLOCKS; ++block) {
@@ -175,6 +175,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 
   uint fragments = 0;
   int first = list_start[tiles + number], last = list_start[tiles + number + 1];
+  if (first < last) find_eyes(pass, &tile);
   for (int g = s->groups - 1; g > 0; --g) {
 #ifdef COUNT_FRAGMENTS
     TABLE(int) drawn_here = list + first;

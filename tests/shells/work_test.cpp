@@ -66,7 +66,8 @@ struct Fragment : ::testing::Test {
     p.along_u = p.curl_u = c::vec3(1.0, 0.0, 0.0);
     p.along_v = p.curl_v = c::vec3(0.0, 1.0, 0.0);
     p.w = 3.3;
-    c::look_at(&p, &s, 2.0, 2.0);
+    p.eye = c::eye_through(&s, 2.0, 2.0);
+    p.a_square = c::dot3(p.a, p.a);
   }
   c::Textures textures(bool wet) { return {fur.data(), coat.data(), wet ? mask.data() : dry.data()}; }
   c::Layer layer() { return c::layer_at(&s, table.data(), 8); }
@@ -87,7 +88,8 @@ struct Fragment : ::testing::Test {
 };
 
 TEST_F(Fragment, TakesWhatTheRooflineSays) {
-  c::expect_near(cost::ray, c::count([&] { c::look_at(&p, &s, 2.0, 2.0); }), "ray");
+  c::expect_near(cost::eye, c::count([&] { c::eye_through(&s, 2.0, 2.0); }), "eye");
+  c::expect_near(cost::square, c::count([&] { c::dot3(p.a, p.a); }), "square");
   const double dry_one = shaded(false);
   c::expect_near(cost::dry_fragment, dry_one, "dry fragment");
   c::expect_near(cost::clump, shaded(true) - dry_one, "clump");
