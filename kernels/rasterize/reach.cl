@@ -54,7 +54,7 @@ static int reach_of(const RasterParams *s, TABLE(float) table, TABLE(float) mask
   return known;
 }
 
-// The fourth of each triangle's corner row: its reach.
+// The fourth of each triangle's corner row: its reach, one more than there are layers where it is dry all over.
 __kernel void triangle_reach(RasterParams s, TABLE(float) table, TABLE(float) uv, TABLE(float) mask, __global int *corners) {
   int t = (int)get_global_id(0);
   if (t >= s.triangles) return;
@@ -69,13 +69,17 @@ __kernel void triangle_reach(RasterParams s, TABLE(float) table, TABLE(float) uv
   int reach = s.layers;
   if (within && !too_many(texels)) {
     reach = 0;
+    bool wet = false;
     float size = 1.0f / (float)s.mask_size;
-    for (int y = texels.top; y <= texels.bottom && reach < s.layers; ++y)
-      for (int x = texels.left; x <= texels.right && reach < s.layers; ++x) {
+    for (int y = texels.top; y <= texels.bottom && !(wet && reach == s.layers); ++y)
+      for (int x = texels.left; x <= texels.right && !(wet && reach == s.layers); ++x) {
+        float4 clump = texel_at(&s, mask, x, y);
+        wet = wet || clump.w > 0.0f;
         float2 corner = (float2)((float)x, (float)y) * size;
         Box b = {fmax(all.low, corner - MARGIN), fmin(all.high, corner + size + MARGIN)};
-        reach = reach_of(&s, table, mask, texel_at(&s, mask, x, y), b, reach);
+        if (reach < s.layers) reach = reach_of(&s, table, mask, clump, b, reach);
       }
+    if (!wet) reach = s.layers + 1;
   }
   corners[4 * t + 3] = reach;
 }

@@ -17,6 +17,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
     for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
+    b.dry = false;
     if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, nearest_of(b), d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
