@@ -35,7 +35,7 @@ class GroupSort {
 class GroupBins {
  public:
   GroupBins(const cl::Device& device, const RasterParams& params, const std::string& options);
-  /// corner, box: as kernels/rasterize/geometry.cl and reach.cl leave them. start: one more than there are
+  /// corner, box: as kernels/rasterize/geometry.cl leaves them. start: one more than there are
   /// lists. list: grows as it must, so that no triangle is dropped. Waits for its length; throws DeviceError
   /// where that is 2^31 or more.
   void make(const cl::Queue& queue, const RasterParams& params, const cl::Buffer<std::int32_t>& corner,

@@ -183,8 +183,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
 
 // Once per mask, like the dryness: which layers each triangle reaches, into the corners' fourth column.
 void RasterStage::reach(const cl::Queue& queue) {
-  const cl::Program program(queue.device(), "rasterize/reach.cl", build_options(1, {}));
-  cl::Kernel kernel(program, "triangle_reach");
+  cl::Kernel kernel(geometry_, "triangle_reach");
   kernel.with(params_, table_, uv_, *mask_, corner_);
   const cl::Event event = kernel.enqueue(queue, std::size_t(params_.triangles));
   queue.finish();

@@ -1,7 +1,8 @@
 // Vertex work of a frame: the strands' tips to the vertices, every layer's vertices to the screen, the boxes of each
-// group of layers for the binning. One work-item per LANES vertices. The binning is a part of the same program: PoCL
-// preprocesses each program for 25 ms before it looks in its cache.
+// group of layers for the binning. One work-item per LANES vertices. The binning and the triangles' reach are parts of the
+// same program: PoCL preprocesses each program for 25 ms before it looks in its cache.
 #include "rasterize/bin.clh"
+#include "rasterize/reach.clh"
 #include "rasterize/transform.clh"
 
 // 1 - rho at each vertex, once per mask. mask_uv: u, then v, in columns.
