@@ -13,6 +13,7 @@
 #   pelage run rival-options --anonymous --preset quick -o RESULTS      (ends with 1: some of the ways draw another picture)
 # docs/scaling, about 10 minutes, each of the presets quick, beyond and millions into a folder of its own:
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
+#   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail
 cd "$(dirname "$0")/.."
 (($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }

@@ -16,6 +16,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/results/interrupt.hpp"
+#include "harness/results/layers_subject.hpp"
 #include "harness/results/provenance.hpp"
 #include "harness/results/results_folder.hpp"
 #include "harness/results/runner.hpp"
@@ -162,9 +163,10 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     progress.finish(told(row));
   };
   const auto note = [&](const std::string& text) { progress.note("  " + text); };
-  const MakeSubject make = springs::with_solvers(
-      with_rivals(shells_on(device, sweep.experiment, tuning, note), sweep.experiment, note), device,
-      sweep.experiment, note);
+  const MakeSubject make =
+      springs::with_solvers(with_rivals(with_fewer_layers(shells_on(device, sweep.experiment, tuning, note)),
+                                        sweep.experiment, note),
+                            device, sweep.experiment, note);
   return run_cases(plan, make, journal, listener);
 }
 

@@ -113,6 +113,14 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   }
 }
 
+/// What more layers cost where they were drawn in turns with fewer.
+void write_in_turns(Report& report, const fs::path& folder) {
+  const std::vector<Cell> cells = in_turns_cells(report.cells);
+  if (cells.empty()) return;
+  write_file(folder / "tables" / "layers.csv", in_turns_csv(cells));
+  report.scaling += in_turns_text(cells);
+}
+
 /// How time grows with layers, pixels and triangles: a table, a plot, and the fit that the plot's program
 /// makes.
 void write_scaling(Report& report, const fs::path& folder) {
@@ -189,6 +197,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   if (!report.claims.empty()) write_file(folder / "tables" / "claims.csv", csv_of(report.claims));
   draw_plots(report, rows, folder, devices.size() > 1);
   write_scaling(report, folder);
+  write_in_turns(report, folder);
   copy_pictures(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));
   write_file(folder / "provenance.txt", provenance_of(rows));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <tuple>
 
 #include "harness/report/csv.hpp"
 
@@ -90,6 +91,58 @@ std::string scaling_text(const std::vector<Cell>& cells) {
     text += fmt::format("Most memory: {:.0f} MiB, {}\n", metric(*largest, "peak_memory") / (1 << 20),
                         largest->case_name);
   return text;
+}
+
+std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells) {
+  std::vector<Cell> result;
+  for (const Cell& c : cells)
+    if (c.status == Status::ok && c.metrics.contains("half_ratio") && c.metrics.contains("quarter_ratio"))
+      result.push_back(c);
+  std::sort(result.begin(), result.end(), [](const Cell& a, const Cell& b) {
+    return std::tuple(a.device, metric(a, "triangles"), a.axis("model"), layers_of(a), size_of(a)) <
+           std::tuple(b.device, metric(b, "triangles"), b.axis("model"), layers_of(b), size_of(b));
+  });
+  return result;
+}
+
+std::string in_turns_csv(const std::vector<Cell>& cells) {
+  std::string text = csv_line({"device", "model", "triangles", "layers", "size", "median_ms", "half_ratio",
+                               "half_low", "half_high", "quarter_ratio", "quarter_low", "quarter_high"});
+  for (const Cell& c : cells) {
+    std::vector<std::string> line{
+        c.device,         c.axis("model"), fmt::format("{:.0f}", metric(c, "triangles")),
+        c.axis("layers"), c.axis("size"),  fmt::format("{:.6g}", c.median_ms)};
+    for (const char* name : {"half_ratio", "quarter_ratio"}) {
+      const Metric& ratio = c.metrics.at(name);
+      for (const double value :
+           {ratio.value, ratio.low.value_or(ratio.value), ratio.high.value_or(ratio.value)})
+        line.push_back(fmt::format("{:.4g}", value));
+    }
+    text += csv_line(line);
+  }
+  return text;
+}
+
+std::string in_turns_text(const std::vector<Cell>& cells) {
+  if (cells.empty()) return {};
+  std::string text =
+      "A frame's time by that of one with half and a quarter of its layers, in turns [95% interval]\n";
+  const auto shown = [](const Metric& m) {
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
+  };
+  double half = 0, quarter = 0;
+  for (const Cell& c : cells) {
+    const Metric &by_half = c.metrics.at("half_ratio"), &by_quarter = c.metrics.at("quarter_ratio");
+    text += fmt::format("{:<14}{:>9.0f} triangles {:>10} {:>4} layers:  {:<20}  {}\n", c.axis("model"),
+                        metric(c, "triangles"), c.axis("size"), c.axis("layers"), shown(by_half),
+                        shown(by_quarter));
+    half = std::max(half, by_half.value);
+    quarter = std::max(quarter, by_quarter.value);
+  }
+  return text + fmt::format(
+                    "At most {:.2f} times for twice and {:.2f} times for four times the layers (wanted: "
+                    "at most {:.2f} and {:.1f})\n",
+                    half, quarter, most_for_doubling, most_for_64_by_16);
 }
 
 }  // namespace pelage

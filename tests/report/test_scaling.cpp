@@ -52,6 +52,31 @@ TEST(Scaling, OnlyItsOwnCellsWithATimeCount) {
   EXPECT_EQ(scaling_cells(all).size(), all.size() - 3);
 }
 
+TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
+  Cell c;
+  c.experiment = "layers";
+  c.device = "device";
+  c.axes = {{"model", "bunny"}, {"layers", "64"}, {"size", "800x600"}};
+  c.status = Status::ok;
+  c.median_ms = 200;
+  c.metrics["half_ratio"] = {1.8, "times", "", 1.7, 1.9};
+  std::vector<Cell> all{c};
+  EXPECT_TRUE(in_turns_cells(all).empty());  // no quarter
+  all[0].metrics["quarter_ratio"] = {3.2, "times", "", 3.1, 3.4};
+  all.push_back(all[0]);
+  all[1].status = Status::failed_check;
+  all[1].metrics["half_ratio"].value = 9;
+  const std::vector<Cell> shown = in_turns_cells(all);
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
+            std::string::npos)
+      << in_turns_csv(shown);
+  EXPECT_NE(in_turns_text(shown).find("At most 1.80 times for twice and 3.20 times for four times"),
+            std::string::npos)
+      << in_turns_text(shown);
+  EXPECT_TRUE(in_turns_text({}).empty());
+}
+
 TEST(Scaling, SaysWhatMoreLayersCost) {
   std::vector<Cell> two;
   for (const Cell& c : cells())
