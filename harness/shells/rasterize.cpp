@@ -214,9 +214,12 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   if (total[0] == std::numeric_limits<std::int32_t>::max())
     throw DeviceError(
         "the bins would hold 2^31 triangles or more: draw a smaller picture or mesh, or stand back from it");
-  if (std::size_t(total[0]) > list_.size())
-    for (auto* lists : {&list_, &shown_})
-      *lists = cl::Buffer<std::int32_t>(queue.device(), std::size_t(total[0]) * 5 / 4);
+  if (std::size_t(total[0]) > list_.size()) {
+    const std::size_t room = std::size_t(total[0]) * 5 / 4;
+    list_ = cl::Buffer<std::int32_t>(queue.device(), room);
+    if (mapping_.name == "tile")
+      shown_ = cl::Buffer<std::int32_t>(queue.device(), 4 * (room + tiles * std::size_t(mapping_.lanes)));
+  }
   fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
   keep(fill_.enqueue(queue, chunks, {1, 1}));
 }

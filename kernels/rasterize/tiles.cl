@@ -73,21 +73,19 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
 }
 
 // The pass's layer of `entries` triangles. Returns the number of covered fragments.
-static int draw_layer(const Pass *pass, Geometry m, TABLE(int) list, int entries, Batch *batch, Drawn *d,
-                      Tile *tile) {
+static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
   real4 next_corners;                    // where they have been fetched ahead
   bool fetched = false;
   for (int done = 0; done < entries; done += LANES) {
-    int begin = n < 0 ? done : max(entries - done - LANES, 0);
-    int count = min(LANES, entries - done);
-    real4 corners = fetched ? next_corners : gather_rows(m.corners, load_entries(list + begin, count));
+    int begin = n < 0 ? done : (entries - 1) / LANES * LANES - done;
+    int count = min(LANES, entries - begin);
+    real4 corners = fetched ? next_corners : corners_at(m, from, begin, count);
     Triangles b = triangles_at(pass->s, m, n, corners, place->origin_x, place->origin_y);
-    int next = entries - done - 2 * LANES;
-    fetched = n >= 0 && next >= 0;
+    fetched = n >= 0 && begin > 0;
     if (fetched) {
-      next_corners = gather_rows(m.corners, load_whole(list + next, 0));
+      next_corners = corners_at(m, from, begin - LANES, LANES);
       triangles_soon(pass->s, m, n, next_corners);
     }
     if (some(needs_clip(b))) {
@@ -168,7 +166,8 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 
   pass->n = -1;
   pass->layer = layer_at(s, m.table, -1);
-  draw_layer(pass, m, list + list_start[number], list_start[number + 1] - list_start[number], &batch, &drawn, &tile);
+  Entries base = {list + list_start[number], 0, 0};
+  draw_layer(pass, m, &base, list_start[number + 1] - list_start[number], &batch, &drawn, &tile);
 #ifndef COUNT_FRAGMENTS
   find_hidden(&tile, place, &pass->hidden);
   if (s->end_layer < s->layers) resume(s, place, &tile, image);
@@ -179,18 +178,19 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   if (first < last) find_eyes(pass, &tile);
   for (int g = s->groups - 1; g > 0; --g) {
 #ifdef COUNT_FRAGMENTS
-    TABLE(int) drawn_here = list + first;
+    Entries drawn_here = {list + first, 0, 0};
     int count = last - first;
 #else
-    TABLE(int) drawn_here = shown + first;
-    int count = may_be_seen(pass, m, g, list + first, last - first, shown + first);
+    __global int *columns = shown + 4 * ((size_t)(first - list_start[tiles]) + LANES * (size_t)number);
+    Entries drawn_here = {0, columns, last - first + LANES};
+    int count = may_be_seen(pass, m, g, list + first, last - first, columns, drawn_here.stride);
 #endif
     int inner = s->first_layer + (g - 1) * s->group;
     for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
       pass->n = n;
       pass->layer = layer_at(s, m.table, n);
       pass->slice = slice_of(s, n);
-      fragments += (uint)draw_layer(pass, m, drawn_here, count, &batch, &drawn, &tile);
+      fragments += (uint)draw_layer(pass, m, &drawn_here, count, &batch, &drawn, &tile);
     }
   }
 #ifndef COUNT_FRAGMENTS
@@ -205,7 +205,8 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 }
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-// shown: room for as much as list. next: the first tile that nobody draws yet, 0 at first; so no work-item is left with all the furry tiles.
+// shown: room for four times the layers' lists, and 4 LANES more per tile. next: the first tile that nobody draws yet, 0 at
+// first; so no work-item is left with all the furry tiles.
 __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(float) box,
                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
                           TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
