@@ -148,7 +148,6 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   set_pass(0);
   const auto vertices = std::size_t(g.vertices), screens = vertices * std::size_t(layers_at_once_ + 1);
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
-  const std::size_t lists = tiles * LISTS;
   const std::size_t pixels = std::size_t(params_.width) * std::size_t(params_.height);
   dry_ = cl::Buffer<float>(device, vertices);
   tip_ = cl::Buffer<float>(device, 3 * vertices);
@@ -156,9 +155,9 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   screen_ = cl::Buffer<float>(device, 4 * screens);
   box_ = cl::Buffer<float>(device, 4 * vertices * std::size_t(params_.groups + 1));
   if (mapping_.name == "group") group_bins_ = std::make_unique<GroupBins>(device, params_, options_);
-  length_ = cl::Buffer<std::int32_t>(device, lists);
+  length_ = cl::Buffer<std::int32_t>(device, tiles);
   list_start_ =
-      cl::Buffer<std::int32_t>(device, 1 + (group_bins_ ? tiles * std::size_t(params_.groups) : lists));
+      cl::Buffer<std::int32_t>(device, 1 + (group_bins_ ? tiles * std::size_t(params_.groups) : tiles));
   list_ = cl::Buffer<std::int32_t>(device, 1);
   shown_ = cl::Buffer<std::int32_t>(device, 1);
   next_tile_ = cl::Buffer<std::int32_t>(device, 1);
@@ -198,14 +197,13 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
   const auto keep = [&](cl::Event event) {
     if (events) events->emplace_back("bin", std::move(event));
   };
-  const std::array<std::size_t, 2> chunks{std::size_t(params_.chunks), LISTS};
+  const auto chunks = std::size_t(params_.chunks);
   const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
-  if (chunk_count_.size() == 0)
-    chunk_count_ = cl::Buffer<std::int32_t>(queue.device(), tiles * LISTS * chunks[0]);
+  if (chunk_count_.size() == 0) chunk_count_ = cl::Buffer<std::int32_t>(queue.device(), tiles * chunks);
   count_.with(params_, corner_, box_, chunk_count_);
-  keep(count_.enqueue(queue, chunks, {1, 1}));
+  keep(count_.enqueue(queue, chunks, 1));
   sum_.with(params_, chunk_count_, length_);
-  keep(sum_.enqueue(queue, {tiles, LISTS}));
+  keep(sum_.enqueue(queue, tiles));
   start_.with(params_, length_, list_start_, next_tile_);
   keep(start_.enqueue(queue, 1));
   // The lists are as long as they need to be: no triangle is ever dropped.
@@ -221,7 +219,7 @@ void RasterStage::bin(const cl::Queue& queue, PhaseEvents* events) {
       shown_ = cl::Buffer<std::int32_t>(queue.device(), 4 * (room + tiles * std::size_t(mapping_.lanes)));
   }
   fill_.with(params_, corner_, box_, chunk_count_, list_start_, list_);
-  keep(fill_.enqueue(queue, chunks, {1, 1}));
+  keep(fill_.enqueue(queue, chunks, 1));
 }
 
 cl::Event RasterStage::raster(const cl::Queue& queue, const cl::Program& program) {

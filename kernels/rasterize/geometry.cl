@@ -75,7 +75,7 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 }
 
 // The vertices of the base and of a pass's layers: rows of screen x, y (1/256 pixel from the image centre, integers' bits)
-// and 1/w from screen_row(n) on; for each group of layers, and last for all of the pass together, the vertices' bounds at
+// and 1/w from screen_row(n) on; for each group of layers, and last for all of them together, the vertices' bounds at
 // [(group vertices + i) 4]. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box) {
@@ -94,7 +94,7 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
       bounds = both(bounds, bounds_of(&s, v));
     }
     store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
-    if (g > 0) all = both(all, bounds);
+    all = both(all, bounds);
   }
   store_bounds(all, box + (size_t)s.groups * s.vertices * 4, block);
 }

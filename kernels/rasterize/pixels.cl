@@ -1,4 +1,4 @@
-// The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's lists and shades each fragment
+// The plain mapping, a cross-check on every device: a work-item per pixel walks its tile's list and shades each fragment
 // as it comes. The same equations on one lane; nothing queued, nothing skipped but what cannot be seen.
 #include "rasterize/fan.clh"
 #include "rasterize/surface.clh"
@@ -58,7 +58,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   Geometry m = {corners, screen, vertex, tip, dry, table};
   Textures textures = {fur, coat, mask};
   Attributes from = {records, tangents, curls};
-  int tiles = s.tiles_x * s.tiles_y, tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
+  int tile = (j / TILE_H) * s.tiles_x + i / TILE_W;
   int origin_x = SUBPIXEL * i + 128 - 128 * s.width, origin_y = SUBPIXEL * j + 128 - 128 * s.height;
   float x = (float)i + (0.5f - 0.5f * (float)s.width), y = (float)j + (0.5f - 0.5f * (float)s.height);
 
@@ -84,7 +84,7 @@ __kernel void pixel_shells(RasterParams s, TABLE(float) table, TABLE(float) corn
   uint fragments = 0, shaded = 0, blended = 0;
   for (int n = s.end_layer - 1; n >= s.first_layer; --n) {
     Layer l = layer_at(&s, table, n);
-    for (int k = list_start[tiles + tile + 1] - 1; k >= list_start[tiles + tile]; --k) {
+    for (int k = list_start[tile + 1] - 1; k >= list_start[tile]; --k) {
       Hit h = triangle_hit(&s, m, l, n, list[k], origin_x, origin_y, vertices);
       if (!h.covered) continue;
       ++fragments;

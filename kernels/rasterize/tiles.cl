@@ -150,7 +150,6 @@ static void suspend(const RasterParams *s, const Place *place, const Tile *tile,
 static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
                       __global float4 *image) {
   const RasterParams *s = pass->s;
-  int tiles = s->tiles_x * s->tiles_y;
   Place *place = &pass->place;
   place->first_x = number % s->tiles_x * TILE_W;
   place->first_y = number / s->tiles_x * TILE_H;
@@ -166,24 +165,24 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 
   pass->n = -1;
   pass->layer = layer_at(s, m.table, -1);
-  Entries base = {list + list_start[number], 0, 0};
-  draw_layer(pass, m, &base, list_start[number + 1] - list_start[number], &batch, &drawn, &tile);
+  int first = list_start[number], entries = list_start[number + 1] - first;
+  Entries listed = {list + first, 0, 0};
+  draw_layer(pass, m, &listed, entries, &batch, &drawn, &tile);
 #ifndef COUNT_FRAGMENTS
   find_hidden(&tile, place, &pass->hidden);
   if (s->end_layer < s->layers) resume(s, place, &tile, image);
 #endif
 
   uint fragments = 0;
-  int first = list_start[tiles + number], last = list_start[tiles + number + 1];
-  if (first < last) find_eyes(pass, &tile);
+  if (entries > 0) find_eyes(pass, &tile);
   for (int g = s->groups - 1; g > 0; --g) {
 #ifdef COUNT_FRAGMENTS
-    Entries drawn_here = {list + first, 0, 0};
-    int count = last - first;
+    Entries drawn_here = listed;
+    int count = entries;
 #else
-    __global int *columns = shown + 4 * ((size_t)(first - list_start[tiles]) + LANES * (size_t)number);
-    Entries drawn_here = {0, columns, last - first + LANES};
-    int count = may_be_seen(pass, m, g, list + first, last - first, columns, drawn_here.stride);
+    __global int *columns = shown + 4 * ((size_t)first + LANES * (size_t)number);
+    Entries drawn_here = {0, columns, entries + LANES};
+    int count = may_be_seen(pass, m, g, listed.list, entries, columns, drawn_here.stride);
 #endif
     int inner = s->first_layer + (g - 1) * s->group;
     for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
@@ -205,7 +204,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 }
 
 // image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-// shown: room for four times the layers' lists, and 4 LANES more per tile. next: the first tile that nobody draws yet, 0 at
+// shown: room for four times the lists, and 4 LANES more per tile. next: the first tile that nobody draws yet, 0 at
 // first; so no work-item is left with all the furry tiles.
 __kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(float) box,
                           TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
