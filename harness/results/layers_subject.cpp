@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "harness/error.hpp"
-#include "harness/results/statistics.hpp"
 
 namespace pelage {
 namespace {
@@ -36,14 +35,8 @@ class FewerLayers : public Subject {
   void describe(Row& row) override {
     all_->describe(row);
     row.metrics.erase("peak_memory");  // of all three
-    const std::vector<double>& own = row.samples["frame"].wall_ms;
-    for (const auto& [phase, subject] : fewer_) {
-      const std::vector<double>& less = row.samples[phase].wall_ms;
-      std::vector<double> ratio;
-      for (std::size_t i = 0; i < own.size(); ++i) ratio.push_back(own[i] / less[i]);
-      const Interval interval = median_interval(ratio);
-      row.metrics[phase + "_ratio"] = {median(ratio), "times", "", interval.low, interval.high};
-    }
+    for (const auto& [phase, subject] : fewer_)
+      row.metrics[phase + "_ratio"] = median_ratio(row.samples["frame"].wall_ms, row.samples[phase].wall_ms);
   }
 
  private:

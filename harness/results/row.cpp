@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "harness/error.hpp"
+#include "harness/results/statistics.hpp"
 
 namespace pelage {
 namespace {
@@ -122,6 +123,17 @@ std::optional<Status> status_from_text(std::string_view text) {
   for (const auto& [value, name] : kStatus)
     if (name == text) return value;
   return {};
+}
+
+Metric median_metric(std::span<const double> values, const std::string& unit) {
+  const Interval interval = median_interval(values);
+  return {median(values), unit, "", interval.low, interval.high};
+}
+
+Metric median_ratio(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < a.size(); ++i) ratio.push_back(a[i] / b[i]);
+  return median_metric(ratio, "times");
 }
 
 std::string row_key(const Row& row) {

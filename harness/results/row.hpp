@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,12 @@ struct Row {
   std::string image_hash;
   nlohmann::ordered_json provenance = nlohmann::ordered_json::object();
 };
+
+/// The median of what was measured round by round, with its 95% interval (median_interval). Needs a value.
+Metric median_metric(std::span<const double> values, const std::string& unit);
+
+/// The same of a / b in every round; as many of each.
+Metric median_ratio(std::span<const double> a, std::span<const double> b);
 
 /// What makes a row one of a kind in its journal.
 std::string row_key(const Row& row);

@@ -9,7 +9,6 @@
 #include "harness/reference/parallel.hpp"
 #include "harness/reference/strands.hpp"
 #include "harness/results/shells_subject.hpp"
-#include "harness/results/statistics.hpp"
 #include "harness/rivals/opengl.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -113,12 +112,7 @@ class Duel : public Subject {
     row.metrics[phase_ + "_build_ms"] = {other.build_ms, "ms"};
     for (const auto& [key, value] : other.provenance.items())
       if (!row.provenance.contains(key)) row.provenance[key] = value;
-    const std::vector<double>& own = row.samples["frame"].wall_ms;
-    const std::vector<double>& theirs = row.samples[phase_].wall_ms;
-    std::vector<double> ratio;
-    for (std::size_t i = 0; i < own.size(); ++i) ratio.push_back(theirs[i] / own[i]);
-    const Interval interval = median_interval(ratio);
-    row.metrics[phase_ + "_ratio"] = {median(ratio), "times", "", interval.low, interval.high};
+    row.metrics[phase_ + "_ratio"] = median_ratio(row.samples[phase_].wall_ms, row.samples["frame"].wall_ms);
   }
 
  private:

@@ -119,17 +119,11 @@ class Duel : public Subject {
     for (std::size_t i = 0; i < rivals_.size(); ++i) {
       const std::string& name = rivals_[i].name;
       const std::vector<double>& theirs = row.samples[name].wall_ms;
-      std::vector<double> ratio, excess;
-      for (std::size_t k = 0; k < own.size(); ++k) {
-        ratio.push_back(theirs[k] / own[k]);
+      std::vector<double> excess;
+      for (std::size_t k = 0; k < own.size(); ++k)
         excess.push_back(own[k] - theirs[k] - enqueue_[enqueue_.size() - own.size() + k]);
-      }
-      const auto noted = [&](const std::string& what, const std::vector<double>& values, const char* unit) {
-        const Interval interval = median_interval(values);
-        row.metrics[name + what] = {median(values), unit, "", interval.low, interval.high};
-      };
-      noted("_ratio", ratio, "times");
-      noted("_excess_ms", excess, "ms");
+      row.metrics[name + "_ratio"] = median_ratio(theirs, own);
+      row.metrics[name + "_excess_ms"] = median_metric(excess, "ms");
       row.metrics[name + "_processor_ms"] = {median(processor_[i]), "ms"};
       const double shared = median(processor_.back()) / double(cores_);
       if (!name.ends_with("-2"))
