@@ -24,10 +24,10 @@ inline constexpr double dry_fragment = 107;   ///< level of detail and fur, two 
 inline constexpr double clump = 24;           ///< more where it is wet: Algorithm 2
 inline constexpr double substeps = 98;        ///< more where there are sub-steps: the ray's shift
 inline constexpr double substep = 70;         ///< and per further sub-step
-inline constexpr double colour = 78;          ///< coat, tangent, shadow
-inline constexpr double light = 79;           ///< S Eq. 6, per light, exponent 24
-inline constexpr double wet_colour = 99;      ///< W Eq. 2 to 5 instead
-inline constexpr double wet_light = 63;
+inline constexpr double colour = 113;         ///< coat, tangent, shadow, two highlights of exponent 24
+inline constexpr double light = 35;           ///< the rest of S Eq. 6, per light
+inline constexpr double wet_colour = 122;     ///< W Eq. 2 to 5 instead
+inline constexpr double wet_light = 40;
 inline constexpr double blend = 8;
 }  // namespace operations
 

@@ -65,7 +65,6 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 // One attribute record per vertex: u, v, A, B; and, for the wet model, dX/du and dX/dv.
 #define RECORD 8
 
-
 // A tile's pixels: multiples of 4, at most 32 (tuning axes).
 #ifndef TILE_W
 #define TILE_W 32

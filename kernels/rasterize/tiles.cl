@@ -21,13 +21,13 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
     if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, nearest_of(b), d, batch)) continue;
     Piece piece;
     for (int c = 0; c < 3; ++c) {
-      int drawn_corner = index[as_int(d->triangle[9 + c])];
+      int drawn_corner = index[as_int(d->triangle[9 + c]) / RECORD];
       piece.b1[c] = polygon[drawn_corner].b1;
       piece.b2[c] = polygon[drawn_corner].b2;
     }
-    d->triangle[9] = as_float(v0);
-    d->triangle[10] = as_float(v1);
-    d->triangle[11] = as_float(v2);
+    d->triangle[9] = as_float(RECORD * v0);
+    d->triangle[10] = as_float(RECORD * v1);
+    d->triangle[11] = as_float(RECORD * v2);
     covered += cover_pixels(batch, 0, 0, &pass->hidden, d);
     flush(pass, &piece, d, tile);
   }
@@ -57,13 +57,10 @@ static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int cou
 }
 
 static void clear(const Place *place, Drawn *d, Tile *tile) {
-  d->used = 0;
-  d->deepest = 0;
-  for (int k = 0; k < AT_ONCE; ++k) d->count[TILE_PIXELS + k] = 0;
+  clear_entries(d);
   for (int block = 0; block < BLOCKS; ++block) {
     int at = block * LANES;
     truth inside = (block_x(block) < WHOLE(place->width)) && (block_y(block) < WHOLE(place->height));
-    spill_whole(WHOLE(0), d->count + at);
     spill_real(REAL(0.0f), tile->depth + at);
     spill_real(REAL(0.0f), tile->red + at);
     spill_real(REAL(0.0f), tile->green + at);
@@ -106,7 +103,7 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
     while (covering != 0) {
       int lane = n < 0 ? first_lane(covering) : last_lane(covering);
       covering ^= 1u << lane;
-      if (d->deepest == DEEP) {
+      if (d->most == ENTRIES) {
         flush(pass, 0, d, tile);
         d->used = slot + LANES;   // the rest of this batch still stands in its slots
       }
