@@ -12,11 +12,11 @@
 namespace pelage::shells {
 namespace {
 
-// Kernels address rows of up to four 4-byte values by an int.
+// Kernels address rows of up to eight 4-byte values by an int.
 int padded(std::size_t count) {
-  if (count > (std::size_t(1) << 29) - 16)
+  if (count > (std::size_t(1) << 28) - 16)
     throw InputError(
-        fmt::format("{} vertices or triangles to draw: at most 2^29; reduce the mesh (mesh.faces)", count));
+        fmt::format("{} vertices or triangles to draw: at most 2^28; reduce the mesh (mesh.faces)", count));
   return static_cast<int>((count + 15) / 16 * 16);
 }
 
