@@ -12,10 +12,12 @@
 #include "harness/commands/frame_dump.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
+#include "harness/mesh/hash.hpp"
 #include "harness/picture/metrics.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/shells.hpp"
+#include "harness/topology/mass_springs.hpp"
 
 namespace pelage {
 namespace {
@@ -30,7 +32,7 @@ constexpr double most_texel_error = 1e-5;  // UV units and wetness; texels are 4
 struct CheckOptions {
   std::vector<std::string> stages;
   std::string device, filter;
-  bool full = false;
+  bool full = false, hashes = false;
 };
 
 struct Case {
@@ -177,6 +179,56 @@ std::vector<Finding> check_case(const cl::Device& device, const Case& which,
   return findings;
 }
 
+/// One line: the case, what was computed, the hash of its bytes.
+void print_hash(const Case& which, const std::string& what, const std::string& hash) {
+  fmt::print("{:<34} {:<44} {}\n", which.name, what, hash);
+}
+
+template <class T>
+std::string hash_of(const std::vector<T>& values) {
+  return Hash().values(values).hex();
+}
+
+/// Hashes of the masses of every topology by every solver, and of the picture with them.
+void print_spring_hashes(const cl::Device& device, const Case& which) {
+  const auto mesh = load_scene_mesh(which.scene);
+  for (const springs::Kind kind : springs::kinds) {
+    Scene scene = which.scene;
+    scene.dynamics.topology = springs::name(kind);
+    FrameInput input = *prepare(scene, mesh);
+    for (const springs::Solver solver : springs::solvers) {
+      input.scene.dynamics.solver = springs::name(solver);
+      const std::string what = fmt::format("{}, {}", springs::name(kind), springs::name(solver));
+      ShellOptions options;
+      options.mapping = "tile";
+      Shells shells(device, std::make_shared<FrameInput>(input), options);
+      try {
+        if (solver == springs::Solver::semi_implicit_euler) {
+          shells.frame();
+          print_hash(which, what + ", picture", hash_of(shells.read().pixel));
+        } else {
+          shells.advance(1);
+        }
+        print_hash(which, what + ", masses", hash_of(shells.tips()));
+      } catch (const springs::Diverged& error) {
+        print_hash(which, what, fmt::format("diverged at step {}", error.step));
+      }
+    }
+  }
+}
+
+/// Hashes of the strands, the mask and the picture in every mapping, and of the topologies.
+void print_hashes(const cl::Device& device, const Case& which) {
+  const auto input = prepare(which.scene, load_scene_mesh(which.scene));
+  for (const std::string& mapping : mappings()) {
+    const FrameOutput output = draw(device, input, mapping);
+    print_hash(which, mapping + ", tips", hash_of(output.tips));
+    print_hash(which, mapping + ", mask", hash_of(output.mask));
+    print_hash(which, mapping + ", picture", hash_of(output.image.pixel));
+  }
+  print_spring_hashes(device, which);
+}
+
 /// The cases whose name holds a match of the regular expression.
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& filter) {
   try {
@@ -194,6 +246,13 @@ int run_checks(const CheckOptions& options) {
   if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings"};
   const std::vector<Case> cases = filtered(make_cases(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
+  if (options.hashes) {
+    for (const Case& which : cases) {
+      print_hashes(device, which);
+      std::fflush(stdout);
+    }
+    return 0;
+  }
   fmt::print("{}\n{:<9} {:<26} {:<34} {:>10} {:>10}\n", device.info().name, "stage", "case", "metric",
              "value", "limit");
   std::size_t failures = 0, done = 0;
@@ -229,6 +288,10 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->type_name("REGEX");
   command->add_flag("--full", options->full,
                     "All eight models, 16 and 64 layers, curly, wet and windy; 5 million triangles");
+  command->add_flag(
+      "--hashes", options->hashes,
+      "Compare nothing: print a hash of the strands, mask and picture of every mapping and of the "
+      "masses of every topology and solver, to be compared with another revision's");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 
