@@ -11,12 +11,13 @@
 #include "harness/cl/device.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/timer.hpp"
+#include "harness/compare/shares.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
-#include "harness/results/shells_subject.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/shells/shells.hpp"
-#include "harness/shells/stages.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/shells/opencl/stages.hpp"
+#include "harness/subjects/shells.hpp"
 #include "harness/version/version.hpp"
 
 namespace {

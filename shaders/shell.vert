@@ -1,6 +1,6 @@
 // A vertex of a layer, or of the base surface (S 4, "vertex shader"; docs/frame.md, 3 and 4).
 // S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Real-Time Rendering of Wet Fur.
-// After harness/rivals/program.cpp's constants and shaders/layers.glsl.
+// After harness/shells/opengl/program.cpp's constants and shaders/layers.glsl.
 layout(location = 0) in vec3 position;  // R
 layout(location = 1) in vec2 surface_uv;
 layout(location = 2) in vec3 a;         // A: root to p0, the direction of the normal

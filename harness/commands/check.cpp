@@ -11,13 +11,13 @@
 
 #include "harness/commands/frame_dump.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/hash.hpp"
-#include "harness/picture/metrics.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/shells/shells.hpp"
-#include "harness/topology/mass_springs.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage {
 namespace {

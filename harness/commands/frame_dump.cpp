@@ -9,13 +9,13 @@
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
 #include "harness/picture/hdf5_file.hpp"
-#include "harness/reference/layers.hpp"
-#include "harness/reference/mask.hpp"
-#include "harness/reference/reference.hpp"
-#include "harness/reference/strands.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/shells/springs.hpp"
-#include "harness/shells/springs_reference.hpp"
+#include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/mask.hpp"
+#include "harness/shells/reference/reference.hpp"
+#include "harness/shells/reference/strands.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "harness/springs/reference/some_sticks.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {
@@ -110,7 +110,7 @@ void write_strands(Hdf5File& file, const FrameInput& input, const std::vector<gl
   std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
   std::string where = "centroids of the triangles";
   if (has_springs(input.scene.dynamics)) {
-    const springs::Topology topology = shells::topology_of(input);
+    const springs::Topology topology = springs::topology_of(input);
     const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
     root.assign(topology.mass.begin(), tops);
     rest.assign(tops, topology.mass.end());
@@ -127,7 +127,7 @@ void write_strands(Hdf5File& file, const FrameInput& input, const std::vector<gl
 FrameOutput reference_motion(const FrameInput& input, int frames) {
   FrameOutput output{"reference", frames, {}, {}, {}};
   if (has_springs(input.scene.dynamics))
-    for (const glm::dvec3& stick : shells::reference_sticks(input, frames))
+    for (const glm::dvec3& stick : springs::reference_sticks(input, frames))
       output.tips.push_back(glm::vec3(stick));
   else
     for (const reference::Strand& strand : reference::simulate(input, frames))

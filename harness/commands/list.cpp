@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/commands/progress.hpp"
-#include "harness/results/experiment.hpp"
+#include "harness/experiment/experiment.hpp"
 
 namespace pelage {
 namespace {

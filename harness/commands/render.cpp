@@ -10,8 +10,8 @@
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
-#include "harness/rivals/opengl.hpp"
-#include "harness/shells/shells.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/shells/opengl/opengl.hpp"
 
 namespace pelage {
 namespace {

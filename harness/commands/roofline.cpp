@@ -8,15 +8,16 @@
 #include "harness/atomic_file.hpp"
 #include "harness/cl/measure.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/compare/shares.hpp"
+#include "harness/compare/windows.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "harness/journal/results_folder.hpp"
+#include "harness/measure/statistics.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/roofline.hpp"
-#include "harness/results/experiment.hpp"
-#include "harness/results/results_folder.hpp"
-#include "harness/results/shells_subject.hpp"
-#include "harness/results/statistics.hpp"
-#include "harness/results/tuning.hpp"
-#include "harness/shells/shells.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/tuning/tuning.hpp"
 
 namespace pelage {
 namespace {

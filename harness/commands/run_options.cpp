@@ -11,8 +11,8 @@
 #include <regex>
 
 #include "harness/error.hpp"
-#include "harness/results/provenance.hpp"
-#include "harness/shells/shells.hpp"
+#include "harness/journal/provenance.hpp"
+#include "harness/shells/opencl/shells.hpp"
 
 namespace pelage {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "harness/commands/command.hpp"
-#include "harness/results/experiment.hpp"
+#include "harness/experiment/experiment.hpp"
 
 namespace pelage {
 

@@ -14,9 +14,9 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
-#include "harness/topology/drawing.hpp"
-#include "harness/topology/layout.hpp"
-#include "harness/topology/topology.hpp"
+#include "harness/springs/model/drawing.hpp"
+#include "harness/springs/model/layout.hpp"
+#include "harness/springs/model/network.hpp"
 #include "kernels/simulate/params.h"
 
 namespace pelage {

@@ -10,12 +10,12 @@
 #include "harness/atomic_file.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "harness/journal/provenance.hpp"
+#include "harness/journal/results_folder.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/prepare/prepare.hpp"
-#include "harness/results/contenders.hpp"
-#include "harness/results/experiment.hpp"
-#include "harness/results/provenance.hpp"
-#include "harness/results/results_folder.hpp"
+#include "harness/tuning/contenders.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {

@@ -19,7 +19,7 @@ struct Model {
   bool wrap = false;                   ///< alpha wrap first
   bool stand_in = false;
   std::string licence, footnote;
-  /// What a paper says it has, per topology (harness/topology): masses, springs.
+  /// What a paper says it has, per topology (harness/springs): masses, springs.
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 

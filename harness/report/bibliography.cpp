@@ -5,8 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "harness/experiment/experiment.hpp"
 #include "harness/report/report.hpp"
-#include "harness/results/experiment.hpp"
 #include "harness/version/version.hpp"
 
 namespace pelage {

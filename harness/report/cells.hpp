@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/results_folder.hpp"
-#include "harness/results/statistics.hpp"
+#include "harness/journal/results_folder.hpp"
+#include "harness/measure/statistics.hpp"
 
 namespace pelage {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <tuple>
 
+#include "harness/measure/statistics.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/results/statistics.hpp"
 
 namespace pelage {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/results_folder.hpp"
+#include "harness/journal/results_folder.hpp"
 
 namespace pelage {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <set>
 
-#include "harness/results/statistics.hpp"
+#include "harness/measure/statistics.hpp"
 
 namespace pelage {
 namespace {

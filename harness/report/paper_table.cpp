@@ -7,10 +7,10 @@
 #include <set>
 #include <tuple>
 
+#include "harness/journal/provenance.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/topology_table.hpp"
 #include "harness/report/way_table.hpp"
-#include "harness/results/provenance.hpp"
 
 namespace pelage {
 namespace {

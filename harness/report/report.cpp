@@ -8,10 +8,10 @@
 #include <set>
 
 #include "harness/atomic_file.hpp"
+#include "harness/journal/provenance.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/scaling.hpp"
-#include "harness/results/provenance.hpp"
 
 namespace pelage {
 namespace {

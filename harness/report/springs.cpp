@@ -6,9 +6,9 @@
 #include <map>
 #include <tuple>
 
+#include "harness/journal/provenance.hpp"
+#include "harness/measure/statistics.hpp"
 #include "harness/report/csv.hpp"
-#include "harness/results/provenance.hpp"
-#include "harness/results/statistics.hpp"
 
 namespace pelage {
 namespace {

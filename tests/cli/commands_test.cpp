@@ -8,8 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "harness/compare/metrics.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/picture/metrics.hpp"
 #include "tests/cli/shell.hpp"
 
 namespace pelage::cli {

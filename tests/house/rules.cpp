@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <regex>
 #include <sstream>
@@ -24,6 +25,21 @@ std::string room_of(const std::string& path, const std::string& parent) {
   const std::string rest = path.substr(parent.size() + 1);
   const auto slash = rest.find('/');
   return slash == std::string::npos ? std::string{} : rest.substr(0, slash);
+}
+
+// The room of a header or source under harness/: the longest leading part of its folder that CMakeLists.txt
+// makes a library of, '_' for '/'; else the first folder. "harness/springs/model/network.hpp" is in
+// "springs_model".
+std::string harness_room_of(const std::string& path, const Links& links) {
+  if (!starts_with(path, "harness/")) return {};
+  std::string folder = path.substr(8);
+  for (auto slash = folder.rfind('/'); slash != std::string::npos; slash = folder.rfind('/')) {
+    folder.resize(slash);
+    std::string room = folder;
+    std::replace(room.begin(), room.end(), '/', '_');
+    if (links.count(room) > 0) return room;
+  }
+  return room_of(path, "harness");
 }
 
 struct Line {
@@ -55,18 +71,19 @@ std::string kernel_fault(const std::string& path, const std::string& what) {
 }
 
 std::string harness_fault(const std::string& path, const std::string& what, const Links& links) {
-  const std::string room = room_of(path, "harness");
+  const std::string room = harness_room_of(path, links);
   const bool everything = room == "commands" || path == "harness/main.cpp";
   if (starts_with(what, "CL/") && room != "cl") return "only harness/cl includes OpenCL";
   if ((starts_with(what, "CGAL/") || starts_with(what, "assimp/")) && room != "mesh")
     return "only harness/mesh includes CGAL and Assimp";
   if (starts_with(what, "OpenImageIO/") && room != "picture")
     return "only harness/picture includes OpenImageIO";
-  if (starts_with(what, "epoxy/") && room != "rivals") return "only harness/rivals includes OpenGL";
+  if (starts_with(what, "epoxy/") && room != "shells_opengl")
+    return "only harness/shells/opengl includes OpenGL";
   if (starts_with(what, "tests/")) return "the harness does not include tests";
   if (starts_with(what, "kernels/"))
     return ends_with(what, "/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";
-  const std::string other = room_of(what, "harness");
+  const std::string other = harness_room_of(what, links);
   if (other.empty() || other == room || everything) return {};
   if (other == "commands") return "commands are included by main.cpp only";
   const auto allowed = links.find(room);
@@ -78,12 +95,14 @@ std::string harness_fault(const std::string& path, const std::string& what, cons
 }  // namespace
 
 Links room_links(const std::string& cmake_lists) {
-  static const std::regex room_line(R"(pelage_room\(\s*(\w+)([^)]*)\))");
+  static const std::regex room_line(R"(pelage_room\(\s*([\w/]+)([^)]*)\))");
   static const std::regex word(R"(\S+)");
   Links direct, exported;
   const std::string text = std::regex_replace(cmake_lists, std::regex("#[^\n]*"), "");
   for (std::sregex_iterator match(text.begin(), text.end(), room_line), end; match != end; ++match) {
-    const std::string room = (*match)[1], rest = (*match)[2];
+    std::string room = (*match)[1];
+    const std::string rest = (*match)[2];
+    std::replace(room.begin(), room.end(), '/', '_');
     direct[room];
     bool is_public = true;
     for (std::sregex_iterator item(rest.begin(), rest.end(), word); item != end; ++item) {

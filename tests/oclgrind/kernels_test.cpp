@@ -9,11 +9,12 @@
 #include <set>
 
 #include "harness/cl/program.hpp"
-#include "harness/shells/group_bins.hpp"
-#include "harness/shells/shells.hpp"
-#include "harness/shells/springs.hpp"
-#include "tests/oclgrind.hpp"
-#include "tests/synthetic/synthetic.hpp"
+#include "harness/shells/opencl/group_bins.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/shells/opencl/spring_stage.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "tests/support/oclgrind.hpp"
+#include "tests/support/synthetic.hpp"
 
 namespace fs = std::filesystem;
 
@@ -120,7 +121,7 @@ TEST(DISABLED_Tiny, Topologies) {
 // So small a model is one work-item's: here it is cut.
 TEST(DISABLED_Tiny, PrismsInManyLaunches) {
   const cl::Queue queue(device());
-  const springs::Topology topology = shells::topology_of(*tiny("prisms", "rk4", 1));
+  const springs::Topology topology = springs::topology_of(*tiny("prisms", "rk4", 1));
   for (const springs::Solver solver : springs::solvers) {
     springs::Dynamics dynamics;
     dynamics.solver = solver;

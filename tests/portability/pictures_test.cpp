@@ -1,14 +1,14 @@
 // One picture from every compiler of kernels and every mapping: the reference's, and the coverage of this
 // machine's own device to the pixel.
-#include "tests/pictures/pictures.hpp"
+#include "tests/support/pictures.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "harness/shells/shells.hpp"
+#include "harness/shells/opencl/shells.hpp"
 #include "tests/portability/elsewhere.hpp"
-#include "tests/synthetic/synthetic.hpp"
+#include "tests/support/synthetic.hpp"
 
 namespace pelage::portability {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "harness/topology/mass_springs.hpp"
-#include "harness/topology/reference.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/springs/reference/reference.hpp"
 #include "tests/portability/elsewhere.hpp"
-#include "tests/topology/device.hpp"
-#include "tests/topology/meshes.hpp"
-#include "tests/topology/scenes.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
 
 namespace pelage::portability {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "harness/results/experiment.hpp"
-#include "harness/results/results_folder.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "harness/journal/results_folder.hpp"
 
 namespace pelage::test {
 

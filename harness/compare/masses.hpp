@@ -1,0 +1,19 @@
+// How far two states of one topology are apart.
+#pragma once
+#include "harness/compare/check.hpp"
+#include "harness/springs/model/network.hpp"
+
+namespace pelage::springs {
+
+/// Distances of the tops as fractions of the fur's length; 1e9 where a value is no number.
+struct Spread {
+  double rms = 0, percentile_99 = 0, worst = 0;
+};
+/// Throws std::invalid_argument where the counts differ.
+Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
+
+/// What a row is held to: shared prisms, whose compressed springs buckle by the last bit, by rms 1e-3 and the
+/// 99th percentile 1e-2; the others everywhere by 1e-4.
+std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
+
+}  // namespace pelage::springs

@@ -1,0 +1,102 @@
+#include "harness/compare/metrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+double distance(float a, float b) {
+  const double d = std::abs(double(a) - double(b));
+  return std::isfinite(d) ? d : 1e6;
+}
+
+std::vector<char> selected(const Picture& picture, const std::vector<Window>& windows) {
+  std::vector<char> chosen(picture.pixel.size(), windows.empty() ? 1 : 0);
+  for (const Window& w : windows)
+    for (int y = std::max(0, w.y); y < std::min(picture.height, w.y + w.height); ++y)
+      for (int x = std::max(0, w.x); x < std::min(picture.width, w.x + w.width); ++x)
+        chosen[std::size_t(y) * std::size_t(picture.width) + std::size_t(x)] = 1;
+  return chosen;
+}
+
+bool touches_fur(const Picture& picture, const Window& cell) {
+  for (int y = std::max(0, cell.y - cell.height); y < std::min(picture.height, cell.y + 2 * cell.height); ++y)
+    for (int x = std::max(0, cell.x - cell.width); x < std::min(picture.width, cell.x + 2 * cell.width); ++x)
+      if (picture.at(x, y).w > 0.0f) return true;
+  return false;
+}
+
+}  // namespace
+
+Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows) {
+  if (a.width != b.width || a.height != b.height || a.pixel.size() != b.pixel.size())
+    throw InputError(fmt::format("pictures of {}x{} and {}x{} cannot be compared: the sizes must be equal",
+                                 a.width, a.height, b.width, b.height));
+  const std::vector<char> chosen = selected(a, windows);
+  Agreement result;
+  double squares = 0;
+  std::vector<double> differences;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      const glm::vec4 &p = a.at(x, y), &q = b.at(x, y);
+      // Written so that an alpha that is not a number counts as fur.
+      if (!chosen[std::size_t(y) * std::size_t(a.width) + std::size_t(x)] || (p.w <= 0.0f && q.w <= 0.0f))
+        continue;
+      double largest = distance(p.w, q.w);
+      for (int c = 0; c < 3; ++c) {
+        const double d = distance(p[c], q[c]);
+        squares += d * d;
+        largest = std::max(largest, d);
+      }
+      if (largest > result.worst) {
+        result.worst = largest;
+        result.worst_x = x;
+        result.worst_y = y;
+      }
+      differences.push_back(largest);
+    }
+  result.pixels = differences.size();
+  if (differences.empty()) return result;
+  const double mean = squares / (3.0 * double(differences.size()));
+  result.psnr = mean > 1e-20 ? -10.0 * std::log10(mean) : 200.0;
+  // The smallest value that at least 99.9% of the pixels do not exceed.
+  const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
+  std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
+  result.p999 = differences[rank];
+  return result;
+}
+
+bool within(const Agreement& agreement, const AgreementLimits& limits) {
+  return agreement.pixels > 0 && agreement.psnr >= limits.psnr && agreement.p999 <= limits.p999;
+}
+
+std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed) {
+  if (side < 1) throw InputError(fmt::format("windows of side {}: at least one pixel is needed", side));
+  std::vector<Window> cells;
+  for (int y = 0; y < picture.height; y += side)
+    for (int x = 0; x < picture.width; x += side) {
+      // The last row and column are moved inwards, so that every window has its full size where the picture
+      // allows.
+      const Window cell{std::max(0, std::min(x, picture.width - side)),
+                        std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
+                        std::min(side, picture.height)};
+      if (touches_fur(picture, cell)) cells.push_back(cell);
+    }
+  // A shuffle of our own: std::shuffle's draws differ between standard libraries.
+  std::mt19937 random(seed);
+  const std::size_t taken = std::min(count, cells.size());
+  for (std::size_t i = 0; i < taken; ++i) std::swap(cells[i], cells[i + random() % (cells.size() - i)]);
+  cells.resize(taken);
+  std::sort(cells.begin(), cells.end(),
+            [](const Window& a, const Window& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; });
+  return cells;
+}
+
+}  // namespace pelage

@@ -1,0 +1,244 @@
+#include "harness/experiment/experiment.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <random>
+#include <regex>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kDefaultVariant = "shells/tile";
+
+/// A string as TOML writes it; JSON's escapes are TOML's.
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump();
+}
+
+/// Scene keys that one of the named axes stands for, values as in TOML.
+std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
+  if (axis == "model") return {{"model", quoted(value)}};
+  if (axis == "layers") return {{"fur.layers", value}};
+  if (axis == "reading" || axis == "variant") return {};
+  if (axis == "size") {
+    std::smatch match;
+    if (!std::regex_match(value, match, std::regex("([0-9]{1,5})x([0-9]{1,5})")))
+      throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
+    return {{"image.width", match[1]}, {"image.height", match[2]}};
+  }
+  return {};
+}
+
+bool is_named_axis(const std::string& key) {
+  return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
+}
+
+/// A file name's worth of an axis value: a model file by its stem, anything odd replaced.
+std::string fit_for_a_name(const std::string& axis, const std::string& value) {
+  std::string text = axis == "model" ? fs::path(value).stem().string() : value;
+  for (char& c : text)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_') c = '_';
+  return text;
+}
+
+std::vector<Axis> axes_of(const Experiment& experiment, const Preset& preset, const Overrides& overrides) {
+  std::vector<Axis> axes = experiment.axes;
+  auto replace = [&axes](const Axis& by) {
+    const auto found =
+        std::find_if(axes.begin(), axes.end(), [&by](const Axis& a) { return a.key == by.key; });
+    if (found == axes.end())
+      axes.push_back(by);
+    else
+      *found = by;
+  };
+  for (const Axis& axis : preset.axes) replace(axis);
+  for (const Axis& axis : overrides.axes) replace(axis);
+  if (!overrides.model.empty()) replace({"model", {overrides.model}});
+  return axes;
+}
+
+std::map<std::string, std::string> recorded(const Overrides& overrides) {
+  std::map<std::string, std::string> result;
+  for (const auto& [key, value] : overrides.set) result[key] = value;
+  for (const Axis& axis : overrides.axes) result[axis.key] = fmt::format("{}", fmt::join(axis.values, ","));
+  if (!overrides.model.empty()) result["model"] = overrides.model;
+  return result;
+}
+
+Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
+               const std::vector<std::size_t>& choice, const Overrides& overrides) {
+  Case result;
+  auto set = [&result](const Setting& setting) { result.settings[setting.first] = setting.second; };
+  for (const Setting& setting : experiment.scene) set(setting);
+  result.variant = kDefaultVariant;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const auto& [key, values] = axes[i];
+    const std::string& value = values[choice[i]];
+    result.axes[key] = value;
+    if (key == "variant") result.variant = value;
+    if (!is_named_axis(key)) result.set.emplace_back(key, value);
+    for (const Setting& setting : settings_of(key, value)) set(setting);
+    if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
+      if (const auto found = tables->second.find(value); found != tables->second.end())
+        for (const Setting& setting : found->second) set(setting);
+    // The first reading and the first variant of the experiment itself go without saying.
+    const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
+                                  [&k = key](const Axis& a) { return a.key == k; });
+    const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
+                        own->values.front() == value;
+    if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(key, value);
+  }
+  // A file named on the command line is looked for from the working folder, not from the experiment's.
+  if (is_model_file(overrides.model))
+    result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
+  result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());
+  result.overrides = recorded(overrides);
+
+  const auto variant = experiment.variants.find(result.variant);
+  if (variant == experiment.variants.end() && result.variant != kDefaultVariant)
+    throw InputError(fmt::format("{}: no variant '{}'", experiment.name, result.variant));
+  auto part = [&](const std::string& key, std::string_view otherwise) {
+    if (variant == experiment.variants.end() || !variant->second.contains(key)) return std::string(otherwise);
+    return variant->second.at(key);
+  };
+  result.pipeline = part("pipeline", "shells");
+  result.mapping = part("mapping", "");
+  result.opengl = part("opengl", "");
+
+  if (result.overrides.empty()) result.require = experiment.require;
+  if (result.overrides.empty())
+    for (const Published& published : experiment.published)
+      if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {
+            const auto found = result.axes.find(key_value.first);
+            return found != result.axes.end() && found->second == key_value.second;
+          }))
+        result.published = published.figure;
+  return result;
+}
+
+}  // namespace
+
+std::vector<fs::path> experiment_files() {
+  std::vector<fs::path> folders;
+  if (const char* data = std::getenv("PELAGE_DATA"); data && *data)
+    folders.push_back(fs::path(data) / "experiments");
+  folders.push_back(fs::path(PELAGE_SOURCE_DIR) / "experiments");
+  folders.push_back(fs::path(PELAGE_SHARE_DIR) / "experiments");
+  std::vector<fs::path> result;
+  for (const fs::path& folder : folders) {
+    if (!fs::is_directory(folder)) continue;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().extension() == ".toml" && entry.path().filename() != "models.toml")
+        result.push_back(entry.path());
+    break;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+fs::path experiment_file(const std::string& name_or_file) {
+  if (name_or_file.ends_with(".toml")) {
+    if (!fs::is_regular_file(name_or_file))
+      throw InputError(fmt::format("{}: no such experiment file", name_or_file));
+    return name_or_file;
+  }
+  std::vector<std::string> known;
+  for (const fs::path& file : experiment_files()) {
+    if (file.stem() == name_or_file) return file;
+    known.push_back(file.stem().string());
+  }
+  throw InputError(fmt::format("no experiment '{}' (known: {}; or give a FILE.toml)", name_or_file,
+                               fmt::join(known, ", ")));
+}
+
+const Preset& preset_of(const Experiment& experiment, const std::string& name) {
+  const auto found = experiment.presets.find(name);
+  if (found != experiment.presets.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [key, preset] : experiment.presets) known.push_back(key);
+  throw InputError(
+      fmt::format("{} has no preset '{}' (it has: {})", experiment.name, name, fmt::join(known, ", ")));
+}
+
+std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, const Overrides& overrides) {
+  const std::vector<Axis> axes = axes_of(experiment, preset, overrides);
+  for (const Axis& axis : axes)
+    if (axis.key == "reading")
+      for (const std::string& value : axis.values)
+        if (!experiment.at.contains("reading") || !experiment.at.at("reading").contains(value))
+          throw InputError(fmt::format("{}: no reading '{}'", experiment.name, value));
+
+  std::vector<Case> result;
+  std::vector<std::size_t> choice(axes.size(), 0);
+  for (bool more = true; more;) {
+    result.push_back(make_case(experiment, axes, choice, overrides));
+    more = false;
+    for (std::size_t i = axes.size(); i-- > 0 && !more;) {
+      more = ++choice[i] < axes[i].values.size();
+      if (!more) choice[i] = 0;
+    }
+  }
+  std::set<std::string> names;
+  for (const Case& c : result)
+    if (!names.insert(c.name).second)
+      throw InputError(fmt::format("{}: two cases are called {}", experiment.name, c.name));
+  return result;
+}
+
+Scene scene_of(const Experiment& experiment, const Case& which) {
+  std::string text;
+  for (const auto& [key, value] : which.settings) text += fmt::format("{} = {}\n", key, value);
+  const std::string source = fmt::format("{} case {}", experiment.file.string(), which.name);
+  Scene scene =
+      parse_scene(text, source, experiment.file.has_parent_path() ? experiment.file.parent_path() : ".");
+  for (const auto& [key, value] : which.set) apply_set(scene, fmt::format("{}={}", key, value));
+  check_scene(scene, source);
+  return scene;
+}
+
+std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {
+  if (regex.empty()) return cases;
+  try {
+    const std::regex pattern(regex);
+    std::erase_if(cases, [&](const Case& c) { return !std::regex_search(c.name, pattern); });
+  } catch (const std::regex_error&) {
+    throw InputError(fmt::format("--filter '{}' is not a regular expression", regex));
+  }
+  return cases;
+}
+
+Shard shard_from_text(const std::string& text) {
+  std::smatch match;
+  if (std::regex_match(text, match, std::regex("([0-9]{1,6})/([0-9]{1,6})"))) {
+    const Shard shard{std::stoi(match[1]), std::stoi(match[2])};
+    if (shard.index < shard.count) return shard;
+  }
+  throw InputError(fmt::format("--shard '{}' is not i/n with 0 <= i < n, such as 0/4", text));
+}
+
+std::vector<Case> sharded(const std::vector<Case>& cases, const Shard& shard) {
+  std::vector<Case> result;
+  for (std::size_t i = std::size_t(shard.index); i < cases.size(); i += std::size_t(shard.count))
+    result.push_back(cases[i]);
+  return result;
+}
+
+std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
+  // Fisher and Yates by hand: std::shuffle's order is the library's own affair, and the recorded seed must
+  // replay it.
+  std::mt19937_64 random(seed);
+  for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random() % i]);
+  return cases;
+}
+
+}  // namespace pelage

@@ -1,0 +1,241 @@
+// Reading experiments/*.toml.
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& file, const toml::node* node, const std::string& what) {
+  const auto line = node ? node->source().begin.line : 0;
+  throw InputError(line ? fmt::format("{}:{}: {}", file.string(), line, what)
+                        : fmt::format("{}: {}", file.string(), what));
+}
+
+std::string literal(const toml::node& node) {
+  std::ostringstream text;
+  node.visit([&text](const auto& value) {
+    using Node = std::decay_t<decltype(value)>;
+    if constexpr (toml::is_table<Node>)
+      text << toml::toml_formatter{value, toml::format_flags::none};
+    else
+      text << value;
+  });
+  return text.str();
+}
+
+/// The text of an axis value or a published key: strings without their quotes.
+std::string plain(const toml::node& node) {
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  return literal(node);
+}
+
+/// Tables become dotted keys: [fur] length = 1 and fur.length = 1 are the same setting.
+void flatten(const toml::table& table, const std::string& prefix, std::vector<Setting>& into) {
+  for (const auto& [key, node] : table) {
+    const std::string name =
+        prefix.empty() ? std::string(key.str()) : fmt::format("{}.{}", prefix, key.str());
+    if (const auto* inner = node.as_table())
+      flatten(*inner, name, into);
+    else
+      into.emplace_back(name, literal(node));
+  }
+}
+
+std::string text_at(const fs::path& file, const toml::table& table, std::string_view key) {
+  const toml::node* node = table.get(key);
+  if (!node) return {};
+  const auto text = node->value_exact<std::string>();
+  if (!text) refuse(file, node, fmt::format("{} must be a string", key));
+  return *text;
+}
+
+double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
+                 double least, double most) {
+  const toml::node* node = table.get(key);
+  if (!node) return otherwise;
+  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+  if (!value || !(*value >= least && *value <= most))
+    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
+  return *value;
+}
+
+std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
+  std::vector<std::pair<toml::source_position, Axis>> found;
+  for (const auto& [key, node] : table) {
+    const auto* list = node.as_array();
+    if (!list || list->empty())
+      refuse(file, &node, fmt::format("axis {} must be a list of values", key.str()));
+    Axis axis{std::string(key.str()), {}};
+    for (const toml::node& value : *list) {
+      if (!value.is_value())
+        refuse(file, &value, fmt::format("axis {} must hold numbers or strings", key.str()));
+      axis.values.push_back(plain(value));
+    }
+    if (std::set<std::string>(axis.values.begin(), axis.values.end()).size() != axis.values.size())
+      refuse(file, &node, fmt::format("axis {} holds a value twice", key.str()));
+    found.emplace_back(key.source().begin, std::move(axis));
+  }
+  // A table does not keep its keys in order; the file does.
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
+  });
+  std::vector<Axis> axes;
+  axes.reserve(found.size());
+  for (auto& [position, axis] : found) axes.push_back(std::move(axis));
+  return axes;
+}
+
+Preset read_preset(const fs::path& file, const toml::table& table) {
+  Preset preset;
+  SamplingLimits& limits = preset.limits;
+  for (const auto& [key, node] : table) {
+    static const std::set<std::string_view> known{"warm_up_s", "least",   "most",
+                                                  "precision", "limit_s", "axes"};
+    if (!known.contains(key.str()))
+      refuse(
+          file, &node,
+          fmt::format("unknown key {} (known: axes, least, limit_s, most, precision, warm_up_s)", key.str()));
+  }
+  limits.warm_up_s = number_at(file, table, "warm_up_s", limits.warm_up_s, 0, 3600);
+  limits.least = int(number_at(file, table, "least", limits.least, 1, 1e6));
+  limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
+  limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
+  limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
+  if (limits.most < limits.least) refuse(file, table.get("most"), "most must be at least least");
+  if (const toml::node* axes = table.get("axes")) {
+    if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists");
+    preset.axes = read_axes(file, *axes->as_table());
+  }
+  return preset;
+}
+
+std::vector<Published> read_published(const fs::path& file, const toml::table& table) {
+  const std::string unit = text_at(file, table, "unit");
+  const auto* keys = table["keys"].as_array();
+  const auto* cells = table["cells"].as_array();
+  if (!keys || !cells) refuse(file, &table, "published needs keys = [...] and cells = [[...], ...]");
+  std::vector<Published> result;
+  for (const toml::node& node : *cells) {
+    const auto* cell = node.as_array();
+    if (!cell || cell->size() != keys->size() + 1)
+      refuse(file, &node, fmt::format("a published cell is {} keys and a figure", keys->size()));
+    Published published;
+    for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
+    try {
+      published.figure = published_figure(plain(cell->back()), unit);
+    } catch (const InputError& error) {
+      refuse(file, &node, error.what());
+    }
+    result.push_back(std::move(published));
+  }
+  return result;
+}
+
+/// Keys of a variant that are not the scene's.
+bool says_how(std::string_view key) {
+  return key == "pipeline" || key == "mapping" || key == "opengl";
+}
+
+void read_tables_of_axis(const fs::path& file, const std::string& axis, const toml::table& table,
+                         Experiment& into) {
+  for (const auto& [value, node] : table) {
+    const auto* settings = node.as_table();
+    if (!settings) refuse(file, &node, fmt::format("{}.{} must be a table of scene keys", axis, value.str()));
+    std::vector<Setting>& list = into.at[axis][std::string(value.str())];
+    for (const auto& [key, inner] : *settings) {
+      if (axis == "variant" && says_how(key.str()))
+        into.variants[std::string(value.str())][std::string(key.str())] = plain(inner);
+    }
+    flatten(*settings, {}, list);
+    if (axis == "variant") std::erase_if(list, [](const Setting& s) { return says_how(s.first); });
+  }
+}
+
+}  // namespace
+
+Metric published_figure(const std::string& text, const std::string& unit) {
+  const std::string number = R"(([0-9]+(?:\.[0-9]+)?))";
+  std::smatch match;
+  if (std::regex_match(text, match, std::regex(number))) {
+    const double value = std::stod(match[1]);
+    // A figure printed whole stands for everything that rounds to it; one with decimals for half its last
+    // digit.
+    const std::size_t point = text.find('.');
+    const double half =
+        point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));
+    return {value, unit, "=", value - half, value + half};
+  }
+  if (std::regex_match(text, match, std::regex("< *" + number)))
+    return {std::stod(match[1]), unit, "<", std::nullopt, std::stod(match[1])};
+  if (std::regex_match(text, match, std::regex("~ *" + number)))
+    return {std::stod(match[1]), unit, "about", std::nullopt, std::nullopt};
+  if (std::regex_match(text, match, std::regex(number + R"(\.\.)" + number)))
+    return {(std::stod(match[1]) + std::stod(match[2])) / 2, unit, "range", std::stod(match[1]),
+            std::stod(match[2])};
+  throw InputError(fmt::format("'{}' is no published figure: write 267, < 1, ~ 30 or 20..30", text));
+}
+
+Experiment read_experiment(const fs::path& file) {
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
+  }
+  Experiment result;
+  result.file = file;
+  result.name = text_at(file, table, "name");
+  result.title = text_at(file, table, "title");
+  result.paper = text_at(file, table, "paper");
+  result.table = text_at(file, table, "table");
+  result.hardware = text_at(file, table, "hardware");
+  if (!std::regex_match(result.name, std::regex("[A-Za-z0-9][A-Za-z0-9._-]*")))
+    refuse(file, table.get("name"), "name must be given, in letters, digits, '.', '_' and '-'");
+  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware"};
+
+  for (const auto& [key, node] : table) {
+    if (texts.contains(key.str())) continue;
+    const auto* inner = node.as_table();
+    if (!inner) refuse(file, &node, fmt::format("{} must be a table", key.str()));
+    if (key == "scene") {
+      flatten(*inner, {}, result.scene);
+    } else if (key == "axes") {
+      result.axes = read_axes(file, *inner);
+    } else if (key == "published") {
+      result.published = read_published(file, *inner);
+    } else if (key == "require") {
+      for (const auto& [metric, least] : *inner)
+        result.require[std::string(metric.str())] = number_at(file, *inner, metric.str(), 0, -1e300, 1e300);
+    } else if (key == "preset") {
+      for (const auto& [name, preset] : *inner) {
+        if (!preset.is_table()) refuse(file, &preset, fmt::format("preset.{} must be a table", name.str()));
+        result.presets[std::string(name.str())] = read_preset(file, *preset.as_table());
+      }
+    } else if (key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant") {
+      read_tables_of_axis(file, std::string(key.str()), *inner, result);
+    } else {
+      refuse(
+          file, &node,
+          fmt::format("unknown key {} (known: axes, hardware, layers, model, name, paper, preset, published, "
+                      "reading, require, scene, size, table, title, variant)",
+                      key.str()));
+    }
+  }
+  if (result.axes.empty()) refuse(file, nullptr, "no [axes]: name at least the models, model = [...]");
+  if (result.presets.empty()) refuse(file, nullptr, "no [preset.NAME]: give at least preset.quick");
+  return result;
+}
+
+}  // namespace pelage

@@ -1,0 +1,169 @@
+#include "harness/journal/journal.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, std::string_view what, int code) {
+  throw InputError(fmt::format("{}: {}: {}", file.string(), what, std::strerror(code)));
+}
+
+/// A folder's entries are only as durable as the folder's own sync.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) fail(folder, "cannot open the folder", errno);
+  const int code = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  if (code != 0 && code != EINVAL) fail(folder, "cannot sync the folder", code);
+}
+
+/// Makes `folder` and what is missing above it, each new entry synced into its parent.
+void make_folder(const fs::path& folder) {
+  if (folder.empty() || fs::is_directory(folder)) return;
+  const fs::path parent = folder.parent_path();
+  make_folder(parent);
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) fail(folder, "cannot make the folder", error.value());
+  sync_folder(parent.empty() ? fs::path(".") : parent);
+}
+
+struct Contents {
+  std::vector<Row> rows;
+  std::set<std::string> keys;
+  std::size_t good = 0;  ///< bytes up to and with the last line feed
+  std::size_t torn = 0;  ///< bytes after it
+};
+
+Contents parse(const fs::path& file, std::string_view text) {
+  Contents result;
+  int line_number = 0;
+  while (true) {
+    const std::size_t end = text.find('\n', result.good);
+    if (end == std::string_view::npos) break;
+    ++line_number;
+    try {
+      result.rows.push_back(row_from_line(text.substr(result.good, end - result.good)));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}:{}: damaged: {}", file.string(), line_number, error.what()));
+    }
+    const std::string key = row_key(result.rows.back());
+    if (!result.keys.insert(key).second)
+      throw InputError(fmt::format("{}:{}: damaged: second row of {}", file.string(), line_number, key));
+    result.good = end + 1;
+  }
+  result.torn = text.size() - result.good;
+  return result;
+}
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(file, "cannot be read", errno);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (stream.bad()) fail(file, "cannot be read", errno);
+  return text;
+}
+
+}  // namespace
+
+JournalCalls system_calls() {
+  return {::write, ::fdatasync, ::ftruncate};
+}
+
+Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(file), calls_(calls) {
+  make_folder(file.parent_path());
+  const bool existed = fs::exists(file);
+  descriptor_ = ::open(file.c_str(), O_RDWR | O_APPEND | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor_ < 0) fail(file, "cannot be opened for writing", errno);
+  try {
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK)
+        throw InputError(fmt::format(
+            "{}: another pelage is writing it: wait for it, or give -o another folder", file.string()));
+      fail(file, "cannot be locked", errno);
+    }
+    if (!existed) sync_folder(file.parent_path().empty() ? fs::path(".") : file.parent_path());
+    Contents contents = parse(file, read_text(file));
+    if (contents.torn > 0) {
+      if (mode == Mode::fresh)
+        throw InputError(fmt::format("{}: its last row was cut off: go on with --resume", file.string()));
+      if (::ftruncate(descriptor_, off_t(contents.good)) != 0 || ::fdatasync(descriptor_) != 0)
+        fail(file, "cannot drop the row that was cut off", errno);
+    }
+    rows_ = std::move(contents.rows);
+    keys_ = std::move(contents.keys);
+    dropped_ = contents.torn;
+    good_length_ = off_t(contents.good);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+Journal::~Journal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Journal::Journal(Journal&& other) noexcept
+    : file_(std::move(other.file_)),
+      calls_(other.calls_),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      good_length_(other.good_length_),
+      dropped_(other.dropped_),
+      broken_(other.broken_),
+      rows_(std::move(other.rows_)),
+      keys_(std::move(other.keys_)) {}
+
+void Journal::append(const Row& row) {
+  if (broken_)
+    throw InputError(fmt::format("{}: a write failed before: nothing more is written", file_.string()));
+  const std::string key = row_key(row);
+  if (keys_.contains(key)) throw InputError(fmt::format("{}: already holds {}", file_.string(), key));
+  const std::string line = to_line(row) + "\n";
+  write_all(line);
+  if (calls_.fdatasync(descriptor_) != 0) {
+    // After a failed sync the kernel may have dropped the pages: nothing can be known, so nothing is tried
+    // again.
+    broken_ = true;
+    fail(file_, "cannot be synced to the disk", errno);
+  }
+  good_length_ += off_t(line.size());
+  keys_.insert(key);
+}
+
+void Journal::write_all(const std::string& text) {
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = calls_.write(descriptor_, text.data() + done, text.size() - done);
+    if (count > 0) {
+      done += std::size_t(count);
+    } else if (count < 0 && errno == EINTR) {
+      continue;
+    } else {
+      const int code = count < 0 ? errno : ENOSPC;
+      broken_ = true;
+      if (calls_.ftruncate(descriptor_, good_length_) == 0) calls_.fdatasync(descriptor_);
+      fail(file_, "the row cannot be written", code);
+    }
+  }
+}
+
+std::vector<Row> read_journal(const fs::path& file) {
+  return parse(file, read_text(file)).rows;
+}
+
+}  // namespace pelage

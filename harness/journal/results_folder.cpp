@@ -1,0 +1,44 @@
+#include "harness/journal/results_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/error.hpp"
+#include "harness/journal/journal.hpp"
+
+namespace pelage {
+
+namespace fs = std::filesystem;
+
+std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
+  std::vector<FoundRow> rows;
+  for (const std::string& place : places) {
+    std::vector<fs::path> journals;
+    if (fs::is_directory(place)) {
+      for (const auto& entry : fs::recursive_directory_iterator(place))
+        if (entry.is_regular_file() && entry.path().extension() == ".jsonl") journals.push_back(entry.path());
+      if (journals.empty()) throw InputError(fmt::format("{}: holds no results (*.jsonl)", place));
+    } else if (fs::is_regular_file(place)) {
+      journals.emplace_back(place);
+    } else {
+      throw InputError(fmt::format("{}: no such folder or file of results", place));
+    }
+    std::sort(journals.begin(), journals.end());
+    for (const fs::path& journal : journals)
+      for (Row& row : read_journal(journal)) rows.push_back({std::move(row), journal});
+  }
+  return rows;
+}
+
+void refuse_recordings(const fs::path& folder) {
+  const fs::path recordings = fs::weakly_canonical(fs::path(PELAGE_SOURCE_DIR) / "results");
+  const fs::path wanted = fs::weakly_canonical(folder);
+  const auto [end, unused] =
+      std::mismatch(recordings.begin(), recordings.end(), wanted.begin(), wanted.end());
+  if (end == recordings.end())
+    throw InputError(
+        fmt::format("{}: holds recordings, which no run may touch: give -o another folder", folder.string()));
+}
+
+}  // namespace pelage

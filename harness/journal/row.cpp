@@ -1,0 +1,195 @@
+#include "harness/journal/row.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::pair<Status, std::string_view>, 6> kStatus{{{Status::ok, "ok"},
+                                                                      {Status::failed_check, "failed-check"},
+                                                                      {Status::diverged, "diverged"},
+                                                                      {Status::unsupported, "unsupported"},
+                                                                      {Status::skipped, "skipped"},
+                                                                      {Status::error, "error"}}};
+
+constexpr std::string_view kCrcMark = ",\"crc\":\"";
+
+std::string checksum(std::string_view text) {
+  const auto* bytes = reinterpret_cast<const Bytef*>(text.data());
+  return fmt::format("{:08x}", crc32_z(0, bytes, text.size()));
+}
+
+/// Numbers stay numbers in JSON ("16" -> 16), so that a reader need not convert them.
+Json typed(const std::string& text) {
+  double number = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(number)) return text;
+  Json parsed = Json::parse(text, nullptr, false);
+  return parsed.is_number() && parsed.dump() == text ? parsed : Json(text);
+}
+
+std::string untyped(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+Json object(const std::map<std::string, std::string>& values) {
+  Json result = Json::object();
+  for (const auto& [key, value] : values) result[key] = typed(value);
+  return result;
+}
+
+std::map<std::string, std::string> strings(const Json& values) {
+  std::map<std::string, std::string> result;
+  for (const auto& [key, value] : values.items()) result[key] = untyped(value);
+  return result;
+}
+
+/// JSON has no infinity or NaN; a PSNR of two equal pictures is infinite.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
+}
+
+double number(const Json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
+
+Json metric_json(const Metric& metric) {
+  Json result{{"value", number(metric.value)}, {"unit", metric.unit}};
+  if (!metric.relation.empty()) result["relation"] = metric.relation;
+  if (metric.low) result["low"] = *metric.low;
+  if (metric.high) result["high"] = *metric.high;
+  return result;
+}
+
+Metric metric_from(const Json& json) {
+  Metric result{number(json.at("value")), json.at("unit").get<std::string>()};
+  result.relation = json.value("relation", "");
+  if (json.contains("low")) result.low = json["low"].get<double>();
+  if (json.contains("high")) result.high = json["high"].get<double>();
+  return result;
+}
+
+Row row_from_json(const Json& json) {
+  const int schema = json.at("schema").get<int>();
+  if (schema != kRowSchema)
+    throw InputError(fmt::format("row schema {} (this pelage reads {})", schema, kRowSchema));
+  Row row;
+  json.at("run_id").get_to(row.run_id);
+  json.at("experiment").get_to(row.experiment);
+  json.at("case").get_to(row.case_name);
+  json.at("variant").get_to(row.variant);
+  row.axes = strings(json.at("axes"));
+  row.overrides = strings(json.at("overrides"));
+  json.at("device").get_to(row.device);
+  json.at("repeat").get_to(row.repeat);
+  const auto status = status_from_text(json.at("status").get<std::string>());
+  if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
+  row.status = *status;
+  json.at("reason").get_to(row.reason);
+  for (const Json& check : json.at("check"))
+    row.check.push_back({check.at("against"), check.at("metric"), number(check.at("value")),
+                         number(check.at("limit")), check.at("sense") == ">="});
+  for (const auto& [phase, lists] : json.at("samples").items())
+    row.samples[phase] = {lists.at("event_ms").get<std::vector<double>>(),
+                          lists.at("wall_ms").get<std::vector<double>>()};
+  for (const auto& [name, metric] : json.at("metrics").items()) row.metrics[name] = metric_from(metric);
+  json.at("build_ms").get_to(row.build_ms);
+  json.at("first_launch_ms").get_to(row.first_launch_ms);
+  json.at("tuning").get_to(row.tuning);
+  json.at("image_hash").get_to(row.image_hash);
+  row.provenance = json.at("provenance");
+  return row;
+}
+
+}  // namespace
+
+std::string_view to_text(Status status) {
+  for (const auto& [value, text] : kStatus)
+    if (value == status) return text;
+  return "error";
+}
+
+std::optional<Status> status_from_text(std::string_view text) {
+  for (const auto& [value, name] : kStatus)
+    if (name == text) return value;
+  return {};
+}
+
+std::string row_key(const Row& row) {
+  std::string key = fmt::format("{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.repeat);
+  for (const auto& [name, value] : row.overrides) key += fmt::format("|{}={}", name, value);
+  return key;
+}
+
+std::string to_line(const Row& row) {
+  Json check = Json::array();
+  for (const Check& c : row.check)
+    check.push_back({{"against", c.against},
+                     {"metric", c.metric},
+                     {"value", number(c.value)},
+                     {"limit", number(c.limit)},
+                     {"sense", c.at_least ? ">=" : "<="}});
+  Json samples = Json::object();
+  for (const auto& [phase, lists] : row.samples)
+    samples[phase] = {{"event_ms", lists.event_ms}, {"wall_ms", lists.wall_ms}};
+  Json metrics = Json::object();
+  for (const auto& [name, metric] : row.metrics) metrics[name] = metric_json(metric);
+
+  const Json json{{"schema", kRowSchema},
+                  {"run_id", row.run_id},
+                  {"experiment", row.experiment},
+                  {"case", row.case_name},
+                  {"variant", row.variant},
+                  {"axes", object(row.axes)},
+                  {"overrides", object(row.overrides)},
+                  {"device", row.device},
+                  {"repeat", row.repeat},
+                  {"status", to_text(row.status)},
+                  {"reason", row.reason},
+                  {"check", check},
+                  {"samples", samples},
+                  {"metrics", metrics},
+                  {"build_ms", row.build_ms},
+                  {"first_launch_ms", row.first_launch_ms},
+                  {"tuning", Json(row.tuning)},
+                  {"image_hash", row.image_hash},
+                  {"provenance", row.provenance}};
+  // Driver strings and logs need not be UTF-8: replace what is not, rather than lose the row.
+  std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  body.pop_back();
+  return fmt::format("{}{}{}\"}}", body, kCrcMark, checksum(body));
+}
+
+Row row_from_line(std::string_view line) {
+  const std::size_t mark = line.rfind(kCrcMark);
+  if (mark == std::string_view::npos || line.size() != mark + kCrcMark.size() + 8 + 2 ||
+      !line.ends_with("\"}"))
+    throw InputError("no checksum at the end of the row");
+  const std::string_view body = line.substr(0, mark);
+  if (line.substr(mark + kCrcMark.size(), 8) != checksum(body))
+    throw InputError("the checksum does not match the row");
+  try {
+    return row_from_json(Json::parse(std::string(body) + "}"));
+  } catch (const std::logic_error& error) {  // std::stod
+    throw InputError(fmt::format("not a number in the row: {}", error.what()));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("not a row: {}", error.what()));
+  }
+}
+
+std::vector<double> frame_ms(const Row& row) {
+  const auto found = row.samples.find("frame");
+  return row.status == Status::ok && found != row.samples.end() ? found->second.wall_ms
+                                                                : std::vector<double>{};
+}
+
+}  // namespace pelage

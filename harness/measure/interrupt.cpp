@@ -1,0 +1,50 @@
+#include "harness/measure/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+
+namespace pelage {
+namespace {
+
+// A signal handler can reach nothing but statics. Drivers run threads of their own, and any of them may be
+// the one that is interrupted, so masking the signals in this thread would not do.
+std::atomic<int> holders{0};
+std::atomic<int> pending{0};
+const std::string* note = nullptr;
+
+[[noreturn]] void end(int signal) {
+  if (note) {
+    const ssize_t written = ::write(STDERR_FILENO, note->data(), note->size());
+    static_cast<void>(written);
+  }
+  ::_exit(128 + signal);
+}
+
+void handle(int signal) {
+  pending.store(signal);
+  if (holders.load() == 0) end(signal);
+}
+
+}  // namespace
+
+void end_on_interrupt(const std::string& message) {
+  note = new std::string(message);  // outlives everything: the handler may run during exit
+  struct sigaction action = {};
+  action.sa_handler = handle;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+HoldInterrupt::HoldInterrupt() {
+  holders.fetch_add(1);
+}
+
+HoldInterrupt::~HoldInterrupt() {
+  if (holders.fetch_sub(1) == 1 && pending.load() != 0) end(pending.load());
+}
+
+}  // namespace pelage

@@ -1,0 +1,160 @@
+#include "harness/measure/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "harness/error.hpp"
+#include "harness/journal/provenance.hpp"
+#include "harness/measure/interrupt.hpp"
+#include "harness/measure/statistics.hpp"
+#include "harness/mesh/hash.hpp"
+#include "harness/picture/image_io.hpp"
+
+namespace pelage {
+namespace {
+
+bool finite(const Picture& picture) {
+  return std::all_of(picture.pixel.begin(), picture.pixel.end(), [](const glm::vec4& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
+  });
+}
+
+std::string picture_hash(const Picture& picture) {
+  return Hash()
+      .number(std::uint64_t(picture.width))
+      .number(std::uint64_t(picture.height))
+      .values(picture.pixel)
+      .hex();
+}
+
+/// One line: driver errors come with whole build logs. The log stays in the row, its line feeds escaped by
+/// JSON.
+void judge(Row& row, const Picture& picture) {
+  if (!finite(picture)) {
+    row.status = Status::diverged;
+    row.reason = "the picture holds values that are not finite";
+    return;
+  }
+  if (row.check.empty()) {
+    row.status = Status::failed_check;
+    row.reason = "nothing was checked";
+    return;
+  }
+  for (const Check& check : row.check) {
+    if (check.holds()) continue;
+    row.status = Status::failed_check;
+    row.reason += fmt::format("{}{} against {} is {:.6g}, must be {} {:.6g}", row.reason.empty() ? "" : "; ",
+                              check.metric, check.against, check.value,
+                              check.at_least ? "at least" : "at most", check.limit);
+  }
+}
+
+Row blank_row(const RunPlan& plan, const Case& which) {
+  Row row;
+  row.run_id = plan.run_id;
+  row.experiment = plan.experiment;
+  row.case_name = which.name;
+  row.variant = which.variant;
+  row.axes = which.axes;
+  row.overrides = which.overrides;
+  row.device = plan.device;
+  row.repeat = plan.repeat;
+  row.provenance = plan.provenance;
+  row.provenance["utc"] = utc_now();
+  row.provenance["load"] = load_average();
+  return row;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point from) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+}
+
+}  // namespace
+
+std::string planned_key(const RunPlan& plan, const Case& which) {
+  return row_key(blank_row(plan, which));
+}
+
+Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limits, const MakeSubject& make) {
+  Row row = blank_row(plan, which);
+  auto fails = [&row](Status status, const std::string& reason) {
+    row.status = status;
+    row.reason = reason;
+  };
+  try {
+    const auto from = std::chrono::steady_clock::now();
+    const std::unique_ptr<Subject> subject = make(which);
+    row.provenance["prepare_s"] = seconds_since(from);
+    const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
+    row.first_launch_ms = sampling.first_launch_ms;
+    row.provenance["converged"] = sampling.converged;
+    const Picture picture = subject->read();
+    if (!picture.pixel.empty()) row.image_hash = picture_hash(picture);
+    if (!plan.images.empty() && !picture.pixel.empty()) {
+      std::filesystem::create_directories(plan.images);
+      write_picture(plan.images / (which.name + plan.image_suffix + ".png"), picture);
+    }
+    const auto check_from = std::chrono::steady_clock::now();
+    row.check = subject->check(picture);
+    row.provenance["check_s"] = seconds_since(check_from);
+    row.samples = sampling.samples;
+    subject->describe(row);
+    for (const auto& [metric, least] : which.require)
+      row.check.push_back({"experiment", metric,
+                           row.metrics.contains(metric) ? row.metrics.at(metric).value : std::nan(""), least,
+                           true});
+    if (which.published) row.metrics["paper_" + which.published->unit] = *which.published;
+    judge(row, picture);
+    if (const auto covered = row.metrics.find("covered_fragments");
+        row.status == Status::ok && covered != row.metrics.end())
+      row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
+  } catch (const Unsupported& error) {
+    fails(Status::unsupported, error.what());
+  } catch (const OutOfBounds& error) {
+    fails(Status::diverged, error.what());
+  } catch (const InputError& error) {
+    row.provenance["bad_input"] = true;
+    fails(Status::error, error.what());
+  } catch (const std::bad_alloc&) {
+    fails(Status::error, "out of memory");
+  } catch (const std::exception& error) {
+    fails(Status::error, error.what());
+  }
+  if (row.status != Status::ok) row.samples.clear();  // no picture, no time
+  return row;
+}
+
+RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& journal,
+                     const RunListener& listener) {
+  RunSummary summary;
+  const auto from = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    const Case& which = plan.cases[i];
+    if (journal.holds(planned_key(plan, which))) {
+      ++summary.kept;
+      continue;
+    }
+    const double left_s = plan.budget_s - seconds_since(from);
+    if (left_s <= 0) {
+      ++summary.left;
+      continue;
+    }
+    SamplingLimits limits = plan.limits;
+    limits.limit_s = std::min(limits.limit_s, left_s / double(plan.cases.size() - i));
+    if (listener.starting) listener.starting(i, which);
+    const Row row = run_case(plan, which, limits, make);
+    {
+      const HoldInterrupt hold;  // a row is written whole, or not at all
+      journal.append(row);
+    }
+    row.status == Status::ok || row.status == Status::unsupported ? ++summary.ok : ++summary.not_ok;
+    summary.bad_input = summary.bad_input || row.provenance.contains("bad_input");
+    if (listener.finished) listener.finished(i, row);
+  }
+  return summary;
+}
+
+}  // namespace pelage

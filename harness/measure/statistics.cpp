@@ -1,0 +1,109 @@
+#include "harness/measure/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace pelage {
+namespace {
+
+std::vector<double> sorted(std::span<const double> values) {
+  std::vector<double> result(values.begin(), values.end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// P(X <= k) for X ~ Binomial(n, 1/2), in logarithms so that large n does not underflow.
+double binomial_half_cdf(std::size_t k, std::size_t n) {
+  double sum = 0;
+  for (std::size_t i = 0; i <= k; ++i) {
+    const double log_choose =
+        std::lgamma(double(n) + 1) - std::lgamma(double(i) + 1) - std::lgamma(double(n - i) + 1);
+    sum += std::exp(log_choose - double(n) * std::log(2.0));
+  }
+  return sum;
+}
+
+/// The largest r (0-based) for which [x_(r), x_(n-1-r)] still holds the median with `confidence`; -1: none
+/// does.
+std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
+  std::ptrdiff_t rank = -1;
+  // Each tail of [x_(r), x_(n-1-r)] misses with probability P(X <= r).
+  for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
+    if (2 * binomial_half_cdf(r, n) > 1 - confidence) break;
+    rank = std::ptrdiff_t(r);
+  }
+  return rank;
+}
+
+}  // namespace
+
+double quantile(std::span<const double> values, double q) {
+  const std::vector<double> v = sorted(values);
+  const double position = q * double(v.size() - 1);
+  const auto below = std::size_t(std::floor(position));
+  const auto above = std::min(below + 1, v.size() - 1);
+  return v[below] + (position - double(below)) * (v[above] - v[below]);
+}
+
+double median(std::span<const double> values) {
+  return quantile(values, 0.5);
+}
+
+bool has_median_interval(std::size_t count, double confidence) {
+  return interval_rank(count, confidence) >= 0;
+}
+
+Interval median_interval(std::span<const double> values, double confidence) {
+  const std::vector<double> v = sorted(values);
+  const auto rank = std::size_t(std::max<std::ptrdiff_t>(0, interval_rank(v.size(), confidence)));
+  return {v[rank], v[v.size() - 1 - rank]};
+}
+
+Interval nested_median_interval(std::span<const std::vector<double>> processes, std::uint64_t seed,
+                                double confidence, int resamples) {
+  if (processes.size() == 1) return median_interval(processes.front(), confidence);
+  std::mt19937_64 random(seed);
+  auto below = [&random](std::size_t n) { return std::size_t(random() % n); };
+  std::vector<double> medians;
+  std::vector<double> pooled;
+  for (int i = 0; i < resamples; ++i) {
+    pooled.clear();
+    for (std::size_t p = 0; p < processes.size(); ++p) {
+      const std::vector<double>& chosen = processes[below(processes.size())];
+      for (std::size_t s = 0; s < chosen.size(); ++s) pooled.push_back(chosen[below(chosen.size())]);
+    }
+    medians.push_back(median(pooled));
+  }
+  return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
+}
+
+double relative_half_width(std::span<const double> values, double confidence) {
+  const Interval interval = median_interval(values, confidence);
+  return (interval.high - interval.low) / (2 * median(values));
+}
+
+std::vector<std::size_t> outliers(std::span<const double> values) {
+  const double middle = median(values);
+  std::vector<double> distance;
+  for (double v : values) distance.push_back(std::abs(v - middle));
+  // 1.4826 scales the median absolute deviation to the standard deviation of normal noise.
+  const double limit = 5 * 1.4826 * median(distance);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (limit > 0 && distance[i] > limit) result.push_back(i);
+  return result;
+}
+
+Metric median_metric(std::span<const double> values, const std::string& unit) {
+  const Interval interval = median_interval(values);
+  return {median(values), unit, "", interval.low, interval.high};
+}
+
+Metric median_ratio(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < a.size(); ++i) ratio.push_back(a[i] / b[i]);
+  return median_metric(ratio, "times");
+}
+
+}  // namespace pelage

@@ -1,0 +1,42 @@
+// What the harness times: anything that draws frames of a case. The shell pipeline is one; rivals and tests
+// bring others.
+#pragma once
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "harness/experiment/experiment.hpp"
+#include "harness/journal/row.hpp"
+#include "harness/measure/sampler.hpp"
+#include "harness/picture/picture.hpp"
+
+namespace pelage {
+
+/// The device or the pipeline cannot do this case at all: the row says so and is no failure.
+struct Unsupported : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What the case simulates went out of bounds: the row is diverged and says where.
+struct OutOfBounds : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+  virtual FrameSample frame() = 0;  ///< draws the next frame
+  /// The last frame's own buffer, never a second drawing; no pixels where nothing is drawn.
+  virtual Picture read() = 0;
+  /// Compares that picture with something trusted; the row is ok only if there is a check and all hold.
+  virtual std::vector<Check> check(const Picture& timed) = 0;
+  /// Adds what it knows of itself: build_ms, tuning, metrics, and mesh, kernel and scene hashes to the
+  /// provenance, and what follows from row.samples, which are there already.
+  virtual void describe(Row& row) = 0;
+};
+
+/// Prepares a case. Throws DeviceError, Unsupported, InputError.
+using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
+
+}  // namespace pelage

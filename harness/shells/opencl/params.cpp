@@ -1,0 +1,129 @@
+#include "harness/shells/opencl/params.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace pelage::shells {
+namespace {
+
+template <class V>
+void copy(const V& from, float* to, int count) {
+  for (int k = 0; k < count; ++k) to[k] = from[k];
+}
+
+}  // namespace
+
+SimulateParams simulate_params(const Scene& scene, const Geometry& geometry) {
+  const DynamicsScene& d = scene.dynamics;
+  const glm::vec3 wind =
+      d.wind.strength == 0.0f ? glm::vec3(0.0f) : d.wind.strength * glm::normalize(d.wind.direction);
+  SimulateParams p{};
+  p.length = scene.fur.length;
+  p.stiffness = d.stiffness;
+  p.drag = d.drag;
+  p.inverse_mass = 1.0f / d.mass;
+  p.step = d.step;
+  p.weight_x = d.mass * d.gravity.x;
+  p.weight_y = d.mass * d.gravity.y;
+  p.weight_z = d.mass * d.gravity.z;
+  p.wind_x = wind.x;
+  p.wind_y = wind.y;
+  p.wind_z = wind.z;
+  p.gust = d.wind.gust;
+  p.stride = geometry.strands;
+  p.substeps = d.substeps;
+  return p;
+}
+
+std::vector<float> gust_table(const DynamicsScene& dynamics, int frame) {
+  std::vector<float> table;
+  for (int i = 0; i < dynamics.substeps; ++i) {
+    const double time = (double(frame) * dynamics.substeps + i) * double(dynamics.step);
+    const double angle = 2.0 * std::numbers::pi * double(dynamics.wind.frequency) * time;
+    table.push_back(float(std::sin(angle)));
+    table.push_back(float(std::cos(angle)));
+  }
+  return table;
+}
+
+std::vector<float> layer_table(const Scene& scene) {
+  const int layers = scene.fur.layers;
+  const double omega = 2.0 * std::numbers::pi * double(scene.curl.turns);
+  const double power = scene.dynamics.bend == "linear" ? 1.0 : double(scene.dynamics.bend_power);
+  std::vector<float> table(std::size_t(LAYER_COLUMNS) * std::size_t(layers));
+  for (int n = 0; n < layers; ++n) {
+    const double h = (1.0 + n) / layers;
+    float* row = &table[std::size_t(LAYER_COLUMNS) * std::size_t(n)];
+    row[LAYER_H] = float(h);
+    row[LAYER_COS] = float(std::cos(omega * h));
+    row[LAYER_SIN] = float(std::sin(omega * h));
+    row[LAYER_LOG] = float(std::log(h));
+    row[LAYER_POWER] = float(std::pow(h, power));
+  }
+  return table;
+}
+
+RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
+  const Scene& scene = input.scene;
+  const Camera& camera = input.camera;
+  RasterParams p{};
+  p.width = camera.width;
+  p.height = camera.height;
+  copy(camera.row_x, p.row_x, 4);
+  copy(camera.row_y, p.row_y, 4);
+  copy(camera.row_w, p.row_w, 4);
+  copy(camera.ray, p.ray, 3);
+  copy(camera.ray_dx, p.ray_dx, 3);
+  copy(camera.ray_dy, p.ray_dy, 3);
+  p.near_depth = camera.near;
+  p.vertices = geometry.vertices;
+  p.triangles = geometry.triangles;
+  p.layers = scene.fur.layers;
+  p.uniform_spacing = scene.fur.layer_spacing == "uniform";
+  p.sticks = has_springs(scene.dynamics);
+  p.length = scene.fur.length;
+  p.curl_radius = scene.curl.radius;
+  p.mask_size = scene.wetness.size;
+  p.clump_shape = scene.clump.shape;
+  p.clump_gain = scene.clump.gain;
+  p.clump_literal = scene.clump.scale == "literal";
+  p.clump_separate = scene.clump.cells == "separate";
+  p.log_layers = float(std::log(double(scene.fur.layers)));
+  p.fur_size = input.fur.size;
+  p.fur_levels = int(input.fur.level.size());
+  p.fur_scale[0] = input.fur_scale.x;
+  p.fur_scale[1] = input.fur_scale.y;
+  p.footprint = camera.pixel * scene.fur.tile * float(input.fur.size) * std::exp2(scene.fur.lod_bias);
+  p.substeps = scene.fur.substeps;
+  p.coat_size = input.coat.size;
+  // The wet model's diffuse term and occlusion, dry and without anything of ours, are the model of B.
+  const bool lambert = scene.shading.model == "lambert";
+  p.wet_model = lambert || scene.shading.model == "wet";
+  p.shadow = scene.shading.shadow;
+  copy(scene.shading.specular, p.specular, 3);
+  p.exponent = scene.shading.exponent;
+  const bool whole = p.exponent >= 1 && p.exponent <= 1024 && std::floor(p.exponent) == p.exponent;
+  p.whole_exponent = whole && !p.wet_model ? int(p.exponent) : 0;
+  p.ambient = scene.shading.ambient;
+  p.wrap = scene.shading.wrap;
+  p.occlusion = scene.shading.occlusion;
+  p.darkening = scene.shading.darkening;
+  p.wet_specular = scene.shading.wet_specular;
+  p.drawn = scene.shading.tangent == "drawn" ? -1.0f : 1.0f;
+  p.lights = int(scene.shading.lights.size());
+  for (std::size_t i = 0; i < scene.shading.lights.size() && i < 2; ++i) {
+    copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
+    p.intensity[i] = scene.shading.lights[i].intensity;
+  }
+  if (lambert) {
+    copy(glm::vec3(0.0f), p.specular, 3);
+    p.wrap = 0;
+    p.darkening = 0;
+  }
+  copy(scene.coat.skin, p.skin, 3);
+  copy(scene.image.background, p.background, 3);
+  return p;
+}
+
+}  // namespace pelage::shells

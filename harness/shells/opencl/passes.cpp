@@ -1,0 +1,46 @@
+// Layers that need more memory than there is for them are drawn in several passes over the tiles, from the
+// tips down: a pass puts its layers on the screen, bins them and goes on where the one before left the
+// pixels.
+#include <algorithm>
+#include <utility>
+
+#include "harness/shells/opencl/stages.hpp"
+
+namespace pelage::shells {
+namespace {
+
+// Of the screen positions that are kept at once: 5 million triangles in 16 layers are one pass; the papers'
+// largest case, the lion in 64 layers, takes a fifth.
+constexpr std::size_t most_screen_bytes = std::size_t(1) << 30;
+constexpr std::size_t screen_bytes = 16;  // of a vertex in a layer
+
+}  // namespace
+
+int layers_at_once(const RasterParams& p, int wanted, const cl::Device& device) {
+  const std::size_t most = std::min<std::size_t>(most_screen_bytes, device.info().max_allocation);
+  const std::size_t rows = std::max<std::size_t>(2, most / (screen_bytes * std::size_t(p.vertices)));
+  const int fit = wanted > 0 ? wanted : int(std::min(rows - 1, std::size_t(p.layers)));
+  if (fit >= p.layers) return p.layers;
+  return fit > p.group ? fit / p.group * p.group : fit;
+}
+
+int RasterStage::passes() const {
+  return (params_.layers + layers_at_once_ - 1) / layers_at_once_;
+}
+
+void RasterStage::set_pass(int number) {
+  params_.first_layer = number * layers_at_once_;
+  params_.end_layer = std::min(params_.first_layer + layers_at_once_, params_.layers);
+  const int layers = params_.end_layer - params_.first_layer;
+  params_.groups = 1 + (layers + params_.group - 1) / params_.group;
+}
+
+void RasterStage::begin_pass(const cl::Queue& queue, int number, PhaseEvents* events) {
+  set_pass(number);
+  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_);
+  cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / mapping_.lanes));
+  if (events) events->emplace_back("transform", std::move(event));
+  bin(queue, events);
+}
+
+}  // namespace pelage::shells

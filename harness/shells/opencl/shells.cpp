@@ -1,0 +1,134 @@
+#include "harness/shells/opencl/shells.hpp"
+
+#include <chrono>
+#include <optional>
+
+#include "harness/shells/opencl/spring_stage.hpp"
+#include "harness/shells/opencl/stages.hpp"
+
+namespace pelage {
+
+struct Shells::State {
+  cl::Queue queue;
+  std::shared_ptr<const FrameInput> input;
+  int lanes;
+  shells::Geometry geometry;
+  std::optional<shells::SimulateStage> simulate;  // Silva's strands
+  std::optional<shells::SpringStage> springs;     // or a topology
+  shells::WetStage wet;
+  shells::RasterStage raster;
+  int frames = 0;
+
+  State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
+      : queue(device),
+        input(std::move(from)),
+        lanes(shells::mapping_of(options.mapping, device).lanes),
+        geometry(shells::lay_out(*input, lanes)),
+        wet(queue, *input, options.tuning),
+        raster(queue, *input, geometry, wet, options) {
+    if (has_springs(input->scene.dynamics))
+      springs.emplace(queue, *input, geometry, lanes);
+    else
+      simulate.emplace(queue, *input, geometry, lanes, options.tuning);
+  }
+
+  void move(shells::PhaseEvents* events) {
+    if (springs)
+      springs->frame(queue, events);
+    else
+      simulate->frame(queue, frames, events);
+  }
+
+  void draw(shells::PhaseEvents* events) {
+    if (springs) {
+      springs->tips(queue, raster, events);
+      raster.frame(queue, nullptr, 0, events);
+    } else {
+      raster.frame(queue, &simulate->state(), simulate->stride(), events);
+    }
+  }
+};
+
+Shells::Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options)
+    : state_(std::make_unique<State>(device, std::move(input), options)) {}
+Shells::~Shells() = default;
+Shells::Shells(Shells&&) noexcept = default;
+Shells& Shells::operator=(Shells&&) noexcept = default;
+
+FrameTiming Shells::frame() {
+  State& s = *state_;
+  shells::PhaseEvents events;
+  const auto begin = std::chrono::steady_clock::now();
+  s.move(&events);
+  s.draw(&events);
+  s.queue.finish();
+  FrameTiming timing;
+  timing.wall_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  ++s.frames;
+  if (s.springs) s.springs->check(s.queue);
+  for (const auto& [phase, event] : events) {
+    const std::optional<double> ms = event.milliseconds(s.queue.device());
+    if (!ms) {
+      timing.phase_event_ms.clear();
+      timing.kernels.clear();
+      break;
+    }
+    timing.phase_event_ms[phase] += *ms;
+    timing.kernels.push_back({event.kernel(), phase, *ms, event.bytes()});
+  }
+  return timing;
+}
+
+void Shells::advance(int frames) {
+  State& s = *state_;
+  for (int i = 0; i < frames; ++i, ++s.frames) s.move(nullptr);
+  s.queue.finish();
+  if (s.springs) s.springs->check(s.queue);
+}
+
+Picture Shells::read() const {
+  return state_->raster.read(state_->queue);
+}
+int Shells::frames_simulated() const {
+  return state_->frames;
+}
+std::uint64_t Shells::count() {
+  return state_->raster.count(state_->queue);
+}
+Tally Shells::tally(int every) {
+  return state_->raster.tally(state_->queue, every);
+}
+std::map<std::string, double> Shells::operations(const Tally& tally, double wet_share) const {
+  const State& s = *state_;
+  return shells::frame_operations(s.raster.params(), shells::simulate_params(s.input->scene, s.geometry),
+                                  s.geometry, tally, wet_share);
+}
+double Shells::wet_ms() const {
+  return state_->wet.mask_ms();
+}
+double Shells::build_ms() const {
+  const State& s = *state_;
+  return (s.springs ? s.springs->build_ms() : s.simulate->build_ms()) + s.wet.build_ms() +
+         s.raster.build_ms();
+}
+
+std::vector<glm::vec4> Shells::mask() const {
+  const std::vector<float> values = state_->wet.mask().read(state_->queue);
+  std::vector<glm::vec4> texels(values.size() / 4);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i] = {values[4 * i], values[4 * i + 1], values[4 * i + 2], values[4 * i + 3]};
+  return texels;
+}
+
+std::vector<glm::vec3> Shells::tips() const {
+  if (state_->springs) return state_->springs->offsets(state_->queue);
+  const std::vector<float> values = state_->simulate->state().read(state_->queue);
+  const auto stride = std::size_t(state_->simulate->stride());
+  std::vector<glm::vec3> tips(state_->input->strands.root.size());
+  for (std::size_t f = 0; f < tips.size(); ++f)
+    tips[f] = {values[TIP_X * stride + f], values[TIP_Y * stride + f], values[TIP_Z * stride + f]};
+  return tips;
+}
+
+}  // namespace pelage

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/shells/opencl/stages.hpp"
+
+namespace pelage::shells {
+
+std::string build_options(int lanes, const std::map<std::string, int>& tuning) {
+  std::string options = fmt::format("-D LANES={}", lanes);
+  for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
+  return options;
+}
+
+int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise) {
+  const auto found = tuning.find(axis);
+  return found == tuning.end() ? otherwise : found->second;
+}
+
+namespace {
+
+// At rest: tip on the anchor, no speed.
+std::vector<float> rest_state(const Geometry& g) {
+  const auto stride = std::size_t(g.strands);
+  std::vector<float> state(std::size_t(STATE_COLUMNS) * stride, 0.0f);
+  for (std::size_t i = 0; i < 3 * stride; ++i)
+    state[std::size_t(TIP_X) * stride + i] = g.strand_constants[std::size_t(ANCHOR_X) * stride + i];
+  return state;
+}
+
+}  // namespace
+
+SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
+                             int lanes, const std::map<std::string, int>& tuning)
+    : program_(queue.device(), "simulate/simulate.cl", build_options(lanes, {})),
+      step_(program_, "strand_frame"),
+      params_(simulate_params(input.scene, geometry)),
+      dynamics_(input.scene.dynamics),
+      lanes_(lanes),
+      local_(std::size_t(tuned(tuning, "SIMULATE_GROUP", 0))),
+      gusts_(queue.device(), 2 * std::size_t(input.scene.dynamics.substeps)),
+      constants_(queue, std::span<const float>(geometry.strand_constants)),
+      state_(queue, std::span<const float>(rest_state(geometry))) {}
+
+void SimulateStage::frame(const cl::Queue& queue, int number, PhaseEvents* events) {
+  gusts_.write(queue, gust_table(dynamics_, number));
+  step_.with(params_, gusts_, constants_, state_);
+  const auto items = std::size_t(params_.stride / lanes_), group = std::max<std::size_t>(local_, 1);
+  cl::Event event = step_.enqueue(queue, (items + group - 1) / group * group, local_);
+  if (events) events->emplace_back("simulate", std::move(event));
+}
+
+}  // namespace pelage::shells

@@ -1,0 +1,56 @@
+#include "harness/shells/opencl/spring_stage.hpp"
+
+#include "harness/springs/model/scene.hpp"
+
+namespace pelage::shells {
+namespace {
+
+springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, int lanes) {
+  const springs::Topology topology = springs::topology_of(input);
+  springs::MassSpringOptions options;
+  options.lanes = lanes;
+  springs::MassSprings masses(queue, topology, springs::dynamics_of(input.scene.dynamics), options);
+  masses.push(queue, springs::pushes(topology, *input.mesh, input.scene.dynamics.poke));
+  return masses;
+}
+
+// For each drawn vertex where its stick's q_x lies; a padding vertex takes the first stick's.
+std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geometry& g) {
+  const std::vector<std::int32_t> of_stick = masses.offset_columns();
+  std::vector<std::int32_t> found(std::size_t(g.vertices), of_stick.front());
+  for (std::size_t i = 0; i < g.stick.size(); ++i) found[i] = of_stick[g.stick[i]];
+  return found;
+}
+
+}  // namespace
+
+SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes)
+    : masses_(at_rest(queue, input, lanes)),
+      program_(queue.device(), "rasterize/geometry/sticks.cl", build_options(lanes, {})),
+      tips_(program_, "stick_tips"),
+      stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
+      substeps_(input.scene.dynamics.substeps),
+      lanes_(lanes),
+      level_(input.scene.dynamics.bend == "tangent") {
+  const DynamicsScene& scene = input.scene.dynamics;
+  if (scene.tolerance > 0)
+    adaptive_.emplace(float(scene.substeps) * scene.step, scene.substeps, scene.tolerance);
+}
+
+void SpringStage::frame(const cl::Queue& queue, PhaseEvents* events) {
+  std::vector<cl::Event> launches;
+  if (adaptive_)
+    adaptive_->advance(queue, masses_, events ? &launches : nullptr);
+  else
+    masses_.enqueue(queue, substeps_, events ? &launches : nullptr);
+  if (!events) return;
+  for (cl::Event& launch : launches) events->emplace_back("simulate", std::move(launch));
+}
+
+void SpringStage::tips(const cl::Queue& queue, RasterStage& raster, PhaseEvents* events) {
+  tips_.with(raster.params(), level_, stick_, masses_.offset(), raster.vertex(), raster.tip());
+  cl::Event event = tips_.enqueue(queue, std::size_t(raster.params().vertices / lanes_));
+  if (events) events->emplace_back("transform", std::move(event));
+}
+
+}  // namespace pelage::shells

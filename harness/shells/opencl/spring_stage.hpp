@@ -1,0 +1,39 @@
+// The stage that a mass-spring topology takes in place of Silva's strands, and what it is to move.
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "harness/prepare/frame_input.hpp"
+#include "harness/shells/opencl/stages.hpp"
+#include "harness/springs/opencl/adaptive.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+
+namespace pelage::shells {
+
+/// The topology on the device.
+class SpringStage {
+ public:
+  SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
+  /// The scene's substeps, or as many as its tolerance takes.
+  void frame(const cl::Queue& queue, PhaseEvents* events);
+  /// B of docs/frame.md, 3, at every vertex that `raster` draws.
+  void tips(const cl::Queue& queue, RasterStage& raster, PhaseEvents* events);
+  /// Throws springs::Diverged when a mass was lost in a step so far; waits for the queue.
+  void check(const cl::Queue& queue) const { masses_.check(queue); }
+  /// Top less base of every stick, R.
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
+  double build_ms() const { return program_.build_ms() + masses_.build_ms(); }
+
+ private:
+  springs::MassSprings masses_;
+  cl::Program program_;
+  cl::Kernel tips_;
+  cl::Buffer<std::int32_t> stick_;
+  int substeps_, lanes_;
+  std::optional<springs::AdaptiveSteps> adaptive_;  // where the scene has a tolerance
+  std::int32_t level_;
+};
+
+}  // namespace pelage::shells

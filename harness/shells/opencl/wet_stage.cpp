@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "harness/shells/opencl/stages.hpp"
+#include "kernels/wet/params.h"
+
+namespace pelage::shells {
+namespace {
+
+// Droplets by square of texels that their disc may reach, in their own order.
+struct Buckets {
+  std::vector<std::int32_t> row, drop;
+};
+
+Buckets in_buckets(const std::vector<Droplet>& droplets, int size, int texels) {
+  const int side = (size + texels - 1) / texels;
+  std::vector<std::vector<std::int32_t>> lists(std::size_t(side) * std::size_t(side));
+  const auto bucket = [&](float coordinate) {
+    const float texel = std::clamp(coordinate * float(size), 0.0f, float(size - 1));
+    return int(texel) / texels;
+  };
+  const float margin = 1.0f / float(size);
+  for (std::size_t i = 0; i < droplets.size(); ++i) {
+    const Droplet& d = droplets[i];
+    const float reach = d.radius + margin;
+    for (int y = bucket(d.centre.y - reach); y <= bucket(d.centre.y + reach); ++y)
+      for (int x = bucket(d.centre.x - reach); x <= bucket(d.centre.x + reach); ++x)
+        lists[std::size_t(y) * std::size_t(side) + std::size_t(x)].push_back(std::int32_t(i));
+  }
+  Buckets b;
+  b.row.push_back(0);
+  for (const auto& list : lists) {
+    b.drop.insert(b.drop.end(), list.begin(), list.end());
+    b.row.push_back(std::int32_t(b.drop.size()));
+  }
+  return b;
+}
+
+std::vector<float> droplet_rows(const std::vector<Droplet>& droplets) {
+  std::vector<float> rows;
+  for (const Droplet& d : droplets)
+    rows.insert(rows.end(),
+                {d.centre.x, d.centre.y, d.radius, d.wetness, d.point.x, d.point.y, d.point.z, d.reach});
+  return rows;
+}
+
+std::vector<float> flat(const std::vector<glm::vec3>& points) {
+  std::vector<float> values;
+  values.reserve(points.size() * 3);
+  for (const glm::vec3& p : points) values.insert(values.end(), {p.x, p.y, p.z});
+  return values;
+}
+
+}  // namespace
+
+WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning)
+    : size_(input.scene.wetness.size),
+      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),
+      surface_(queue, std::span<const float>(flat(input.mask_surface))),
+      mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
+  const Buckets buckets = in_buckets(input.droplets, size_, bucket_);
+  row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
+  drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
+  if (input.droplets.empty()) return;
+  // Twice: the first launch also compiles on some platforms.
+  for (int i = 0; i < 2; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    const cl::Event event = run(queue);
+    queue.finish();
+    mask_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  }
+}
+
+cl::Event WetStage::run(const cl::Queue& queue) {
+  if (!kernel_) {
+    program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
+    kernel_.emplace(*program_, "wetness_mask");
+  }
+  kernel_->with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);
+  return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
+}
+
+}  // namespace pelage::shells

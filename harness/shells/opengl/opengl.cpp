@@ -1,0 +1,226 @@
+// One frame in OpenGL (S 4): the base with depth writes, then N layers blended in order, tested against it.
+#include "harness/shells/opengl/opengl.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+
+#include "harness/error.hpp"
+#include "harness/shells/opengl/context.hpp"
+#include "harness/shells/opengl/objects.hpp"
+#include "harness/shells/opengl/program.hpp"
+#include "harness/shells/opengl/textures.hpp"
+#include "harness/shells/opengl/vertices.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace rivals;
+using Clock = std::chrono::steady_clock;
+
+double ms_since(Clock::time_point from) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - from).count();
+}
+
+bool any_wet(const std::vector<glm::vec4>& mask) {
+  return std::any_of(mask.begin(), mask.end(), [](const glm::vec4& texel) { return texel.w > 0.0f; });
+}
+
+GLenum target_format(const OpenGlOptions& options) {
+  return options.target == "rgba8" ? GL_RGBA8 : options.target == "rgba16f" ? GL_RGBA16F : GL_RGBA32F;
+}
+
+const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>& mask) {
+  const std::size_t size = std::size_t(input.scene.wetness.size);
+  if (mask.size() != size * size)
+    throw InputError(
+        fmt::format("OpenGL: a wetness mask of {0} x {0} texels, but {1} were given", size, mask.size()));
+  if (has_springs(input.scene.dynamics))
+    throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl moves silva's strands only",
+                                 input.scene.dynamics.topology));
+  if (input.scene.shading.model == "lambert")
+    throw InputError("shading.model = lambert: --pipeline opengl draws the curling and the wet model only");
+  if (input.scene.fur.substeps > 1)
+    throw InputError(
+        fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "
+                    "leave it at 1",
+                    input.scene.fur.substeps));
+  return input;
+}
+
+}  // namespace
+
+struct OpenGl::State {
+  std::shared_ptr<const FrameInput> input;
+  OpenGlOptions options;
+  Context context;  // before all that lives in it
+  Vertices vertices;
+  std::vector<glm::vec3> bent;
+  std::vector<glm::vec4> layers;
+  double build_ms = 0;
+  Program skin, fur;
+  std::vector<Object> fur_textures;
+  Object coat, mask;
+  Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
+  Object colour, depth, framebuffer;
+
+  State(std::shared_ptr<const FrameInput> from, const std::vector<glm::vec4>& wetness,
+        const OpenGlOptions& how)
+      : input(std::move(from)),
+        options(how),
+        vertices(checked(*input, wetness), wetness, options.vertices == "corners"),
+        bent(vertices.bent(input->strands.anchor)),
+        layers(layer_table(input->scene)),
+        fur_textures(rivals::fur_textures(input->fur, options)),
+        coat(coat_texture(input->coat, options)),
+        mask(mask_texture(wetness, input->scene.wetness.size)),
+        fixed_buffer(make_buffer(vertices.fixed())),
+        bent_buffer(make_buffer(bent, GL_DYNAMIC_STORAGE_BIT)),
+        index_buffer(make_buffer(vertices.index())),
+        layer_buffer(make_buffer(layers)),
+        arrays(make_vertex_array()),
+        colour(make_renderbuffer(target_format(options), input->camera.width, input->camera.height)),
+        depth(make_renderbuffer(GL_DEPTH_COMPONENT32F, input->camera.width, input->camera.height)),
+        framebuffer(make_framebuffer()) {
+    build(any_wet(wetness));
+    lay_out_vertices();
+    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
+    glNamedFramebufferRenderbuffer(framebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+    if (glCheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      throw DeviceError(fmt::format("OpenGL cannot draw into a target of {}", options.target));
+    fix_state();
+    check_gl("setting up a scene");
+  }
+  ~State() { context.make_current(); }  // the members go next, in it
+
+  void build(bool wet) {
+    const auto begin = Clock::now();
+    const std::vector<Constant> constants = scene_constants(*input);
+    const std::string defines = scene_defines(*input, options, wet);
+    const bool baked = options.constants == "baked";
+    skin = Program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
+    fur = Program("shell.vert", "fur.frag", defines, constants, baked);
+    build_ms = ms_since(begin);
+  }
+
+  void lay_out_vertices() {
+    const GLuint array = arrays.id();
+    glVertexArrayVertexBuffer(array, 0, fixed_buffer.id(), 0, GLsizei(sizeof(Vertex)));
+    glVertexArrayVertexBuffer(array, 1, bent_buffer.id(), 0, GLsizei(sizeof(glm::vec3)));
+    glVertexArrayElementBuffer(array, index_buffer.id());
+    const auto attribute = [array](GLuint location, GLint floats, std::size_t offset, GLuint buffer) {
+      glEnableVertexArrayAttrib(array, location);
+      glVertexArrayAttribFormat(array, location, floats, GL_FLOAT, GL_FALSE, GLuint(offset));
+      glVertexArrayAttribBinding(array, location, buffer);
+    };
+    attribute(0, 3, offsetof(Vertex, position), 0);
+    attribute(1, 2, offsetof(Vertex, uv), 0);
+    attribute(2, 3, offsetof(Vertex, a), 0);
+    attribute(3, 3, 0, 1);
+    attribute(4, 3, offsetof(Vertex, curl_u), 0);
+    attribute(5, 3, offsetof(Vertex, curl_v), 0);
+    attribute(6, 3, offsetof(Vertex, dx_du), 0);
+    attribute(7, 3, offsetof(Vertex, dx_dv), 0);
+  }
+
+  /// What no frame changes. The context is this scene's own.
+  void fix_state() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glBindVertexArray(arrays.id());
+    glBindBufferBase(GL_UNIFORM_BUFFER, 0, layer_buffer.id());
+    glBindTextureUnit(0, fur_textures.front().id());
+    glBindTextureUnit(1, coat.id());
+    glBindTextureUnit(2, mask.id());
+    glViewport(0, 0, input->camera.width, input->camera.height);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // depth is near / w, as the shader writes it
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DITHER);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // fragments come multiplied by their coverage
+    glClearDepth(0.0);
+    const glm::vec3 background = input->scene.image.background;
+    glClearColor(background.x, background.y, background.z, 0.0f);
+  }
+
+  void draw_triangles(GLsizei instances) const {
+    const auto corners = GLsizei(vertices.index().size());
+    if (options.vertices == "corners")
+      glDrawArraysInstanced(GL_TRIANGLES, 0, corners, instances);
+    else
+      glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
+  }
+
+  void draw_base() const {
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_GREATER);
+    glDisable(GL_BLEND);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    skin.use();
+    draw_triangles(1);
+  }
+
+  void draw_layers() const {
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_GEQUAL);
+    glEnable(GL_BLEND);
+    fur.use();
+    if (options.draws == "instanced") return draw_triangles(input->scene.fur.layers);
+    const GLint place = fur.place("layer");
+    for (std::size_t n = 0; n < std::size_t(input->scene.fur.layers); ++n) {
+      if (options.fur == "slices") glBindTextureUnit(0, fur_textures[n].id());
+      glUniform4fv(place, 3, &layers[3 * n].x);
+      draw_triangles(1);
+    }
+  }
+};
+
+OpenGl::OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
+               const OpenGlOptions& options)
+    : state_(std::make_unique<State>(std::move(input), mask, options)) {}
+OpenGl::~OpenGl() = default;
+OpenGl::OpenGl(OpenGl&&) noexcept = default;
+OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
+
+void OpenGl::bend(const std::vector<glm::vec3>& tips) {
+  if (tips.size() != state_->input->strands.anchor.size())
+    throw InputError(fmt::format("OpenGL: {} strands, but {} tips were given",
+                                 state_->input->strands.anchor.size(), tips.size()));
+  state_->bent = state_->vertices.bent(tips);
+}
+
+double OpenGl::frame() {
+  const State& s = *state_;
+  s.context.make_current();
+  glFinish();
+  const auto begin = Clock::now();
+  glNamedBufferSubData(s.bent_buffer.id(), 0, GLsizeiptr(s.bent.size() * sizeof(glm::vec3)), s.bent.data());
+  s.draw_base();
+  s.draw_layers();
+  glFinish();
+  const double wall_ms = ms_since(begin);
+  check_gl("drawing a frame");
+  return wall_ms;
+}
+
+Picture OpenGl::read() const {
+  const State& s = *state_;
+  s.context.make_current();
+  Picture picture{s.input->camera.width, s.input->camera.height, {}};
+  picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
+  // The shader's y points down: rows come top first.
+  glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.pixel.data());
+  check_gl("glReadPixels");
+  return picture;
+}
+
+double OpenGl::build_ms() const {
+  return state_->build_ms;
+}
+
+std::string opengl_renderer() {
+  return Context().renderer();
+}
+
+}  // namespace pelage

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "harness/error.hpp"
+#include "harness/shells/opengl/opengl.hpp"
+
+namespace pelage {
+namespace {
+
+struct Choice {
+  std::string name;
+  std::string OpenGlOptions::*slot;
+  std::vector<std::string> values;
+};
+
+const std::vector<Choice>& choices() {
+  static const std::vector<Choice> all{
+      {"draws", &OpenGlOptions::draws, {"instanced", "each"}},
+      {"vertices", &OpenGlOptions::vertices, {"indexed", "corners"}},
+      {"snap", &OpenGlOptions::snap, {"shader", "driver"}},
+      {"fur", &OpenGlOptions::fur, {"array", "volume", "slices"}},
+      {"texels", &OpenGlOptions::texels, {"half", "float", "byte"}},
+      {"levels", &OpenGlOptions::levels, {"trilinear", "two"}},
+      {"target", &OpenGlOptions::target, {"rgba32f", "rgba16f", "rgba8"}},
+      {"power", &OpenGlOptions::power, {"whole", "pow"}},
+      {"constants", &OpenGlOptions::constants, {"baked", "uniform"}},
+  };
+  return all;
+}
+
+void set(OpenGlOptions& options, const std::string& part) {
+  const auto equals = part.find('=');
+  const std::string name = part.substr(0, equals);
+  const auto found = std::find_if(choices().begin(), choices().end(),
+                                  [&](const Choice& choice) { return choice.name == name; });
+  if (found == choices().end()) {
+    std::vector<std::string> names;
+    for (const Choice& choice : choices()) names.push_back(choice.name);
+    throw InputError(fmt::format("OpenGL option '{}': the options are {}, given as name=value,name=value",
+                                 part, fmt::join(names, ", ")));
+  }
+  const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+  if (std::find(found->values.begin(), found->values.end(), value) == found->values.end())
+    throw InputError(
+        fmt::format("OpenGL option '{}': {} is one of {}", part, name, fmt::join(found->values, ", ")));
+  options.*found->slot = value;
+}
+
+}  // namespace
+
+OpenGlOptions opengl_options(const std::string& text) {
+  OpenGlOptions options;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) set(options, part);
+  if (options.fur == "slices" && options.draws != "each")
+    throw InputError("OpenGL option 'fur=slices' binds a texture per draw: add draws=each");
+  return options;
+}
+
+std::string to_text(const OpenGlOptions& options) {
+  std::vector<std::string> parts;
+  for (const Choice& choice : choices()) parts.push_back(choice.name + "=" + options.*choice.slot);
+  return fmt::format("{}", fmt::join(parts, ","));
+}
+
+}  // namespace pelage

@@ -1,0 +1,121 @@
+// The scene in the shaders' terms (docs/frame.md, 3, 4 and 6).
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/shells/opengl/program.hpp"
+
+namespace pelage::rivals {
+namespace {
+
+std::vector<float> list(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+/// A row of the camera in units of half the picture: pixels to -1..1.
+std::vector<float> scaled(const glm::vec4& row, double factor) {
+  std::vector<float> out;
+  for (int i = 0; i < 4; ++i) out.push_back(float(double(row[i]) * factor));
+  return out;
+}
+
+/// B(t) = x a + y b at height h (S 3.2.1); 0 below the first layer.
+glm::dvec2 bezier_at(double h, const std::string& spacing) {
+  const double t = spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;
+  return {2.0 * t * (1.0 - t), t * t};
+}
+
+}  // namespace
+
+std::vector<Constant> scene_constants(const FrameInput& input) {
+  const Scene& scene = input.scene;
+  const Camera& camera = input.camera;
+  const ShadingScene& shading = scene.shading;
+  const double width = double(camera.width), height = double(camera.height);
+  const glm::dvec3 ray = glm::dvec3(camera.ray) - 0.5 * width * glm::dvec3(camera.ray_dx) -
+                         0.5 * height * glm::dvec3(camera.ray_dy);
+  const double footprint = double(scene.fur.tile) * double(input.fur.size) * double(camera.pixel);
+  std::vector<Constant> all{
+      {"CAMERA_X", scaled(camera.row_x, 2.0 / width)},
+      {"CAMERA_Y", scaled(camera.row_y, 2.0 / height)},
+      {"CAMERA_W", scaled(camera.row_w, 1.0)},
+      {"NEAR", {camera.near}},
+      {"GRID", {float(128.0 * width), float(128.0 * height)}},  // 1/256 pixels in half the picture
+      {"RAY", list(glm::vec3(ray))},
+      {"RAY_DX", list(camera.ray_dx)},
+      {"RAY_DY", list(camera.ray_dy)},
+      {"FUR_SCALE", {input.fur_scale.x, input.fur_scale.y}},
+      {"LEVEL", {float(std::log2(footprint) + double(scene.fur.lod_bias))}},
+      {"CLUMP_GAIN", {scene.clump.gain}},
+      {"SKIN_COLOUR", list(scene.coat.skin)},
+      {"SPECULAR", list(shading.specular)},
+      {"EXPONENT", {shading.exponent}},
+      {"AMBIENT", {shading.ambient}},
+      {"WRAP", {shading.wrap}},
+      {"SHADOW", {shading.shadow}},
+      {"OCCLUSION", {shading.occlusion}},
+      {"DARKENING", {shading.darkening}},
+      {"WET_SPECULAR", {shading.wet_specular}},
+      {"TANGENT_SIGN", {shading.tangent == "drawn" ? -1.0f : 1.0f}},
+  };
+  for (std::size_t i = 0; i < shading.lights.size(); ++i) {
+    const glm::dvec3 direction(shading.lights[i].direction);
+    all.push_back({fmt::format("LIGHT_{}", i), list(glm::vec3(glm::normalize(direction)))});
+    all.push_back({fmt::format("INTENSITY_{}", i), {shading.lights[i].intensity}});
+  }
+  return all;
+}
+
+std::string scene_defines(const FrameInput& input, const OpenGlOptions& options, bool wet) {
+  const Scene& scene = input.scene;
+  std::string text;
+  const auto define = [&text](bool wanted, const std::string& what) {
+    if (wanted) text += "#define " + what + "\n";
+  };
+  define(true, fmt::format("LAYERS {}", scene.fur.layers));
+  define(true, fmt::format("LIGHTS {}", scene.shading.lights.size()));
+  define(true, fmt::format("FUR_LEVELS {}", input.fur.level.size()));
+  define(options.draws == "instanced", "INSTANCED");
+  define(options.snap == "shader", "SNAP");
+  define(options.fur == "array", "FUR_ARRAY\n#define FUR_SAMPLER sampler2DArray");
+  define(options.fur == "volume", "FUR_VOLUME\n#define FUR_SAMPLER sampler3D");
+  define(options.fur == "slices", "FUR_SAMPLER sampler2D");
+  define(options.levels == "two", "TWO_LEVELS");
+  const float exponent = scene.shading.exponent;
+  define(
+      options.power == "whole" && exponent == std::floor(exponent) && exponent >= 1.0f && exponent <= 1024.0f,
+      fmt::format("WHOLE_EXPONENT {}", int(exponent)));
+  define(scene.curl.radius > 0.0f, "CURLS");
+  define(wet, "CLUMPS");
+  define(scene.clump.scale == "literal", "LITERAL_CLUMPS");
+  define(scene.clump.cells == "separate", "SEPARATE_CELLS");
+  define(scene.shading.model == "wet", "WET_MODEL");
+  return text;
+}
+
+std::vector<glm::vec4> layer_table(const Scene& scene) {
+  const FurScene& fur = scene.fur;
+  const double layers = double(fur.layers), w = double(scene.clump.shape);
+  const double omega = 2.0 * std::numbers::pi * double(scene.curl.turns);
+  const double shadow = double(scene.shading.shadow);
+  std::vector<glm::vec4> rows;
+  glm::dvec2 bend_below(0.0);
+  double rate_below = 0.0;
+  for (int n = 0; n < fur.layers; ++n) {
+    const double h = (1.0 + double(n)) / layers;
+    const glm::dvec2 bend = bezier_at(h, fur.layer_spacing);
+    const double rate = (1.0 - w) * h + w * (1.0 + std::log(h) / std::log(layers));  // f(h)
+    const double gamma = scene.shading.model == "wet" ? 1.0 + double(scene.shading.occlusion) * (h - 1.0)
+                                                      : (shadow - 1.0 + h) / shadow;
+    rows.emplace_back(bend.x, bend.y, h * std::cos(omega * h), h * std::sin(omega * h));
+    rows.emplace_back(bend.x - bend_below.x, bend.y - bend_below.y, 0.0, 0.0);
+    rows.emplace_back(rate, rate - rate_below, gamma, double(n));
+    bend_below = bend;
+    rate_below = rate;
+  }
+  return rows;
+}
+
+}  // namespace pelage::rivals

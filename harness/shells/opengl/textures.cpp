@@ -1,0 +1,107 @@
+#include "harness/shells/opengl/textures.hpp"
+
+#include <algorithm>
+
+#include "harness/shells/opengl/context.hpp"
+
+namespace pelage::rivals {
+namespace {
+
+using Texels = std::vector<std::array<std::uint8_t, 2>>;
+
+void repeat(GLuint texture, GLint minify, GLint magnify) {
+  glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, minify);
+  glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, magnify);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  glTextureParameteri(texture, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+}
+
+/// Two channels, or four.
+GLenum format_of(const std::string& texels, bool four) {
+  if (texels == "half") return four ? GL_RGBA16F : GL_RG16F;
+  if (texels == "float") return four ? GL_RGBA32F : GL_RG32F;
+  return four ? GL_RGBA8 : GL_RG8;
+}
+
+/// `layers` slices of `texels` (side x side each) become `depth`: a 3D texture's levels are thinner, too.
+Texels merged(const Texels& texels, int side, int layers, int depth) {
+  const std::size_t area = std::size_t(side) * std::size_t(side);
+  Texels result(std::size_t(depth) * area);
+  for (int d = 0; d < depth; ++d) {
+    const int first = d * layers / depth, last = (d + 1) * layers / depth;
+    for (std::size_t i = 0; i < area; ++i)
+      for (std::size_t c = 0; c < 2; ++c) {
+        int sum = 0;
+        for (int n = first; n < last; ++n) sum += texels[std::size_t(n) * area + i][c];
+        result[std::size_t(d) * area + i][c] = std::uint8_t((sum + (last - first) / 2) / (last - first));
+      }
+  }
+  return result;
+}
+
+Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
+  const bool volume = options.fur == "volume";
+  const GLsizei levels = GLsizei(fur.level.size());
+  Object texture = make_texture(volume ? GL_TEXTURE_3D : GL_TEXTURE_2D_ARRAY);
+  glTextureStorage3D(texture.id(), levels, format_of(options.texels, false), fur.size, fur.size, fur.layers);
+  check_gl("glTextureStorage3D of the fur");
+  for (GLsizei l = 0; l < levels; ++l) {
+    const int side = fur.size >> l, depth = volume ? std::max(1, fur.layers >> l) : fur.layers;
+    const Texels& own = fur.level[std::size_t(l)];
+    const Texels thinner = depth == fur.layers ? Texels{} : merged(own, side, fur.layers, depth);
+    glTextureSubImage3D(texture.id(), l, 0, 0, 0, side, side, depth, GL_RG, GL_UNSIGNED_BYTE,
+                        depth == fur.layers ? own.data() : thinner.data());
+  }
+  repeat(texture.id(), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  return texture;
+}
+
+Object slice_texture(const FurTexture& fur, int layer, const OpenGlOptions& options) {
+  const GLsizei levels = GLsizei(fur.level.size());
+  Object texture = make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(texture.id(), levels, format_of(options.texels, false), fur.size, fur.size);
+  check_gl("glTextureStorage2D of the fur");
+  for (GLsizei l = 0; l < levels; ++l) {
+    const int side = fur.size >> l;
+    const auto* slice =
+        fur.level[std::size_t(l)].data() + std::size_t(layer) * std::size_t(side) * std::size_t(side);
+    glTextureSubImage2D(texture.id(), l, 0, 0, side, side, GL_RG, GL_UNSIGNED_BYTE, slice);
+  }
+  repeat(texture.id(), GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  return texture;
+}
+
+}  // namespace
+
+std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options) {
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  std::vector<Object> textures;
+  if (options.fur == "slices")
+    for (int n = 0; n < fur.layers; ++n) textures.push_back(slice_texture(fur, n, options));
+  else
+    textures.push_back(deep_texture(fur, options));
+  check_gl("the fur's texels");
+  return textures;
+}
+
+Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {
+  Object texture = make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(texture.id(), 1, format_of(options.texels, true), coat.size, coat.size);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, coat.size, coat.size, GL_RGBA, GL_UNSIGNED_BYTE,
+                      coat.texel.data());
+  repeat(texture.id(), GL_LINEAR, GL_LINEAR);
+  check_gl("the coat's texture");
+  return texture;
+}
+
+Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
+  Object texture = make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(texture.id(), 1, GL_RGBA32F, size, size);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, mask.data());
+  repeat(texture.id(), GL_NEAREST, GL_NEAREST);
+  check_gl("the wetness mask's texture");
+  return texture;
+}
+
+}  // namespace pelage::rivals

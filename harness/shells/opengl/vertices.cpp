@@ -1,0 +1,62 @@
+#include "harness/shells/opengl/vertices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pelage::rivals {
+namespace {
+
+/// rho of the mask's texel under uv, repeating.
+float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv) {
+  const auto texel = [size](float u) {
+    return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));
+  };
+  return mask[texel(uv.y) * std::size_t(size) + texel(uv.x)].w;
+}
+
+}  // namespace
+
+/// The mean of of_strand(face) over the strands that move a vertex, by their weights.
+template <class OfStrand>
+glm::dvec3 Vertices::mean(std::size_t vertex, const OfStrand& of_strand) const {
+  if (separate_) return glm::dvec3(of_strand(vertex / 3));
+  const StrandSet& strands = input_->strands;
+  const std::uint32_t point = input_->mesh->weld[copy_[vertex]];
+  glm::dvec3 sum(0.0);
+  for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i)
+    sum += double(strands.weight[i]) * glm::dvec3(of_strand(strands.face[i]));
+  return sum;
+}
+
+Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners)
+    : input_(&input), separate_(input.scene.fur.binding == "separate") {
+  const Mesh& mesh = *input.mesh;
+  for (const glm::uvec3& t : mesh.triangle) index_.insert(index_.end(), {t.x, t.y, t.z});
+  if (corners || separate_) {
+    copy_ = index_;
+    std::iota(index_.begin(), index_.end(), 0u);
+  } else {
+    copy_.resize(mesh.position.size());
+    std::iota(copy_.begin(), copy_.end(), 0u);
+  }
+  const double length = double(input.scene.fur.length);
+  for (std::size_t i = 0; i < copy_.size(); ++i) {
+    const std::uint32_t copy = copy_[i], point = mesh.weld[copy];
+    const float radius = input.scene.curl.radius *
+                         (1.0f - wetness_at(mask, input.scene.wetness.size, input.curl.mask_uv[point]));
+    const glm::dvec3 normal = mean(i, [&](std::size_t f) { return input.strands.normal[f]; });
+    fixed_.push_back({mesh.position[copy], mesh.uv[copy], glm::vec3(length * normal),
+                      radius * input.curl.u[point], radius * input.curl.v[point], input.tangents.t[copy],
+                      input.tangents.b[copy]});
+  }
+}
+
+std::vector<glm::vec3> Vertices::bent(const std::vector<glm::vec3>& tips) const {
+  std::vector<glm::vec3> b(copy_.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = glm::vec3(mean(i, [&](std::size_t f) { return tips[f]; }));
+  return b;
+}
+
+}  // namespace pelage::rivals

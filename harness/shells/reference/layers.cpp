@@ -1,0 +1,139 @@
+#include "harness/shells/reference/layers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "harness/shells/reference/parallel.hpp"
+#include "harness/shells/reference/vector.hpp"
+
+namespace pelage::reference {
+namespace {
+
+/// Where the bend alone brings layer n, R; the base for n = -1.
+glm::dvec3 bent(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
+  const FurScene& fur = input.scene.fur;
+  const double h = n < 0 ? 0.0 : layer_height(n, fur.layers, mutant);
+  if (has_springs(input.scene.dynamics)) return stick_displacement(input.scene.dynamics, bend, h, mutant);
+  return bezier(bend.a, bend.b, bezier_parameter(h, fur.layer_spacing));
+}
+
+}  // namespace
+
+double layer_height(int n, int layers, Mutant mutant) {
+  return double(n + (mutant == Mutant::height_without_one ? 0 : 1)) / double(layers);
+}
+
+double bezier_parameter(double h, const std::string& spacing) {
+  return spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;
+}
+
+glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t) {
+  return 2.0 * t * (1.0 - t) * a + t * t * b;
+}
+
+glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v) {
+  const double alpha = (1.0 - rho) * radius * h, omega = 2.0 * std::numbers::pi * turns;
+  return alpha * (std::cos(omega * h) * u + std::sin(omega * h) * v);
+}
+
+Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& normal,
+                const glm::dvec3& top) {
+  const glm::dvec3 s = unit(top);
+  glm::dvec3 off = s - normal;
+  if (dynamics.bend == "tangent") off -= glm::dot(off, normal) * normal;
+  return {length * normal, length * (normal + off)};
+}
+
+glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h, Mutant mutant) {
+  const bool straight = dynamics.bend == "linear" || mutant == Mutant::sticks_straight;
+  return h * bend.a + std::pow(h, straight ? 1.0 : double(dynamics.bend_power)) * (bend.b - bend.a);
+}
+
+Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted,
+                   Mutant mutant, const std::vector<glm::dvec3>& sticks)
+    : input_(&input), mutant_(mutant), separate_(parts(input.scene)) {
+  const bool on_sticks = has_springs(input.scene.dynamics);
+  const Mesh& mesh = *input.mesh;
+  const StrandSet& strands = input.strands;
+  const std::size_t faces = mesh.triangle.size(), count = separate_ ? 3 * faces : mesh.position.size();
+  wanted_.assign(count, 0);
+  bend_.resize(count);
+  rho_.resize(count);
+  std::vector<char> point_wanted(mesh.welded, 0), strand_wanted(faces, 0);
+  for (std::size_t f = 0; f < faces; ++f) {
+    if (!wanted.empty() && !wanted[f]) continue;
+    strand_wanted[f] = 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+      wanted_[slot(f, c)] = 1;
+      point_wanted[mesh.weld[mesh.triangle[f][int(c)]]] = 1;
+    }
+  }
+  if (!separate_ && !on_sticks)  // a surface point follows the strands of all its triangles
+    for (std::size_t p = 0; p < point_wanted.size(); ++p)
+      if (point_wanted[p])
+        for (std::uint32_t i = strands.row[p]; i < strands.row[p + 1]; ++i)
+          strand_wanted[strands.face[i]] = 1;
+
+  std::vector<Bend> of_strand(faces);
+  for_each_index(faces, 256, [&](std::size_t f) {
+    if (!strand_wanted[f] || on_sticks) return;
+    of_strand[f] = {double(input.scene.fur.length) * glm::dvec3(strands.normal[f]),
+                    simulate(input, f, frames).tip};
+  });
+  for_each_index(count, 1024, [&](std::size_t s) {
+    if (!wanted_[s]) return;
+    const std::uint32_t point = mesh.weld[vertex(s)];
+    rho_[s] = mask.nearest(glm::dvec2(input.curl.mask_uv[point])).wetness;
+    if (on_sticks) {
+      const glm::dvec3 normal(input.stick_normal[point]);
+      const std::size_t turned = mutant == Mutant::corners_turned ? s / 3 * 3 + (s + 1) % 3 : s;
+      bend_[s] = stick_bend(input.scene.dynamics, double(input.scene.fur.length), normal,
+                            sticks.empty() ? normal : sticks[separate_ ? turned : point]);
+      return;
+    }
+    if (separate_) {
+      bend_[s] = of_strand[s / 3];
+      return;
+    }
+    for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i) {
+      bend_[s].a += double(strands.weight[i]) * of_strand[strands.face[i]].a;
+      bend_[s].b += double(strands.weight[i]) * of_strand[strands.face[i]].b;
+    }
+  });
+}
+
+std::size_t Geometry::slot(std::size_t face, std::size_t corner) const {
+  return separate_ ? 3 * face + corner : std::size_t(input_->mesh->triangle[face][int(corner)]);
+}
+
+std::uint32_t Geometry::vertex(std::size_t slot) const {
+  return separate_ ? input_->mesh->triangle[slot / 3][int(slot % 3)] : std::uint32_t(slot);
+}
+
+glm::dvec3 Geometry::curl_offset(std::size_t slot, int n) const {
+  if (n < 0) return glm::dvec3(0.0);
+  const Scene& scene = input_->scene;
+  const std::uint32_t point = input_->mesh->weld[vertex(slot)];
+  return curl(layer_height(n, scene.fur.layers, mutant_), rho_[slot], double(scene.curl.radius),
+              double(scene.curl.turns), glm::dvec3(input_->curl.u[point]), glm::dvec3(input_->curl.v[point]));
+}
+
+glm::dvec3 Geometry::position(std::size_t slot, int n) const {
+  const glm::dvec3 surface(input_->mesh->position[vertex(slot)]);
+  if (n < 0) return surface;
+  return surface + bent(*input_, bend_[slot], n, mutant_) + curl_offset(slot, n);
+}
+
+glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
+  return bent(input, bend, n, mutant) - bent(input, bend, n - 1, mutant);
+}
+
+std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n) {
+  std::vector<glm::dvec3> corners(3 * input.mesh->triangle.size());
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = geometry.position(geometry.slot(i / 3, i % 3), n);
+  return corners;
+}
+
+}  // namespace pelage::reference

@@ -1,0 +1,118 @@
+#include "harness/shells/reference/mask.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/shells/reference/layers.hpp"
+
+namespace pelage::reference {
+namespace {
+
+/// The texel along one axis, repeating. A coordinate that is no number (only mutants make one) takes texel 0.
+int repeated(double u, int size) {
+  const double inside = u - std::floor(u);
+  return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;
+}
+
+Clump weighted(const Clump& a, const Clump& b, double t) {
+  return {(1.0 - t) * a.centre + t * b.centre, (1.0 - t) * a.radius + t * b.radius,
+          (1.0 - t) * a.wetness + t * b.wetness};
+}
+
+/// The droplet wets every texel whose centre lies in its disc, in UV and over the surface.
+void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
+  const int size = mask.size;
+  // Rows and columns that the disc can reach; one more on either side costs nothing.
+  const auto first = [&](float c) {
+    return std::clamp(int(std::floor(double(c - droplet.radius) * double(size))) - 1, 0, size);
+  };
+  const auto last = [&](float c) {
+    return std::clamp(int(std::ceil(double(c + droplet.radius) * double(size))) + 1, 0, size);
+  };
+  for (int j = first(droplet.centre.y); j < last(droplet.centre.y); ++j)
+    for (int i = first(droplet.centre.x); i < last(droplet.centre.x); ++i) {
+      const glm::dvec2 centre((double(i) + 0.5) / double(size), (double(j) + 0.5) / double(size));
+      if (glm::length(centre - glm::dvec2(droplet.centre)) > double(droplet.radius)) continue;
+      const std::size_t at = std::size_t(j) * std::size_t(size) + std::size_t(i);
+      if (glm::length(glm::dvec3(input.mask_surface[at]) - glm::dvec3(droplet.point)) > double(droplet.reach))
+        continue;
+      mask.texel[at] = blend(mask.texel[at], droplet);
+    }
+}
+
+}  // namespace
+
+Clump blend(const Clump& texel, const Droplet& droplet) {
+  const glm::dvec2 centre(droplet.centre);
+  const double radius = double(droplet.radius), wetness = double(droplet.wetness);
+  if (texel.wetness == 0.0 || glm::length(texel.centre - centre) > radius) return {centre, radius, wetness};
+  Clump result = texel;
+  result.wetness = std::clamp(texel.wetness + wetness, 0.0, 1.0);
+  if (result.wetness != 0.0) {
+    const double alpha = wetness / result.wetness;
+    result.centre = (1.0 - alpha) * texel.centre + alpha * centre;
+    result.radius = (1.0 - alpha) * texel.radius + alpha * radius;
+  }
+  return result;
+}
+
+const Clump& Mask::nearest(const glm::dvec2& uv) const {
+  return texel[std::size_t(repeated(uv.y, size)) * std::size_t(size) + std::size_t(repeated(uv.x, size))];
+}
+
+Clump Mask::bilinear(const glm::dvec2& uv) const {
+  const double side = double(size);
+  const glm::dvec2 corner(std::floor(uv.x * side - 0.5), std::floor(uv.y * side - 0.5));
+  const glm::dvec2 part(uv.x * side - 0.5 - corner.x, uv.y * side - 0.5 - corner.y);
+  const auto at = [&](double i, double j) {
+    return nearest({(corner.x + i + 0.5) / side, (corner.y + j + 0.5) / side});
+  };
+  return weighted(weighted(at(0, 0), at(1, 0), part.x), weighted(at(0, 1), at(1, 1), part.x), part.y);
+}
+
+Mask wetness_mask(const FrameInput& input, Mutant mutant) {
+  Mask mask{input.scene.wetness.size, {}};
+  mask.texel.resize(std::size_t(mask.size) * std::size_t(mask.size));
+  std::vector<Droplet> droplets = input.droplets;
+  if (mutant == Mutant::droplets_reversed) std::reverse(droplets.begin(), droplets.end());
+  for (const Droplet& droplet : droplets) drop(input, droplet, mask);
+  return mask;
+}
+
+double clump_shape(double h, double w, int layers, Mutant mutant) {
+  const double k = (mutant == Mutant::log_negated ? -1.0 : 1.0) * std::log(double(layers));
+  // h is at least 1/N; only Mutant::height_without_one goes below.
+  return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
+}
+
+Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
+                                Mutant mutant) {
+  const ClumpScene& scene = input.scene.clump;
+  const int layers = input.scene.fur.layers;
+  const auto look = [&](const glm::dvec2& at) {
+    return mutant == Mutant::mask_bilinear ? mask.bilinear(at) : mask.nearest(at);
+  };
+  Displacement result;
+  const Clump here = look(uv);
+  result.wetness = here.wetness;
+  if (!(here.wetness > 0.0)) return result;
+
+  const double scale = scene.scale == "literal" ? here.radius : double(scene.gain);
+  const auto d = [&](int layer) {
+    if (layer < 0) return glm::dvec2(0.0);
+    const double shape =
+        clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, mutant);
+    return shape * here.wetness * scale * (uv - here.centre);
+  };
+  result.d = d(n);
+  result.delta_d = d(n) - d(n - 1);
+
+  if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
+  const Clump there = look(uv + result.d);
+  if (!(there.wetness > 0.0)) result.discarded = true;  // a dry area
+  if (scene.cells == "separate" && there.centre != here.centre) result.discarded = true;
+  return result;
+}
+
+}  // namespace pelage::reference

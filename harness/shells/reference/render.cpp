@@ -1,0 +1,306 @@
+// N passes over the mesh, back to front (docs/frame.md, 5 to 7; S 4).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "harness/error.hpp"
+#include "harness/shells/reference/coverage.hpp"
+#include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/mask.hpp"
+#include "harness/shells/reference/parallel.hpp"
+#include "harness/shells/reference/reference.hpp"
+#include "harness/shells/reference/shading.hpp"
+#include "harness/shells/reference/substeps.hpp"
+#include "harness/shells/reference/textures.hpp"
+#include "harness/shells/reference/vector.hpp"
+#include "harness/shells/reference/visible.hpp"
+
+namespace pelage::reference {
+namespace {
+
+/// A part of the picture in the making.
+struct Tile {
+  Window window;
+  std::vector<std::uint32_t> faces;  ///< those that may show here, in the mesh's order
+  std::vector<double> base;          ///< 1/w of the base surface, 0 where there is none
+  std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha
+  std::size_t at(int x, int y) const {
+    return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
+  }
+};
+
+/// A pixel of a triangle: where it is, its 1/w, and the perspective-correct share of each corner.
+struct Sample {
+  int x, y;
+  double inverse_w;
+  glm::dvec3 share;
+};
+
+class Painter {
+ public:
+  Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
+      : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
+
+  /// Moves every wanted slot to layer n; -1: the base surface.
+  void move_to(int n) {
+    layer_ = n;
+    for_each_index(point_.size(), 1024, [&](std::size_t s) {
+      if (geometry_.wanted(s)) point_[s] = project(input_.camera, geometry_.position(s, n));
+    });
+  }
+
+  void draw(Tile& tile) const {
+    const bool reversed = layer_ >= 0 && options_.mutant == Mutant::triangles_reversed;
+    for (std::size_t i = 0; i < tile.faces.size(); ++i)
+      draw_face(tile, tile.faces[reversed ? tile.faces.size() - 1 - i : i]);
+    if (options_.eight_bit)
+      for (glm::dvec4& pixel : tile.colour)
+        for (int c = 0; c < 4; ++c)
+          pixel[c] = std::floor(std::clamp(pixel[c], 0.0, 1.0) * 255.0 + 0.5) / 255.0;
+  }
+
+ private:
+  void draw_face(Tile& tile, std::uint32_t face) const {
+    const std::array<ClipPoint, 3> corners{point_[geometry_.slot(face, 0)], point_[geometry_.slot(face, 1)],
+                                           point_[geometry_.slot(face, 2)]};
+    const auto inside = [&](const ClipPoint& p) {
+      return p.w >= double(input_.camera.near) && std::abs(p.x) <= guard * p.w &&
+             std::abs(p.y) <= guard * p.w;
+    };
+    if (inside(corners[0]) && inside(corners[1]) && inside(corners[2])) {
+      draw_part(tile, face,
+                {ClippedVertex{corners[0], {1, 0, 0}}, {corners[1], {0, 1, 0}}, {corners[2], {0, 0, 1}}});
+      return;
+    }
+    const std::vector<ClippedVertex> polygon = clip(corners, double(input_.camera.near));
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      draw_part(tile, face, {polygon[0], polygon[i - 1], polygon[i]});
+  }
+
+  void draw_part(Tile& tile, std::uint32_t face, const std::array<ClippedVertex, 3>& part) const {
+    const Raster raster({snap(part[0].point), snap(part[1].point), snap(part[2].point)}, input_.camera.width,
+                        input_.camera.height);
+    if (raster.empty()) return;
+    if (layer_ >= 0 && options_.mutant == Mutant::back_faces_culled && raster.faces_away()) return;
+    const Window box = raster.box(tile.window);
+    for (int y = box.y; y < box.y + box.height; ++y)
+      for (int x = box.x; x < box.x + box.width; ++x) {
+        const Edges edges = raster.edges(x, y);
+        if (!edges.covered) continue;
+        const double sum = double(edges.value[0]) + double(edges.value[1]) + double(edges.value[2]);
+        Sample sample{x, y, 0.0, glm::dvec3(0.0)};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double share = double(edges.value[k]) / sum / part[k].point.w;
+          sample.inverse_w += share;
+          sample.share += share * part[k].corners;
+        }
+        sample.share /= sample.inverse_w;
+        if (layer_ < 0)
+          draw_base(tile, face, sample);
+        else
+          draw_fur(tile, face, sample);
+      }
+  }
+
+  /// An attribute of the three corners, interpolated.
+  template <class Value>
+  auto interpolated(std::uint32_t face, const Sample& sample, const Value& of_slot) const {
+    return sample.share[0] * of_slot(geometry_.slot(face, 0)) +
+           sample.share[1] * of_slot(geometry_.slot(face, 1)) +
+           sample.share[2] * of_slot(geometry_.slot(face, 2));
+  }
+
+  glm::dvec2 uv(std::uint32_t face, const Sample& sample) const {
+    const glm::dvec2 at = interpolated(
+        face, sample, [&](std::size_t s) { return glm::dvec2(input_.mesh->uv[geometry_.vertex(s)]); });
+    return options_.mutant == Mutant::uv_swapped ? glm::dvec2(at.y, at.x) : at;
+  }
+
+  Bend bend(std::uint32_t face, const Sample& sample) const {
+    return {interpolated(face, sample, [&](std::size_t s) { return geometry_.bend(s).a; }),
+            interpolated(face, sample, [&](std::size_t s) { return geometry_.bend(s).b; })};
+  }
+
+  glm::dvec3 tangent(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample,
+                        [&](std::size_t s) { return glm::dvec3(input_.tangents.t[geometry_.vertex(s)]); });
+  }
+
+  glm::dvec3 bitangent(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample,
+                        [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
+  }
+
+  /// dphi(n), the curl's step from the layer below.
+  glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
+    return interpolated(face, sample, [&](std::size_t s) {
+      return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
+    });
+  }
+
+  /// The fur that a fragment at `where` sees: one look into its layer, or scene.fur.substeps looks down to
+  /// the layer below, between which the lookup moves by `shift()` (UV) for the ray and the strand, and by
+  /// -delta_d for the clump.
+  template <class Shift>
+  FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
+    const auto sampled = [&](const glm::dvec2& uv) {
+      return sample_fur(input_.fur, uv * glm::dvec2(input_.fur_scale), layer_, level);
+    };
+    const int count = input_.scene.fur.substeps;
+    if (count == 1) return sampled(where + clump.d);
+    const glm::dvec2 below = shift() - clump.delta_d;
+    std::vector<FurSample> samples;
+    samples.reserve(std::size_t(count));
+    for (int i = 0; i < count; ++i)
+      samples.push_back(sampled(where + clump.d + double(i) / double(count) * below));
+    return combined(samples);
+  }
+
+  /// E at the pixel's centre.
+  glm::dvec3 view(const Sample& sample) const {
+    const Camera& camera = input_.camera;
+    const double x = double(sample.x) + 0.5 - 0.5 * double(camera.width);
+    const double y = double(sample.y) + 0.5 - 0.5 * double(camera.height);
+    return unit(glm::dvec3(camera.ray) + x * glm::dvec3(camera.ray_dx) + y * glm::dvec3(camera.ray_dy));
+  }
+
+  void draw_base(Tile& tile, std::uint32_t face, const Sample& sample) const {
+    const std::size_t at = tile.at(sample.x, sample.y);
+    if (!(sample.inverse_w > tile.base[at])) return;
+    tile.base[at] = sample.inverse_w;
+    const glm::dvec2 where = uv(face, sample);
+    const glm::dvec3 normal = unit(bend(face, sample).a);
+    const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
+                            normal,
+                            normal,
+                            view(sample),
+                            0.0,
+                            mask_.nearest(where).wetness};
+    tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
+  }
+
+  void draw_fur(Tile& tile, std::uint32_t face, const Sample& sample) const {
+    const std::size_t at = tile.at(sample.x, sample.y);
+    if (!(sample.inverse_w >= tile.base[at])) return;
+    const Scene& scene = input_.scene;
+    const glm::dvec2 where = uv(face, sample);
+    const Displacement clump = clump_displacement(input_, mask_, where, layer_, options_.mutant);
+    if (clump.discarded) return;
+    const Bend strand = bend(face, sample);
+    const glm::dvec3 normal = unit(strand.a), eye = view(sample);
+    const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
+    const FurSample fur = look(where, clump, level_of_detail(sample, normal, eye), [&] {
+      const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
+      return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
+    });
+    if (!(fur.coverage > 0.0)) return;
+
+    const bool wet = scene.shading.model == "wet";
+    const glm::dvec3 along =
+        wet ? wet_tangent(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d)
+            : unit(step);
+    const Fragment fragment{
+        sample_coat(input_.coat, where + clump.d) * fur.shade,   along,        normal, eye,
+        layer_height(layer_, scene.fur.layers, options_.mutant), clump.wetness};
+    const glm::dvec3 colour = wet                                ? wet_colour(scene.shading, fragment)
+                              : scene.shading.model == "lambert" ? plain_colour(scene.shading, fragment)
+                                                                 : curling_colour(scene.shading, fragment);
+    tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
+  }
+
+  /// log2 of a pixel's footprint on the surface in texels of level 0, and the bias.
+  double level_of_detail(const Sample& sample, const glm::dvec3& normal, const glm::dvec3& eye) const {
+    const FurScene& fur = input_.scene.fur;
+    const double pixel = double(input_.camera.pixel) / sample.inverse_w;
+    return std::log2(double(fur.tile) * double(input_.fur.size) * pixel /
+                     std::max(std::abs(glm::dot(normal, eye)), 0.1)) +
+           double(fur.lod_bias);
+  }
+
+  const FrameInput& input_;
+  const Options& options_;
+  const Mask& mask_;
+  const Geometry& geometry_;
+  int layer_ = -1;
+  std::vector<ClipPoint> point_;  ///< where the camera sees each slot of the current layer
+};
+
+void check(bool fits, const char* what) {
+  if (!fits) throw InputError(fmt::format("a frame cannot be drawn: {}", what));
+}
+
+void check(const FrameInput& input, const Options& options) {
+  check(input.mesh != nullptr, "it has no mesh");
+  const Mesh& mesh = *input.mesh;
+  const std::size_t faces = mesh.triangle.size(), copies = mesh.position.size(), points = mesh.welded;
+  const std::size_t texels = std::size_t(input.scene.wetness.size) * std::size_t(input.scene.wetness.size);
+  check(mesh.uv.size() == copies && mesh.weld.size() == copies,
+        "the mesh needs a UV and a weld per vertex copy");
+  check(input.strands.normal.size() == faces && input.strands.anchor.size() == faces &&
+            input.strands.phase.size() == faces,
+        "there must be one strand per triangle");
+  const bool sticks = has_springs(input.scene.dynamics);
+  check(!sticks || input.stick_normal.size() == points, "a topology needs a normal per surface point");
+  check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
+        "there must be a stick per surface point, or per corner where the topology is separable");
+  check(!sticks || !options.sticks.empty() || options.frames == 0,
+        "a topology's sticks must be given once they have moved");
+  check(input.strands.row.size() == points + 1, "the strand weights need a row per surface point");
+  check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
+        "the curl frame needs one entry per surface point");
+  check(input.tangents.t.size() == copies && input.tangents.b.size() == copies,
+        "the surface tangents need one entry per vertex copy");
+  check(input.scene.wetness.size > 0 && input.mask_surface.size() == texels,
+        "the wetness mask needs a surface point per texel");
+  check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),
+        "the fur texture needs a slice per layer, at least 2");
+  check(input.coat.size > 0, "it has no coat texture");
+  check(input.scene.fur.substeps >= 1, "a fragment looks into its layer at least once (fur.substeps)");
+  check(input.camera.width > 0 && input.camera.height > 0 && input.camera.near > 0.0f,
+        "the camera's size and near plane must be above 0");
+}
+
+}  // namespace
+
+Picture render(const FrameInput& input, const Options& options) {
+  check(input, options);
+  const Camera& camera = input.camera;
+  const glm::vec4 background(input.scene.image.background, 0.0f);
+  Picture picture{camera.width, camera.height, {}};
+  picture.pixel.assign(std::size_t(camera.width) * std::size_t(camera.height), background);
+
+  std::vector<Tile> tiles;
+  for (const Window& window : split(options.windows, camera)) tiles.push_back({window, {}, {}, {}});
+  for_each_index(tiles.size(), [&](std::size_t i) {
+    Tile& tile = tiles[i];
+    tile.faces = visible_faces(input, tile.window);
+    const std::size_t pixels = std::size_t(tile.window.width) * std::size_t(tile.window.height);
+    tile.base.assign(pixels, 0.0);
+    tile.colour.assign(pixels, glm::dvec4(background));
+  });
+  std::vector<char> wanted(input.mesh->triangle.size(), 0);
+  for (const Tile& tile : tiles)
+    for (const std::uint32_t face : tile.faces) wanted[face] = 1;
+
+  const Mask mask = wetness_mask(input, options.mutant);
+  const Geometry geometry(input, mask, options.frames, wanted, options.mutant, options.sticks);
+  Painter painter(input, options, mask, geometry);
+  const int layers = input.scene.fur.layers;
+  for (int n = -1; n < layers; ++n) {
+    if (options.mutant == Mutant::layer_missing && n == layers / 2) continue;
+    painter.move_to(n);
+    for_each_index(tiles.size(), [&](std::size_t i) { painter.draw(tiles[i]); });
+  }
+
+  for (const Tile& tile : tiles)
+    for (int y = tile.window.y; y < tile.window.y + tile.window.height; ++y)
+      for (int x = tile.window.x; x < tile.window.x + tile.window.width; ++x)
+        picture.at(x, y) = glm::vec4(tile.colour[tile.at(x, y)]);
+  return picture;
+}
+
+}  // namespace pelage::reference

@@ -1,0 +1,97 @@
+#include "harness/shells/reference/shading.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/shells/reference/vector.hpp"
+
+namespace pelage::reference {
+namespace {
+
+/// max(0, (n.l + .4) / 1.4): light that wraps around the body.
+double wrapped(const glm::dvec3& normal, const glm::dvec3& light) {
+  return std::max(0.0, (glm::dot(normal, light) + 0.4) / 1.4);
+}
+
+/// g_l, the light's intensity dimmed where the body turns away.
+double intensity(const ShadingScene& shading, const LightScene& light, const glm::dvec3& normal,
+                 const glm::dvec3& towards) {
+  return double(light.intensity) * (1.0 + double(shading.wrap) * (wrapped(normal, towards) - 1.0));
+}
+
+/// [(T.L)(T.E) + sin(T,L) sin(T,E)]^p, the base clamped at 0 (Kajiya and Kay's highlight, both in S and W).
+double highlight(const glm::dvec3& t, const glm::dvec3& l, const glm::dvec3& e, double p) {
+  const double base =
+      glm::dot(t, l) * glm::dot(t, e) + glm::length(glm::cross(t, l)) * glm::length(glm::cross(t, e));
+  return std::pow(std::max(0.0, base), p);
+}
+
+/// W Eq. 2's C_d.
+glm::dvec3 lambert(const ShadingScene& shading, const Fragment& f) {
+  double sum = double(shading.ambient);
+  const double wrap = double(shading.wrap);
+  for (const LightScene& light : shading.lights) {
+    const glm::dvec3 towards = unit(glm::dvec3(light.direction));
+    sum += double(light.intensity) *
+           ((1.0 - wrap) * std::max(0.0, glm::dot(towards, f.normal)) + wrap * wrapped(f.normal, towards));
+  }
+  return sum * f.colour;
+}
+
+double curling_shadow(const ShadingScene& shading, double h) {
+  return (double(shading.shadow) - 1.0 + h) / double(shading.shadow);
+}
+
+/// W Eq. 5: gamma_occ gamma_wet.
+double wet_shadow(const ShadingScene& shading, double h, double rho) {
+  return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
+}
+
+}  // namespace
+
+glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& f) {
+  double diffuse = double(shading.ambient), specular = 0.0;
+  for (const LightScene& light : shading.lights) {
+    const glm::dvec3 towards = unit(glm::dvec3(light.direction));
+    const double g = intensity(shading, light, f.normal, towards);
+    diffuse += g * glm::length(glm::cross(f.tangent, towards));
+    specular += g * highlight(f.tangent, towards, f.view, double(shading.exponent));
+  }
+  return curling_shadow(shading, f.height) * (diffuse * f.colour + specular * glm::dvec3(shading.specular));
+}
+
+glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
+  const double exponent = (1.0 + double(shading.wet_specular) * (f.wetness - 1.0)) * double(shading.exponent);
+  double specular = 0.0;
+  for (const LightScene& light : shading.lights) {
+    const glm::dvec3 towards = unit(glm::dvec3(light.direction));
+    specular +=
+        intensity(shading, light, f.normal, towards) * highlight(f.tangent, towards, f.view, exponent);
+  }
+  return wet_shadow(shading, f.height, f.wetness) *
+         (lambert(shading, f) + specular * glm::dvec3(shading.specular));
+}
+
+glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& f) {
+  double light = double(shading.ambient);
+  for (const LightScene& lamp : shading.lights)
+    light += double(lamp.intensity) * std::max(0.0, glm::dot(f.normal, unit(glm::dvec3(lamp.direction))));
+  const double darkest = 1.0 - double(shading.occlusion);
+  return (darkest + (1.0 - darkest) * f.height) * light * f.colour;
+}
+
+glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
+  if (shading.model == "lambert") return plain_colour(shading, f);
+  const double shadow =
+      shading.model == "wet" ? wet_shadow(shading, 0.0, f.wetness) : curling_shadow(shading, 0.0);
+  return shadow * lambert(shading, f);
+}
+
+glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
+                       const glm::dvec3& b, const glm::dvec2& delta_d) {
+  const double sigma = shading.tangent == "drawn" ? -1.0 : 1.0;
+  return unit(sigma * (delta_d.x * t + delta_d.y * b) + bend);
+}
+
+}  // namespace pelage::reference

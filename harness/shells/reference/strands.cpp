@@ -1,0 +1,68 @@
+#include "harness/shells/reference/strands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/shells/reference/parallel.hpp"
+#include "harness/shells/reference/vector.hpp"
+
+namespace pelage::reference {
+namespace {
+
+/// W(t) = dir strength (1 + gust sin(2 pi f t - phase)), N.
+glm::dvec3 wind_force(const WindScene& wind, const glm::dvec2& phase, double time) {
+  const double turn = 2.0 * std::numbers::pi * double(wind.frequency) * time;
+  const double sine = std::sin(turn) * phase.x - std::cos(turn) * phase.y;  // phase: (cos, sin)
+  return unit(glm::dvec3(wind.direction)) * (double(wind.strength) * (1.0 + double(wind.gust) * sine));
+}
+
+}  // namespace
+
+Strand constrain(Strand strand, const glm::dvec3& normal, double length) {
+  const double height = glm::dot(strand.tip, normal);
+  if (height < 0.0) {
+    strand.tip -= height * normal;
+    strand.velocity -= std::min(0.0, glm::dot(strand.velocity, normal)) * normal;
+  }
+  if (glm::length(strand.tip) > length) {
+    const glm::dvec3 outward = unit(strand.tip);
+    strand.tip = length * outward;
+    strand.velocity -= std::max(0.0, glm::dot(strand.velocity, outward)) * outward;
+  }
+  return strand;
+}
+
+Strand rest(const FrameInput& input, std::size_t face) {
+  return {glm::dvec3(input.strands.anchor[face]), glm::dvec3(0.0)};
+}
+
+Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index) {
+  const DynamicsScene& dynamics = input.scene.dynamics;
+  const double mass = double(dynamics.mass), dt = double(dynamics.step);
+  const glm::dvec3 anchor(input.strands.anchor[face]);
+  const glm::dvec3 force =
+      double(dynamics.stiffness) * (anchor - strand.tip) - double(dynamics.drag) * strand.velocity +
+      mass * glm::dvec3(dynamics.gravity) +
+      wind_force(dynamics.wind, glm::dvec2(input.strands.phase[face]), double(index) * dt);
+  strand.velocity += dt / mass * force;
+  strand.tip += dt * strand.velocity;
+  return constrain(strand, glm::dvec3(input.strands.normal[face]), double(input.scene.fur.length));
+}
+
+Strand simulate(const FrameInput& input, std::size_t face, int frames) {
+  const std::size_t count = std::size_t(std::max(0, frames)) * std::size_t(input.scene.dynamics.substeps);
+  Strand strand = rest(input, face);
+  for (std::size_t i = 0; i < count; ++i) strand = substep(input, face, strand, i);
+  return strand;
+}
+
+std::vector<Strand> simulate(const FrameInput& input, int frames) {
+  std::vector<Strand> strands(input.strands.anchor.size());
+  for_each_index(strands.size(), 256,
+                 [&](std::size_t face) { strands[face] = simulate(input, face, frames); });
+  return strands;
+}
+
+}  // namespace pelage::reference

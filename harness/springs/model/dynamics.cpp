@@ -1,0 +1,149 @@
+#include "harness/springs/model/dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/error.hpp"
+
+namespace pelage::springs {
+namespace {
+
+void finite(const char* what, float value) {
+  if (!std::isfinite(value))
+    throw InputError(fmt::format("{}: {}; it has to be a finite number", what, value));
+}
+
+void finite(const char* what, glm::vec3 v) {
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(v[c]))
+      throw InputError(
+          fmt::format("{}: ({}, {}, {}); all three have to be finite numbers", what, v.x, v.y, v.z));
+}
+
+void above_0(const char* what, float value) {
+  finite(what, value);
+  if (!(value > 0)) throw InputError(fmt::format("{}: {}; it has to be above 0", what, value));
+}
+
+void not_negative(const char* what, float value) {
+  finite(what, value);
+  if (value < 0) throw InputError(fmt::format("{}: {}; it must not be negative", what, value));
+}
+
+void direction(const char* what, glm::vec3 v) {
+  finite(what, v);
+  if (v == glm::vec3(0)) throw InputError(fmt::format("{}: (0, 0, 0); a direction needs a length", what));
+}
+
+// v turned by -angle about the unit axis: a vector of the world seen from the turned object (Rodrigues).
+glm::dvec3 seen_turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
+  return v * std::cos(angle) - glm::cross(axis, v) * std::sin(angle) +
+         axis * glm::dot(axis, v) * (1 - std::cos(angle));
+}
+
+Moment moment(const Dynamics& d, double time) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const Motion& m = d.motion;
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(m.axis));
+  const double a = turn * double(m.shake_frequency), b = turn * double(m.swing_frequency);
+  const glm::dvec3 speed = glm::dvec3(m.velocity) + a * std::sin(a * time) * glm::dvec3(m.shake);
+  const glm::dvec3 acceleration = a * a * std::cos(a * time) * glm::dvec3(m.shake);
+  const double angle = double(m.spin) * time + double(m.swing) * std::sin(b * time);
+  const double rate = double(m.spin) + double(m.swing) * b * std::cos(b * time);
+  const double rate_up = -double(m.swing) * b * b * std::sin(b * time);
+  const glm::dvec3 air = double(d.wind.speed) * glm::normalize(glm::dvec3(d.wind.direction));
+
+  const auto seen = [&](glm::dvec3 v) { return glm::vec3(seen_turned(v, axis, angle)); };
+  const double drag = double(d.drag);
+  const glm::vec3 steady =
+      seen(double(d.mass) * (glm::dvec3(d.gravity) - acceleration) + drag * (air - speed));
+  const glm::vec3 gusts = seen(drag * double(d.wind.gust) * air);
+  const glm::vec3 o(rate * axis), u(rate_up * axis);
+  const double gust = turn * double(d.wind.frequency) * time;
+  return {
+      steady.x, steady.y, steady.z, gusts.x, gusts.y, gusts.z, float(std::sin(gust)), float(std::cos(gust)),
+      o.x,      o.y,      o.z,      u.x,     u.y,     u.z};
+}
+
+}  // namespace
+
+std::string_view name(Solver solver) {
+  switch (solver) {
+    case Solver::explicit_euler:
+      return "explicit-euler";
+    case Solver::backward_euler:
+      return "backward-euler";
+    case Solver::semi_implicit_euler:
+      return "semi-implicit-euler";
+    case Solver::rk4:
+      break;
+  }
+  return "rk4";
+}
+
+Solver solver_of(const std::string& wanted) {
+  for (const Solver solver : solvers)
+    if (name(solver) == wanted) return solver;
+  throw InputError(
+      fmt::format("solver {}: none of explicit-euler, backward-euler, semi-implicit-euler, rk4", wanted));
+}
+
+void check(const Dynamics& d) {
+  above_0("time step, s", d.step);
+  above_0("mass, kg", d.mass);
+  not_negative("stiffness of the sticks, N/m", d.stiffness);
+  not_negative("damping of the sticks, N s/m", d.damping);
+  not_negative("stiffness between tops, N/m", d.edge_stiffness);
+  not_negative("damping between tops, N s/m", d.edge_damping);
+  not_negative("drag, N s/m", d.drag);
+  not_negative("weight of the return force, N", d.return_weight);
+  above_0("residual of conjugate gradients", d.residual);
+  if (d.most_iterations < 1)
+    throw InputError(fmt::format("iterations of conjugate gradients: {}; at least one", d.most_iterations));
+  finite("gravity, m/s^2", d.gravity);
+  direction("direction of the wind", d.wind.direction);
+  finite("speed of the wind, m/s", d.wind.speed);
+  finite("gust of the wind", d.wind.gust);
+  not_negative("frequency of the gusts, Hz", d.wind.frequency);
+  above_0("wavelength of the gusts, R", d.wind.wavelength);
+  finite("velocity of the object, R/s", d.motion.velocity);
+  finite("shake of the object, R", d.motion.shake);
+  not_negative("frequency of the shake, Hz", d.motion.shake_frequency);
+  direction("axis of the object's turn", d.motion.axis);
+  finite("spin of the object, rad/s", d.motion.spin);
+  finite("swing of the object, rad", d.motion.swing);
+  not_negative("frequency of the swing, Hz", d.motion.swing_frequency);
+}
+
+bool turns(const Dynamics& d) {
+  return d.motion.spin != 0 || (d.motion.swing != 0 && d.motion.swing_frequency != 0);
+}
+
+std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps) {
+  std::vector<Moment> found;
+  for (int i = 0; i <= 2 * substeps; ++i)
+    found.push_back(moment(dynamics, (double(first) + 0.5 * i) * double(dynamics.step)));
+  return found;
+}
+
+TopologyParams params(const Dynamics& d, float length) {
+  TopologyParams p{};
+  p.length = length;
+  p.mass = d.mass;
+  p.inverse_mass = 1.0f / d.mass;
+  p.stiffness = d.stiffness;
+  p.damping = d.damping;
+  p.edge_stiffness = d.edge_stiffness;
+  p.edge_damping = d.edge_damping;
+  p.drag = d.drag;
+  p.return_weight = d.return_weight;
+  p.step = d.step;
+  p.most_square = most_stretch * length * most_stretch * length;
+  p.moving = turns(d);
+  return p;
+}
+
+}  // namespace pelage::springs

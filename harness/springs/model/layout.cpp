@@ -1,0 +1,134 @@
+#include "harness/springs/model/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+
+namespace pelage::springs {
+namespace {
+
+constexpr std::uint32_t slice = 16, window = 256;
+
+struct Neighbour {
+  std::uint32_t stick;
+  float rest;
+};
+
+std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
+  std::vector<std::vector<Neighbour>> found(topology.sticks());
+  const auto shift = std::uint32_t(topology.sticks());
+  for (std::size_t k = topology.sticks(); k < topology.spring.size(); ++k) {
+    const glm::uvec2 ends = topology.spring[k] - shift;
+    found[ends.x].push_back({ends.y, topology.rest[k]});
+    found[ends.y].push_back({ends.x, topology.rest[k]});
+  }
+  return found;
+}
+
+// Rows by falling degree within each window.
+std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour>>& around) {
+  std::vector<std::uint32_t> order(around.size()), place(around.size());
+  std::iota(order.begin(), order.end(), 0u);
+  for (std::size_t first = 0; first < order.size(); first += window)
+    std::stable_sort(order.begin() + std::ptrdiff_t(first),
+                     order.begin() + std::ptrdiff_t(std::min(first + window, order.size())),
+                     [&](std::uint32_t a, std::uint32_t b) { return around[a].size() > around[b].size(); });
+  for (std::uint32_t row = 0; row < order.size(); ++row) place[order[row]] = row;
+  return place;
+}
+
+void lay_out_springs(const std::vector<std::vector<Neighbour>>& around, Layout& layout) {
+  std::vector<std::uint32_t> stick(layout.places(), std::uint32_t(around.size()));
+  for (std::uint32_t i = 0; i < around.size(); ++i) stick[layout.place[i]] = i;
+  layout.start.push_back(0);
+  for (std::size_t first = 0; first < layout.places(); first += slice) {
+    std::size_t longest = 0;
+    for (std::size_t row = first; row < first + slice; ++row)
+      if (stick[row] < around.size()) longest = std::max(longest, around[stick[row]].size());
+    for (std::size_t k = 0; k < longest; ++k)
+      for (std::size_t row = first; row < first + slice; ++row) {
+        const bool real = stick[row] < around.size() && k < around[stick[row]].size();
+        const Neighbour other = real ? around[stick[row]][k] : Neighbour{0, 0};
+        layout.neighbour.push_back(std::int32_t(real ? layout.place[other.stick] : row));
+        layout.rest.push_back(other.rest);
+      }
+    layout.start.push_back(layout.start.back() + std::int32_t(longest));
+  }
+}
+
+void set3(std::vector<float>& table, std::size_t place, std::size_t columns, std::size_t first,
+          glm::vec3 value) {
+  for (std::size_t c = 0; c < 3; ++c) table[column_of(place, columns, first + c)] = value[int(c)];
+}
+
+}  // namespace
+
+Layout lay_out(const Topology& topology, const Wind& wind) {
+  Layout layout;
+  const std::size_t sticks = topology.sticks();
+  layout.corners = topology.kind == Kind::separable_prisms ? 3 : 1;
+  layout.place.resize(sticks);
+  std::iota(layout.place.begin(), layout.place.end(), 0u);
+  std::size_t together = std::size_t{4} * slice;
+  std::vector<std::vector<Neighbour>> around;
+  if (topology.kind == Kind::prisms) {
+    together = slice;
+    around = neighbours(topology);
+    layout.place = sorted_places(around);
+  } else if (topology.kind == Kind::separable_prisms) {
+    together = std::size_t{3} * slice;
+    for (std::uint32_t i = 0; i < sticks; ++i)
+      layout.place[i] = (i / 3 / slice * 3 + i % 3) * slice + i / 3 % slice;
+  }
+  layout.slices = int((sticks + together - 1) / together * together / slice);
+
+  const std::size_t places = layout.places();
+  layout.sites.assign(SITE_COLUMNS * places, 0);
+  layout.offset.assign(3 * places, 0);
+  const auto stand = [&](std::size_t place, glm::vec3 root, glm::vec3 normal, double phase) {
+    set3(layout.sites, place, SITE_COLUMNS, SITE_ROOT, root);
+    set3(layout.sites, place, SITE_COLUMNS, SITE_NORMAL, normal);
+    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_COS)] = float(std::cos(phase));
+    layout.sites[column_of(place, SITE_COLUMNS, SITE_PHASE_SIN)] = float(std::sin(phase));
+    set3(layout.offset, place, 3, 0, topology.length * normal);
+  };
+  for (std::size_t place = 0; place < places; ++place) stand(place, {0, 0, 0}, {0, 1, 0}, 0);
+  const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
+  for (std::size_t i = 0; i < sticks; ++i)
+    stand(layout.place[i], topology.mass[i], topology.normal[i],
+          2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[i]), along) / double(wind.wavelength));
+  if (topology.kind == Kind::prisms) lay_out_springs(around, layout);
+  if (topology.kind == Kind::separable_prisms) {
+    layout.sides.assign(places, 0);
+    for (std::size_t e = 0; e < topology.edges().size(); ++e)
+      layout.sides[column_of(e / 3, 3, e % 3)] = topology.rest[sticks + e];
+  }
+  return layout;
+}
+
+std::size_t memory(const Layout& layout, Solver solver) {
+  // Columns of floats per place: sites, push, offset, speed; and when a mass was lost.
+  std::size_t columns = SITE_COLUMNS + 9;
+  std::size_t values = layout.places() + 1 + layout.sides.size();
+  if (layout.start.empty()) return 4 * (columns * layout.places() + values);
+  columns += 1 + 4;  // speeds and tips are rows of four
+  values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
+  switch (solver) {
+    case Solver::explicit_euler:
+    case Solver::semi_implicit_euler:
+      columns += 8;  // the next tips and speeds
+      break;
+    case Solver::rk4:
+      columns += 16 + 9;  // those of two stages; the stage's offset and the weighted rates
+      break;
+    case Solver::backward_euler:
+      columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
+      values += 3 * layout.neighbour.size();
+      break;
+  }
+  return 4 * (columns * layout.places() + values);
+}
+
+}  // namespace pelage::springs

@@ -1,0 +1,155 @@
+#include "harness/springs/model/network.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/prepare/skin.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using Corners = std::vector<glm::uvec3>;  // sticks of each triangle
+
+// The undirected edges of the triangles, each once, in ascending order.
+std::vector<glm::uvec2> unique_edges(const Corners& corners) {
+  std::vector<glm::uvec2> edges;
+  edges.reserve(3 * corners.size());
+  for (const glm::uvec3& t : corners)
+    for (int c = 0; c < 3; ++c) {
+      const std::uint32_t a = t[c], b = t[(c + 1) % 3];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+    }
+  std::sort(edges.begin(), edges.end(),
+            [](glm::uvec2 a, glm::uvec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
+  if (!has_prisms(kind)) return {};
+  if (!separable(kind)) return unique_edges(corners);
+  std::vector<glm::uvec2> edges;
+  edges.reserve(3 * corners.size());
+  for (const glm::uvec3& t : corners)
+    for (int c = 0; c < 3; ++c) edges.push_back({t[c], t[(c + 1) % 3]});
+  return edges;
+}
+
+glm::dvec3 rest_top(const Topology& topology, std::uint32_t stick) {
+  return glm::dvec3(topology.mass[stick]) + glm::dvec3(topology.length * topology.normal[stick]);
+}
+
+}  // namespace
+
+std::string_view name(Kind kind) {
+  switch (kind) {
+    case Kind::sticks:
+      return "sticks";
+    case Kind::prisms:
+      return "prisms";
+    case Kind::separable_sticks:
+      return "separable-sticks";
+    case Kind::separable_prisms:
+      break;
+  }
+  return "separable-prisms";
+}
+
+Kind kind_of(const std::string& wanted) {
+  for (const Kind kind : kinds)
+    if (name(kind) == wanted) return kind;
+  throw InputError(
+      fmt::format("topology {}: none of sticks, prisms, separable-sticks, separable-prisms", wanted));
+}
+
+Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
+  if (mesh.triangle.empty()) throw InputError(fmt::format("{}: no triangle to stand a stick on", mesh.name));
+  if (!(length > 0) || !std::isfinite(length))
+    throw InputError(fmt::format("topology: a fur length of {} R; it has to be finite and above 0", length));
+  const Skin skin = weld(mesh);
+
+  Topology topology;
+  topology.kind = kind;
+  Corners corners;
+  if (separable(kind)) {
+    for (const glm::uvec3& t : mesh.triangle) {
+      const auto first = std::uint32_t(topology.copy.size());
+      corners.push_back({first, first + 1, first + 2});
+      topology.copy.insert(topology.copy.end(), {t.x, t.y, t.z});
+    }
+  } else if (vertices == Vertices::copies) {
+    corners = mesh.triangle;
+    for (std::uint32_t v = 0; v < mesh.position.size(); ++v) topology.copy.push_back(v);
+  } else {
+    corners = skin.triangle;
+    topology.copy = skin.first_copy;
+  }
+
+  const std::size_t sticks = topology.copy.size();
+  topology.mass.resize(2 * sticks);
+  for (std::size_t i = 0; i < sticks; ++i) {
+    const glm::vec3 base = mesh.position[topology.copy[i]];
+    const glm::vec3 normal(skin.normal[mesh.weld[topology.copy[i]]]);
+    topology.normal.push_back(normal);
+    topology.mass[i] = base;
+    topology.mass[sticks + i] = base + length * normal;
+    topology.spring.push_back({std::uint32_t(i), std::uint32_t(sticks + i)});
+    topology.rest.push_back(length);
+  }
+  topology.length = length;
+  const auto shift = std::uint32_t(sticks);
+  for (const glm::uvec2 edge : edges_of(kind, corners)) {
+    topology.spring.push_back(edge + shift);
+    topology.rest.push_back(float(glm::distance(rest_top(topology, edge.x), rest_top(topology, edge.y))));
+  }
+  topology.corner = std::move(corners);
+  return topology;
+}
+
+std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
+  std::optional<std::size_t> found;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {  // Moeller and Trumbore 1997
+    const glm::uvec3 t = mesh.triangle[f];
+    const glm::dvec3 a(mesh.position[t.x]), u = glm::dvec3(mesh.position[t.y]) - a,
+                                            v = glm::dvec3(mesh.position[t.z]) - a;
+    const glm::dvec3 across = glm::cross(direction, v), from = origin - a, turned = glm::cross(from, u);
+    const double volume = glm::dot(u, across);
+    if (volume == 0) continue;
+    const double x = glm::dot(from, across) / volume, y = glm::dot(direction, turned) / volume,
+                 distance = glm::dot(v, turned) / volume;
+    if (x < 0 || y < 0 || x + y > 1 || distance < 0 || distance >= nearest) continue;
+    nearest = distance;
+    found = f;
+  }
+  return found;
+}
+
+std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec3 force) {
+  if (face >= topology.corner.size())
+    throw InputError(fmt::format("poke: triangle {} of {}", face, topology.corner.size()));
+  for (int c = 0; c < 3; ++c)
+    if (!std::isfinite(force[c]))
+      throw InputError(fmt::format("poke: force ({}, {}, {}) N; all three have to be finite numbers", force.x,
+                                   force.y, force.z));
+  std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
+  for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
+  return push;
+}
+
+Degrees degrees(const Topology& topology) {
+  std::vector<int> count(topology.mass.size(), 0);
+  for (const glm::uvec2 spring : topology.spring) ++count[spring.x], ++count[spring.y];
+  const auto tops = std::span(count).subspan(topology.sticks());
+  Degrees found{*std::min_element(tops.begin(), tops.end()), *std::max_element(tops.begin(), tops.end()), 0};
+  for (const int degree : tops) found.mean += double(degree);
+  found.mean /= double(tops.size());
+  return found;
+}
+
+}  // namespace pelage::springs

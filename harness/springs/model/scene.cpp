@@ -1,0 +1,76 @@
+#include "harness/springs/model/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+
+namespace pelage::springs {
+namespace {
+
+// Where a poke is aimed at: a point, and the triangle that a ray meets there.
+struct Aim {
+  glm::dvec3 point;
+  std::size_t triangle;
+};
+
+Aim aimed(const Mesh& mesh, const PokeScene& poke) {
+  const glm::dvec3 origin(poke.point), direction = glm::normalize(glm::dvec3(poke.ray));
+  const std::optional<std::size_t> found = hit(mesh, origin, direction);
+  if (!found)
+    throw InputError(
+        fmt::format("dynamics.poke.ray: from ({}, {}, {}) along ({}, {}, {}) it meets no triangle of {}",
+                    poke.point.x, poke.point.y, poke.point.z, poke.ray.x, poke.ray.y, poke.ray.z, mesh.name));
+  glm::dvec3 corner[3];
+  for (int c = 0; c < 3; ++c) corner[c] = glm::dvec3(mesh.position[mesh.triangle[*found][c]]);
+  const glm::dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  return {origin + glm::dot(corner[0] - origin, normal) / glm::dot(direction, normal) * direction, *found};
+}
+
+}  // namespace
+
+Dynamics dynamics_of(const DynamicsScene& scene) {
+  Dynamics d;
+  d.solver = solver_of(scene.solver);
+  d.step = scene.step;
+  d.mass = scene.mass;
+  d.stiffness = scene.springs.stiffness;
+  d.damping = scene.springs.damping;
+  d.edge_stiffness = scene.springs.edge_stiffness;
+  d.edge_damping = scene.springs.edge_damping;
+  d.drag = scene.drag;
+  d.return_weight = scene.springs.return_weight;
+  d.residual = scene.springs.residual;
+  d.gravity = scene.gravity;
+  const WindScene& wind = scene.wind;
+  d.wind = {wind.direction, scene.drag > 0 ? wind.strength / scene.drag : 0, wind.gust, wind.frequency,
+            wind.wavelength};
+  const MotionScene& m = scene.motion;
+  d.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  return d;
+}
+
+Topology topology_of(const FrameInput& input) {
+  return build(kind_of(input.scene.dynamics.topology), *input.mesh, input.scene.fur.length);
+}
+
+std::vector<glm::vec3> pushes(const Topology& topology, const Mesh& mesh, const PokeScene& poke) {
+  const bool ray = poke.ray != glm::vec3(0);
+  if (poke.radius == 0 && !ray) return {};
+  const Aim aim = ray ? aimed(mesh, poke) : Aim{glm::dvec3(poke.point), mesh.triangle.size()};
+  std::vector<glm::vec3> force(topology.sticks(), glm::vec3(0));
+  const glm::dvec3 along = glm::normalize(glm::dvec3(poke.along));
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
+    glm::dvec3 from = -aim.point;
+    for (int c = 0; c < 3; ++c) from += glm::dvec3(mesh.position[mesh.triangle[f][c]]) / 3.0;
+    if (f != aim.triangle && glm::length(from) > double(poke.radius)) continue;
+    const glm::dvec3 across = from - glm::dot(from, along) * along;
+    const double reach = glm::length(across);
+    const glm::dvec3 apart = reach > 0 ? double(poke.spread) / reach * across : glm::dvec3(0);
+    for (int c = 0; c < 3; ++c) force[topology.corner[f][c]] = poke.force + glm::vec3(apart);
+  }
+  return force;
+}
+
+}  // namespace pelage::springs

@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/springs/opencl/stages.hpp"
+
+namespace pelage::springs {
+namespace {
+
+const char* frame_kernel(Solver solver) {
+  switch (solver) {
+    case Solver::explicit_euler:
+      return "explicit_euler_frame";
+    case Solver::backward_euler:
+      return "backward_euler_frame";
+    case Solver::semi_implicit_euler:
+      return "semi_implicit_euler_frame";
+    case Solver::rk4:
+      break;
+  }
+  return "rk4_frame";
+}
+
+// An Euler step of a stick is a short chain of dependent operations: two slices at a time keep a vector unit
+// busy. The longer schemes run out of registers.
+int corners_of(const Layout& layout, Solver solver, int lanes) {
+  const bool brief = solver == Solver::explicit_euler || solver == Solver::semi_implicit_euler;
+  return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
+}
+
+}  // namespace
+
+// A second core costs some microseconds to wake: less than half of what it saves is a loss. Found by
+// `pelage run topology-solvers` on the paper's models (results/topology-notes.md).
+bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
+  // llvmpipe leaves a work-item's loops after 65535 turns, and says nothing.
+  if (!device.cpu || device.platform == "rusticl") return false;
+  if (kind != Kind::prisms) return sticks <= 2048;
+  return sticks <= (solver == Solver::backward_euler ? 4096u : 2048u);
+}
+
+// A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
+// GPU's takes one stick or triangle.
+int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
+  if (wanted > 0) return wanted * (16 / lanes);
+  if (lanes == 1) return 1;
+  const int items = 8 * std::max(1, int(device.compute_units));
+  return std::clamp((units + items - 1) / items, 1, 64);
+}
+
+std::size_t group_size(int lanes, std::size_t wanted) {
+  if (wanted > 0) return wanted;
+  return lanes == 1 ? 64 : 1;
+}
+
+std::string build_options(int lanes, bool turning) {
+  return fmt::format("-D LANES={} -D TURNING={}", lanes, int(turning));
+}
+
+BlockStage::BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+                       bool whole, const MassSpringOptions& options)
+    : program_(queue.device(), "springs/blocks.cl",
+               fmt::format("{} -D CORNERS={} -D EDGES={}", build_options(lanes, turns(dynamics)),
+                           corners_of(layout, dynamics.solver, lanes), int(layout.corners == 3))),
+      frame_(program_, frame_kernel(dynamics.solver)),
+      sides_(queue, std::span(layout.sides)),
+      group_(group_size(lanes, options.group)),
+      blocks_(layout.slices / corners_of(layout, dynamics.solver, lanes)),
+      units_(blocks_ * (16 / lanes)),
+      per_item_(whole ? units_
+                      : units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)) {}
+
+void BlockStage::enqueue(const cl::Queue& queue, TopologyParams params, const Buffers& buffers,
+                         std::vector<cl::Event>* launches) {
+  params.blocks = blocks_;
+  params.blocks_per_item = per_item_;
+  const std::size_t items = std::size_t((units_ + per_item_ - 1) / per_item_);
+  frame_.with(params, buffers.moments, buffers.sites, buffers.push, sides_, buffers.offset, buffers.speed,
+              buffers.diverged_at, buffers.first);
+  cl::Event event = frame_.enqueue(queue, (items + group_ - 1) / group_ * group_, group_);
+  if (launches) launches->push_back(std::move(event));
+}
+
+}  // namespace pelage::springs

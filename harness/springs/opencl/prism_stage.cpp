@@ -1,0 +1,244 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "harness/springs/opencl/stages.hpp"
+
+namespace pelage::springs {
+namespace {
+
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // of gradients.cl
+enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // what gradients_whole notes
+
+constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
+
+const char* file_of(Solver solver) {
+  return solver == Solver::backward_euler ? "springs/gradients.cl" : "springs/prisms.cl";
+}
+
+std::vector<const char*> kernels_of(Solver solver, bool whole) {
+  switch (solver) {
+    case Solver::explicit_euler:
+    case Solver::semi_implicit_euler:
+      if (whole) return {"prism_euler", "prism_euler_whole"};
+      return {"prism_euler"};
+    case Solver::rk4:
+      return {whole ? "prism_rk4_whole" : "prism_rk4"};
+    case Solver::backward_euler:
+      break;
+  }
+  if (whole) return {"gradients_whole"};
+  return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
+}
+
+int ceiling(int a, int b) {
+  return (a + b - 1) / b;
+}
+
+template <class T>
+double total(const std::vector<T>& sums, int row, int chunks) {
+  double sum = 0;
+  for (int k = 0; k < chunks; ++k)
+    sum += double(sums[std::size_t(row) * std::size_t(chunks) + std::size_t(k)]);
+  return sum;
+}
+
+// Rows of root + q.
+std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
+  std::vector<float> found(4 * layout.places(), 0.0f);
+  for (std::size_t place = 0; place < layout.places(); ++place)
+    for (std::size_t c = 0; c < 3; ++c)
+      found[4 * place + c] =
+          layout.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] + offset[column_of(place, 3, c)];
+  return found;
+}
+
+}  // namespace
+
+PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes,
+                       bool whole, const MassSpringOptions& options)
+    : solver_(dynamics.solver),
+      whole_(whole),
+      residual_(double(dynamics.residual)),
+      most_iterations_(dynamics.most_iterations),
+      program_(queue.device(), file_of(solver_),
+               fmt::format("{} -D DOUBLE_SUMS={}", build_options(lanes, turns(dynamics)),
+                           int(queue.device().info().fp64))),
+      group_(group_size(lanes, options.group)),
+      units_(layout.slices * (16 / lanes)),
+      per_item_(units_per_item(queue.device().info(), lanes, units_, options.blocks_per_item)),
+      per_chunk_(whole ? units_ : ceiling(units_, lanes == 16 ? most_chunks : most_chunks_of_one_lane)),
+      chunks_(ceiling(units_, per_chunk_)),
+      double_sums_(queue.device().info().fp64),
+      start_(queue, std::span(layout.start)),
+      neighbour_(queue, std::span(layout.neighbour)),
+      rest_(queue, std::span(layout.rest)) {
+  for (const char* name : kernels_of(solver_, whole_)) kernels_.emplace_back(program_, name);
+  const std::size_t places = layout.places();
+  const auto floats = [&](std::size_t columns) {
+    return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
+  };
+  tip_ = cl::Buffer<float>(queue, std::span<const float>(tips(layout, layout.offset)));
+  if (solver_ == Solver::backward_euler) {
+    diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
+    along_ = floats(3);
+    coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
+    sums_ = cl::Memory(queue.device(),
+                       std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
+    solved_ = cl::Buffer<float>(queue.device(), SOLVED);
+  } else {
+    other_tip_ = floats(4), other_speed_ = floats(4);
+    if (solver_ == Solver::rk4)
+      spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
+      sum_speed_ = floats(3);
+  }
+}
+
+void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
+  tip_.write(queue, std::span<const float>(tips(layout, offset)));
+  if (change_.size() > 0)
+    change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
+}
+
+void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
+  cl::Event event = kernel.enqueue(queue, (std::size_t(items) + group_ - 1) / group_ * group_, group_);
+  if (launches_) launches_->push_back(std::move(event));
+}
+
+void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
+                         std::vector<cl::Event>* launches) {
+  launches_ = launches;
+  params.blocks = int(buffers.diverged_at.size() / 16);
+  params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
+  // A single Euler step is one launch either way, and then two cores fetch what the host has written sooner.
+  const bool one_launch = solver_ != Solver::backward_euler && solver_ != Solver::rk4 && params.substeps == 1;
+  if (whole_ && !one_launch) {
+    whole(queue, params, buffers);
+    launches_ = nullptr;
+    return;
+  }
+  for (int i = 0; i < params.substeps; ++i) {
+    if (solver_ == Solver::rk4)
+      rk4(queue, params, buffers, i);
+    else if (solver_ == Solver::backward_euler)
+      backward_euler(queue, params, buffers, i);
+    else
+      euler(queue, params, buffers, i);
+  }
+  launches_ = nullptr;
+}
+
+void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
+  if (solver_ == Solver::backward_euler) return whole_gradients(queue, params, b);
+  cl::Kernel& kernel = kernels_.back();
+  if (solver_ == Solver::rk4) {
+    kernel.with(params, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset,
+                other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_,
+                b.diverged_at, b.first);
+    return launch(queue, kernel, 1);
+  }
+  kernel.with(params, int(solver_ == Solver::semi_implicit_euler), b.moments, b.sites, b.push, start_,
+              neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_, b.diverged_at, b.first);
+  launch(queue, kernel, 1);
+  if (params.substeps % 2 == 0) return;
+  std::swap(tip_, other_tip_);
+  std::swap(b.speed, other_speed_);
+}
+
+void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
+  kernels_[0].with(params, most_iterations_, float(residual_), b.moments, b.sites, b.push, start_, neighbour_,
+                   rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_, coupling_, left_, way_,
+                   along_, sums_, b.diverged_at, b.first, solved_);
+  launch(queue, kernels_[0], 1);
+  std::array<float, SOLVED> solved{};
+  solved_.read(queue, solved);
+  solves_.solves += params.substeps;
+  solves_.iterations += std::lround(solved[SOLVED_ALL]);
+  solves_.most_iterations = std::max(solves_.most_iterations, int(solved[SOLVED_MOST]));
+  solves_.worst_residual = std::max(solves_.worst_residual, double(solved[SOLVED_WORST]));
+}
+
+void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
+  const int in_turn = solver_ == Solver::semi_implicit_euler;
+  kernels_[0].with(params, in_turn, params.first_moment + 2 * substep, params.first_step + substep, b.moments,
+                   b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_,
+                   other_speed_, b.diverged_at, b.first);
+  launch(queue, kernels_[0], ceiling(units_, per_item_));
+  std::swap(tip_, other_tip_);
+  std::swap(b.speed, other_speed_);
+}
+
+void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
+  // The stages' tips and speeds go to and fro between two buffers; the step's own stay where they are.
+  cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
+  *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
+  for (int stage = 0; stage < 4; ++stage) {
+    const int at = params.first_moment + 2 * substep + (stage + 1) / 2, next = (stage + 1) % 4;
+    kernels_[0].with(params, stage, at, params.first_step + substep, b.moments, b.sites, b.push, start_,
+                     neighbour_, rest_, *tips[stage], *speeds[stage], stage == 0 ? b.offset : stage_offset_,
+                     b.offset, b.speed, sum_offset_, sum_speed_, *tips[next], *speeds[next], stage_offset_,
+                     b.diverged_at, b.first);
+    launch(queue, kernels_[0], ceiling(units_, per_item_));
+  }
+}
+
+bool PrismStage::converged(const cl::Queue& queue) {
+  double rr = 0, bb = 0;
+  const auto read = [&]<class T>(T) {
+    std::vector<T> sums(std::size_t(SUM_ROWS * chunks_));
+    sums_.read(queue, sums.data(), sums.size() * sizeof(T));
+    rr = total(sums, SUM_RR, chunks_), bb = total(sums, SUM_BB, chunks_);
+  };
+  if (double_sums_)
+    read(0.0);
+  else
+    read(0.0f);
+  if (!std::isfinite(rr) || !std::isfinite(bb))
+    return true;  // the masses are lost, which is noted by the last kernel
+  const bool done = rr <= residual_ * residual_ * bb;
+  last_residual_ = bb > 0 ? std::sqrt(rr / bb) : 0;
+  return done;
+}
+
+void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
+                                int substep) {
+  kernels_[SET_UP].with(params, chunks_, params.first_moment + 2 * substep + 2, b.moments, b.sites, b.push,
+                        start_, neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_,
+                        coupling_, left_, way_, sums_);
+  launch(queue, kernels_[SET_UP], chunks_);
+  int done = 0;
+  const auto iterate = [&] {
+    const int odd = done++ % 2;
+    kernels_[PRODUCT].with(params, chunks_, start_, neighbour_, diagonal_, coupling_, way_, along_, sums_);
+    launch(queue, kernels_[PRODUCT], chunks_);
+    kernels_[ADVANCE].with(params, chunks_, odd, inverse_, along_, left_, sums_);
+    launch(queue, kernels_[ADVANCE], chunks_);
+    kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
+    launch(queue, kernels_[TURN], chunks_);
+  };
+  // As many as the step before needed, less the two that a test may have wasted; then two at a time.
+  for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
+  while (!converged(queue) && done < most_iterations_)
+    for (int i = 0; i < 2; ++i) iterate();
+  expected_ = std::max(2, done - 2);
+  ++solves_.solves;
+  solves_.iterations += done;
+  solves_.most_iterations = std::max(solves_.most_iterations, done);
+  solves_.worst_residual = std::max(solves_.worst_residual, last_residual_);
+  kernels_[MOVE].with(params, chunks_, params.first_step + substep, b.sites, change_, b.offset, b.speed, tip_,
+                      b.diverged_at, b.first);
+  launch(queue, kernels_[MOVE], chunks_);
+}
+
+std::size_t PrismStage::bytes() const {
+  std::size_t values = start_.size() + neighbour_.size() + rest_.size();
+  for (const cl::Buffer<float>* buffer :
+       {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
+        &sum_speed_, &diagonal_, &inverse_, &coupling_, &change_, &left_, &way_, &along_})
+    values += buffer->size();
+  return 4 * values;
+}
+
+}  // namespace pelage::springs

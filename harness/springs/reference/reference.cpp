@@ -1,0 +1,267 @@
+#include "harness/springs/reference/reference.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <stdexcept>
+
+namespace pelage::springs::reference {
+namespace {
+
+using Vectors = std::vector<glm::dvec3>;
+
+// The object's place X = T + R r, and its first two derivatives.
+struct Pose {
+  glm::dvec3 shift, shift_1, shift_2;
+  glm::dmat3 turn, turn_1, turn_2;
+};
+
+Pose pose(const Motion& m, double t) {
+  const double tau = 2 * std::numbers::pi;
+  const double a = tau * double(m.shake_frequency), b = tau * double(m.swing_frequency);
+  const glm::dvec3 shake(m.shake), velocity(m.velocity), n = glm::normalize(glm::dvec3(m.axis));
+  const double angle = double(m.spin) * t + double(m.swing) * std::sin(b * t);
+  const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
+  const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
+  // Rodrigues: R = cos I + sin [n] + (1 - cos) n n^T, differentiated by the angle and then by time.
+  const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
+  const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
+  const double c = std::cos(angle), s = std::sin(angle);
+  const glm::dmat3 by_angle = -s * identity + c * cross + s * outer,
+                   by_angle_2 = -c * identity - s * cross + c * outer;
+  return {velocity * t + shake * (1 - std::cos(a * t)),
+          velocity + shake * a * std::sin(a * t),
+          shake * a * a * std::cos(a * t),
+          c * identity + s * cross + (1 - c) * outer,
+          by_angle * angle_1,
+          by_angle_2 * (angle_1 * angle_1) + by_angle * angle_2};
+}
+
+struct Spring {
+  glm::dvec3 along;  // unit, from a to b; zero where the masses coincide
+  double length, rest, stiffness, damping;
+};
+
+Spring spring(const System& system, const State& state, std::size_t number) {
+  const Dynamics& d = system.dynamics;
+  const glm::uvec2 ends = system.topology.spring[number];
+  const glm::dvec3 between = state.position[ends.y] - state.position[ends.x];
+  const double length = glm::length(between);
+  const bool stick = number < system.topology.sticks();
+  return {length > 0 ? between / length : glm::dvec3(0), length, double(system.topology.rest[number]),
+          double(stick ? d.stiffness : d.edge_stiffness), double(stick ? d.damping : d.edge_damping)};
+}
+
+// Gravity, wind, drag and the object's motion, felt by a mass in the object's frame.
+glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 root, glm::dvec3 r,
+                   glm::dvec3 v) {
+  const double m = double(d.mass), tau = 2 * std::numbers::pi;
+  const glm::dvec3 blow = glm::normalize(glm::dvec3(d.wind.direction));
+  const double swell =
+      std::sin(tau * (double(d.wind.frequency) * time - glm::dot(root, blow) / double(d.wind.wavelength)));
+  const glm::dvec3 air = double(d.wind.speed) * (1 + double(d.wind.gust) * swell) * blow;
+  const glm::dvec3 velocity = at.shift_1 + at.turn_1 * r + at.turn * v;
+  const glm::dvec3 carried =
+      at.shift_2 + at.turn_2 * r + 2.0 * (at.turn_1 * v);  // what the frame's motion takes
+  const glm::dvec3 world = m * glm::dvec3(d.gravity) + double(d.drag) * (air - velocity) - m * carried;
+  return glm::transpose(at.turn) * world;
+}
+
+State moved(const State& from, double h, const Vectors& position_rate, const Vectors& velocity_rate) {
+  State to = from;
+  for (std::size_t i = 0; i < to.position.size(); ++i) {
+    to.position[i] += h * position_rate[i];
+    to.velocity[i] += h * velocity_rate[i];
+  }
+  return to;
+}
+
+// M^-1 F with the skin's masses infinite.
+Vectors accelerations(const System& system, const State& state, double time) {
+  Vectors a = forces(system, state, time);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] = i < system.topology.sticks() ? glm::dvec3(0) : a[i] / double(system.dynamics.mass);
+  return a;
+}
+
+State explicit_euler(const System& system, const State& y, double t, double h) {
+  return moved(y, h, y.velocity, accelerations(system, y, t));
+}
+
+State semi_implicit_euler(const System& system, const State& y, double t, double h) {
+  State next = moved(y, h, Vectors(y.position.size(), glm::dvec3(0)), accelerations(system, y, t));
+  for (std::size_t i = 0; i < next.position.size(); ++i) next.position[i] += h * next.velocity[i];
+  return next;
+}
+
+State rk4(const System& system, const State& y, double t, double h) {
+  const Vectors a1 = accelerations(system, y, t);
+  const State y2 = moved(y, h / 2, y.velocity, a1);
+  const Vectors a2 = accelerations(system, y2, t + h / 2);
+  const State y3 = moved(y, h / 2, y2.velocity, a2);
+  const Vectors a3 = accelerations(system, y3, t + h / 2);
+  const State y4 = moved(y, h, y3.velocity, a3);
+  const Vectors a4 = accelerations(system, y4, t + h);
+  State next = y;
+  for (std::size_t i = 0; i < y.position.size(); ++i) {
+    next.position[i] +=
+        h / 6 * (y.velocity[i] + 2.0 * y2.velocity[i] + 2.0 * y3.velocity[i] + y4.velocity[i]);
+    next.velocity[i] += h / 6 * (a1[i] + 2.0 * a2[i] + 2.0 * a3[i] + a4[i]);
+  }
+  return next;
+}
+
+glm::dmat3 across(glm::dvec3 unit) {
+  return glm::dmat3(1) - glm::outerProduct(unit, unit);
+}
+
+// Linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), f at the new time and the old state. J
+// leaves out what would make it indefinite: the transverse part of compressed springs, and of Eq. 5 the part
+// that is not symmetric. D holds the damping of the springs and the drag.
+struct Equations {
+  Eigen::SparseMatrix<double> matrix;
+  Eigen::VectorXd right;
+};
+
+Equations backward_equations(const System& system, const State& y, double t, double h) {
+  const Topology& topology = system.topology;
+  const std::size_t sticks = topology.sticks();
+  const auto size = Eigen::Index(3 * sticks);
+  const Vectors f = forces(system, y, t + h);
+  Eigen::VectorXd right(size);
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](std::size_t row, std::size_t column, const glm::dmat3& block) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) entries.emplace_back(int(3 * row) + i, int(3 * column) + j, block[j][i]);
+  };
+  Vectors load(sticks);
+  for (std::size_t i = 0; i < sticks; ++i) {
+    const std::size_t top = topology.top(i);
+    add(i, i, glm::dmat3(double(system.dynamics.mass) + h * double(system.dynamics.drag)));
+    const Spring s = spring(system, y, i);  // Eq. 3's vector is its direction
+    const glm::dvec3 n(topology.normal[i]);
+    const double cosine = glm::dot(n, s.along);
+    const glm::dvec3 lean = n - cosine * s.along;
+    const glm::dmat3 back = (double(system.dynamics.return_weight) / s.length) *
+                            ((1 - cosine) * across(s.along) + glm::outerProduct(lean, lean));
+    add(i, i, h * h * back);
+    load[i] = h * f[top] - h * h * (back * y.velocity[top]);
+  }
+  for (std::size_t k = 0; k < topology.spring.size(); ++k) {
+    const Spring s = spring(system, y, k);
+    const glm::uvec2 ends = topology.spring[k];
+    const glm::dmat3 stiff =
+        s.stiffness * (glm::outerProduct(s.along, s.along) +
+                       (s.length > 0 ? std::max(0.0, 1 - s.rest / s.length) : 0.0) * across(s.along));
+    const glm::dmat3 block = h * h * stiff + h * s.damping * glm::outerProduct(s.along, s.along);
+    const glm::dvec3 drawn = h * h * (stiff * (y.velocity[ends.y] - y.velocity[ends.x]));
+    for (const auto& [self, other, sign] :
+         {std::tuple(ends.x, ends.y, 1.0), std::tuple(ends.y, ends.x, -1.0)}) {
+      if (self < sticks) continue;  // a mass of the skin
+      load[self - sticks] += sign * drawn;
+      add(self - sticks, self - sticks, block);
+      if (other >= sticks) add(self - sticks, other - sticks, -block);
+    }
+  }
+  for (std::size_t i = 0; i < sticks; ++i)
+    for (int c = 0; c < 3; ++c) right[Eigen::Index(3 * i) + c] = load[i][c];
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return {matrix, right};
+}
+
+State backward_euler(const System& system, const State& y, double t, double h) {
+  const Topology& topology = system.topology;
+  const Equations equations = backward_equations(system, y, t, h);
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(equations.matrix);
+  if (factors.info() != Eigen::Success) throw std::runtime_error("backward Euler: the matrix has no factors");
+  const Eigen::VectorXd change = factors.solve(equations.right);
+  State next = y;
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    for (int c = 0; c < 3; ++c) next.velocity[topology.top(i)][c] += change[Eigen::Index(3 * i) + c];
+    next.position[topology.top(i)] += h * next.velocity[topology.top(i)];
+  }
+  return next;
+}
+
+}  // namespace
+
+State rest(const Topology& topology) {
+  State state;
+  state.velocity.assign(topology.mass.size(), glm::dvec3(0));
+  for (std::size_t i = 0; i < topology.sticks(); ++i) state.position.push_back(glm::dvec3(topology.mass[i]));
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    state.position.push_back(state.position[i] + glm::dvec3(topology.length * topology.normal[i]));
+  return state;
+}
+
+Vectors forces(const System& system, const State& state, double time) {
+  const Topology& topology = system.topology;
+  const Dynamics& d = system.dynamics;
+  const Pose at = pose(d.motion, time);
+  Vectors force;
+  for (std::size_t i = 0; i < topology.mass.size(); ++i)
+    force.push_back(
+        outside(d, at, time, state.position[i % topology.sticks()], state.position[i], state.velocity[i]));
+  for (std::size_t k = 0; k < topology.spring.size(); ++k) {  // Hooke, and damping along the spring
+    const Spring s = spring(system, state, k);
+    const glm::uvec2 ends = topology.spring[k];
+    const double parting = glm::dot(state.velocity[ends.y] - state.velocity[ends.x], s.along);
+    const glm::dvec3 pull = (s.stiffness * (s.length - s.rest) + s.damping * parting) * s.along;
+    force[ends.x] += pull;
+    force[ends.y] -= pull;
+  }
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const glm::dvec3 n(topology.normal[i]), s = spring(system, state, i).along;          // Eq. 3
+    force[topology.top(i)] += (n - s) * (1 - glm::dot(n, s)) * double(d.return_weight);  // Eq. 5
+    if (!system.push.empty()) force[topology.top(i)] += system.push[i];
+  }
+  return force;
+}
+
+State step(const System& system, const State& state, long number) {
+  const double h = double(system.dynamics.step), t = double(number) * h;
+  switch (system.dynamics.solver) {
+    case Solver::explicit_euler:
+      return explicit_euler(system, state, t, h);
+    case Solver::backward_euler:
+      return backward_euler(system, state, t, h);
+    case Solver::semi_implicit_euler:
+      return semi_implicit_euler(system, state, t, h);
+    case Solver::rk4:
+      break;
+  }
+  return rk4(system, state, t, h);
+}
+
+double residual(const System& system, const State& state, long number, const Vectors& change) {
+  const double h = double(system.dynamics.step);
+  const Equations equations = backward_equations(system, state, double(number) * h, h);
+  Eigen::VectorXd x(equations.right.size());
+  for (std::size_t i = 0; i < change.size(); ++i)
+    for (int c = 0; c < 3; ++c) x[Eigen::Index(3 * i) + c] = change[i][c];
+  return (equations.right - equations.matrix * x).norm() / equations.right.norm();
+}
+
+double energy(const System& system, const State& state) {
+  double sum = 0;
+  for (std::size_t i = system.topology.sticks(); i < state.velocity.size(); ++i)
+    sum += 0.5 * double(system.dynamics.mass) * glm::dot(state.velocity[i], state.velocity[i]);
+  for (std::size_t k = 0; k < system.topology.spring.size(); ++k) {
+    const Spring s = spring(system, state, k);
+    sum += 0.5 * s.stiffness * (s.length - s.rest) * (s.length - s.rest);
+  }
+  return sum;
+}
+
+Vectors offsets(const Topology& topology, const State& state) {
+  Vectors q;
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    q.push_back(state.position[topology.top(i)] - state.position[i]);
+  return q;
+}
+
+}  // namespace pelage::springs::reference

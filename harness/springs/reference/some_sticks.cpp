@@ -1,0 +1,93 @@
+#include "harness/springs/reference/some_sticks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "harness/error.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "harness/springs/reference/reference.hpp"
+
+namespace pelage::springs {
+namespace {
+
+constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
+
+// Those sticks (ascending), and the springs between them.
+springs::Topology part_of(const Topology& whole, const std::vector<std::uint32_t>& sticks) {
+  Topology part;
+  part.kind = whole.kind;
+  part.length = whole.length;
+  const auto count = std::uint32_t(sticks.size());
+  std::vector<std::uint32_t> number(whole.mass.size(), absent);
+  for (const bool tops : {false, true})
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::size_t mass = tops ? whole.top(sticks[i]) : sticks[i];
+      number[mass] = std::uint32_t(part.mass.size());
+      part.mass.push_back(whole.mass[mass]);
+    }
+  for (const std::uint32_t stick : sticks) {
+    part.normal.push_back(whole.normal[stick]);
+    part.copy.push_back(whole.copy[stick]);
+  }
+  for (std::size_t k = 0; k < whole.spring.size(); ++k) {
+    const glm::uvec2 ends(number[whole.spring[k].x], number[whole.spring[k].y]);
+    if (ends.x == absent || ends.y == absent) continue;
+    part.spring.push_back(ends);
+    part.rest.push_back(whole.rest[k]);
+  }
+  return part;
+}
+
+std::vector<std::uint32_t> spread(const Topology& topology, std::size_t count) {
+  std::vector<std::uint32_t> found;
+  const std::size_t all = topology.sticks();
+  if (topology.kind == Kind::prisms || count >= all) {
+    found.resize(all);
+    std::iota(found.begin(), found.end(), 0u);
+    return found;
+  }
+  // The three of a separable prism stay together.
+  const std::size_t together = separable(topology.kind) ? 3 : 1, groups = all / together;
+  const std::size_t wanted = std::clamp<std::size_t>(count / together, 1, groups);
+  for (std::size_t i = 0; i < wanted; ++i)
+    for (std::size_t c = 0; c < together; ++c)
+      found.push_back(std::uint32_t(i * groups / wanted * together + c));
+  return found;
+}
+
+std::vector<glm::dvec3> moved(const Topology& topology, const DynamicsScene& scene,
+                              std::vector<glm::dvec3> push, int frames) {
+  if (scene.tolerance > 0)
+    throw InputError(fmt::format(
+        "dynamics.tolerance = {}: the reference takes `substeps` steps a frame, and so does what is held "
+        "against it (pelage run, pelage check); 0 there",
+        scene.tolerance));
+  const Dynamics dynamics = dynamics_of(scene);
+  const reference::System system{topology, dynamics, std::move(push)};
+  reference::State state = reference::rest(topology);
+  const long steps = long(frames) * scene.substeps;
+  for (long i = 0; i < steps; ++i) state = reference::step(system, state, i);
+  return reference::offsets(topology, state);
+}
+
+}  // namespace
+
+SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
+  const Topology topology = topology_of(input);
+  const std::vector<glm::vec3> push = pushes(topology, *input.mesh, input.scene.dynamics.poke);
+  SomeSticks some{spread(topology, count), {}};
+  std::vector<glm::dvec3> own;
+  if (!push.empty())
+    for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
+  some.offset = moved(part_of(topology, some.stick), input.scene.dynamics, std::move(own), frames);
+  return some;
+}
+
+std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames) {
+  return some_reference_sticks(input, frames, std::numeric_limits<std::size_t>::max()).offset;
+}
+
+}  // namespace pelage::springs

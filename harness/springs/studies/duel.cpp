@@ -1,0 +1,198 @@
+#include <array>
+#include <chrono>
+#include <ctime>
+#include <thread>
+
+#include "harness/compare/masses.hpp"
+#include "harness/measure/statistics.hpp"
+#include "harness/springs/reference/reference.hpp"
+#include "harness/springs/studies/study.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Processor time of all threads, ms.
+double processor_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+struct Timed {
+  double wall_ms = 0, processor_ms = 0;
+};
+Timed timed(const std::function<void()>& work) {
+  const double processor = processor_ms();
+  const auto from = Clock::now();
+  work();
+  return {std::chrono::duration<double, std::milli>(Clock::now() - from).count(), processor_ms() - processor};
+}
+
+// Largest system whose backward Euler the double reference, spring by spring and factored whole, is asked
+// for.
+constexpr std::size_t most_factored = 20000;
+
+class Duel : public Subject {
+ public:
+  Duel(const cl::Device& device, Setting setting, int substeps, bool rivals)
+      : queue_(device),
+        setting_(std::move(setting)),
+        substeps_(substeps),
+        cores_(device.info().cpu ? std::max(1u, device.info().compute_units) : 1),
+        masses_(queue_, setting_.topology, setting_.dynamics),
+        moments_(moments(setting_.dynamics, setting_.steps, substeps)),
+        measure_(device, "measure/measure.cl", "-D LANES=1"),
+        nothing_(measure_, "nothing_of_seven") {
+    for (cl::Buffer<float>& one : nowhere_) one = cl::Buffer<float>(device, 1);
+    if (rivals) rivals_ = solver_rivals(setting_.topology, setting_.dynamics);
+    processor_.resize(rivals_.size() + 1);
+  }
+
+  FrameSample frame() override {
+    FrameSample sample;
+    const Motions& start = setting_.start;
+    enqueue_.push_back(timed([&] {
+                         auto& [a, b, c, d, e, f, g] = nowhere_;
+                         const cl::Event event = nothing_.with(a, b, c, d, e, f, g).enqueue(queue_, 1);
+                         queue_.finish();
+                       }).wall_ms);
+    masses_.set(queue_, start.offset, start.speed, setting_.steps);
+    queue_.finish();
+    const Timed own = timed([&] {
+      masses_.enqueue(queue_, substeps_);
+      queue_.finish();
+    });
+    sample.wall_ms = own.wall_ms;
+    processor_.back().push_back(own.processor_ms);
+    for (std::size_t i = 0; i < rivals_.size(); ++i) {
+      auto& [name, rival] = rivals_[i];
+      rival->set(start);
+      const Timed theirs = timed([&, &one = *rival] { one.advance(moments_, substeps_); });
+      sample.phase_wall_ms[name] = theirs.wall_ms;
+      processor_[i].push_back(theirs.processor_ms);
+      // OpenMP's threads go on looking for work a while: not in somebody else's time.
+      if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return sample;
+  }
+
+  Picture read() override { return {}; }
+
+  std::vector<Check> check(const Picture&) override {
+    try {
+      masses_.check(queue_);
+    } catch (const Diverged& error) {
+      throw OutOfBounds(error.what());
+    }
+    const Kind kind = setting_.topology.kind;
+    const double length = double(setting_.topology.length);
+    const std::vector<glm::vec3> ours = masses_.offsets(queue_);
+    std::vector<Check> checks;
+    const auto held = [&](const std::string& against, const std::vector<glm::vec3>& theirs) {
+      for (const Check& one : agreement_checks(kind, against, spread(ours, theirs, length)))
+        checks.push_back(one);
+    };
+    if (setting_.dynamics.solver != Solver::backward_euler || setting_.topology.sticks() <= most_factored)
+      held("reference", reference_offsets());
+    for (const auto& [name, rival] : rivals_) held(name, rival->state().offset);
+    if (checks.empty() && substeps_ == 1) checks = step_checks(ours);
+    return checks;
+  }
+
+  void describe(Row& row) override {
+    const Topology& topology = setting_.topology;
+    row.build_ms = masses_.build_ms();
+    row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
+    row.metrics["sticks"] = {double(topology.sticks()), "sticks"};
+    row.metrics["springs"] = {double(topology.spring.size()), "springs"};
+    row.metrics["device_bytes"] = {double(masses_.bytes()), "bytes"};
+    row.metrics["substeps"] = {double(substeps_), "steps"};
+    row.metrics["step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
+    row.metrics["enqueue_ms"] = {median(enqueue_), "ms"};
+    row.metrics["processor_ms"] = {median(processor_.back()), "ms"};
+    if (masses_.solves().solves > 0)
+      row.metrics["iterations"] = {double(masses_.solves().iterations) / double(masses_.solves().solves),
+                                   "iterations"};
+    const std::vector<double>& own = row.samples["frame"].wall_ms;
+    for (std::size_t i = 0; i < rivals_.size(); ++i) {
+      const std::string& name = rivals_[i].name;
+      const std::vector<double>& theirs = row.samples[name].wall_ms;
+      std::vector<double> excess;
+      for (std::size_t k = 0; k < own.size(); ++k)
+        excess.push_back(own[k] - theirs[k] - enqueue_[enqueue_.size() - own.size() + k]);
+      row.metrics[name + "_ratio"] = median_ratio(theirs, own);
+      row.metrics[name + "_excess_ms"] = median_metric(excess, "ms");
+      row.metrics[name + "_processor_ms"] = {median(processor_[i]), "ms"};
+      const double shared = median(processor_.back()) / double(cores_);
+      if (!name.ends_with("-2"))
+        row.metrics[name + "_processor_ratio"] = {median(processor_[i]) / shared, "times"};
+      if (rivals_[i].rival->iterations() > 0)
+        row.metrics[name + "_iterations"] = {
+            double(rivals_[i].rival->iterations()) / double(substeps_) / double(processor_[i].size()),
+            "iterations"};
+    }
+  }
+
+ private:
+  reference::State start() const {
+    const Topology& topology = setting_.topology;
+    reference::State state = reference::rest(topology);
+    for (std::size_t i = 0; i < topology.sticks(); ++i) {
+      state.position[topology.top(i)] = state.position[i] + glm::dvec3(setting_.start.offset[i]);
+      state.velocity[topology.top(i)] = glm::dvec3(setting_.start.speed[i]);
+    }
+    return state;
+  }
+
+  // A step of backward Euler whose equations are too many to be factored in double: the change of the
+  // velocities is put into them. Speeds are floats some hundred times their change: 1e-5 is lost in the
+  // difference.
+  std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
+    const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
+    const Motions& before = setting_.start;
+    std::vector<glm::dvec3> change;
+    std::vector<glm::vec3> moved;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      change.push_back(glm::dvec3(speeds[i]) - glm::dvec3(before.speed[i]));
+      moved.push_back(before.offset[i] + setting_.dynamics.step * speeds[i]);
+    }
+    const double left =
+        reference::residual({setting_.topology, setting_.dynamics}, start(), setting_.steps, change);
+    return {
+        {"reference", "residual", left, 1e-3, false},
+        {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst, 1e-4, false}};
+  }
+
+  std::vector<glm::vec3> reference_offsets() const {
+    const Topology& topology = setting_.topology;
+    reference::State state = start();
+    const reference::System system{topology, setting_.dynamics};
+    for (int i = 0; i < substeps_; ++i) state = reference::step(system, state, setting_.steps + i);
+    std::vector<glm::vec3> offsets;
+    for (const glm::dvec3& q : reference::offsets(topology, state)) offsets.emplace_back(q);
+    return offsets;
+  }
+
+  cl::Queue queue_;
+  Setting setting_;
+  int substeps_;
+  unsigned cores_;
+  MassSprings masses_;
+  std::vector<Moment> moments_;
+  cl::Program measure_;
+  cl::Kernel nothing_;
+  std::array<cl::Buffer<float>, 7> nowhere_;
+  std::vector<double> enqueue_;  // wall ms of a launch that does nothing, warm-up turns among them
+  std::vector<NamedRival> rivals_;
+  std::vector<std::vector<double>> processor_;  // of every rival, then ours
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals) {
+  return std::make_unique<Duel>(device, std::move(setting), substeps, rivals);
+}
+
+}  // namespace pelage::springs

@@ -1,0 +1,69 @@
+#include "harness/subjects/fewer_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "harness/error.hpp"
+#include "harness/measure/statistics.hpp"
+
+namespace pelage {
+namespace {
+
+class FewerLayers : public Subject {
+ public:
+  FewerLayers(std::unique_ptr<Subject> all, std::unique_ptr<Subject> half, std::unique_ptr<Subject> quarter)
+      : all_(std::move(all)) {
+    fewer_.emplace_back("half", std::move(half));
+    fewer_.emplace_back("quarter", std::move(quarter));
+  }
+
+  FrameSample frame() override {
+    FrameSample sample = all_->frame();
+    for (const auto& [phase, subject] : fewer_) sample.phase_wall_ms[phase] = subject->frame().wall_ms;
+    return sample;
+  }
+  Picture read() override { return all_->read(); }
+  std::vector<Check> check(const Picture& timed) override {
+    std::vector<Check> checks = all_->check(timed);
+    for (const auto& [phase, subject] : fewer_)
+      for (Check check : subject->check(subject->read())) {
+        check.against = fmt::format("{}, {}", check.against, phase);
+        checks.push_back(std::move(check));
+      }
+    return checks;
+  }
+  void describe(Row& row) override {
+    all_->describe(row);
+    row.metrics.erase("peak_memory");  // of all three
+    for (const auto& [phase, subject] : fewer_)
+      row.metrics[phase + "_ratio"] = median_ratio(row.samples["frame"].wall_ms, row.samples[phase].wall_ms);
+  }
+
+ private:
+  std::unique_ptr<Subject> all_;
+  std::vector<std::pair<std::string, std::unique_ptr<Subject>>> fewer_;
+};
+
+}  // namespace
+
+MakeSubject with_fewer_layers(const MakeSubject& shells) {
+  return [=](const Case& which) -> std::unique_ptr<Subject> {
+    if (which.pipeline != "shells+fewer") return shells(which);
+    const auto given = which.settings.find("fur.layers");
+    const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
+    if (layers < 4 || layers % 4 != 0)
+      throw InputError(fmt::format(
+          "{}: fur.layers = {}: shells+fewer draws half and a quarter of them, too: give a multiple of 4",
+          which.name, layers));
+    const auto with = [&](int number) {
+      Case fewer = which;
+      fewer.pipeline = "shells";
+      fewer.settings["fur.layers"] = std::to_string(number);
+      return shells(fewer);
+    };
+    return std::make_unique<FewerLayers>(with(layers), with(layers / 2), with(layers / 4));
+  };
+}
+
+}  // namespace pelage

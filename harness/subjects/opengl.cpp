@@ -1,0 +1,168 @@
+#include "harness/subjects/opengl.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/compare/shares.hpp"
+#include "harness/compare/windows.hpp"
+#include "harness/error.hpp"
+#include "harness/measure/statistics.hpp"
+#include "harness/mesh/hash.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/opengl/opengl.hpp"
+#include "harness/shells/reference/mask.hpp"
+#include "harness/shells/reference/parallel.hpp"
+#include "harness/shells/reference/strands.hpp"
+#include "harness/subjects/shells.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr double least_psnr = 55.0;  // dB over fur pixels: the same picture, filtered by somebody else
+
+std::vector<glm::vec4> mask_of(const FrameInput& input) {
+  std::vector<glm::vec4> mask;
+  for (const reference::Clump& texel : reference::wetness_mask(input).texel)
+    mask.emplace_back(texel.centre.x, texel.centre.y, texel.radius, texel.wetness);
+  return mask;
+}
+
+class OpenGlSubject : public Subject {
+ public:
+  OpenGlSubject(std::shared_ptr<const FrameInput> input, const OpenGlOptions& options, std::uint32_t seed)
+      : input_(std::move(input)),
+        options_(options),
+        seed_(seed),
+        mask_(mask_of(*input_)),
+        strands_(reference::simulate(*input_, 0)),
+        opengl_(input_, mask_, options_) {
+    advance(frames_before(input_->scene.dynamics));
+  }
+
+  /// The strands' step is not in the time.
+  FrameSample frame() override {
+    advance(1);
+    std::vector<glm::vec3> tips;
+    tips.reserve(strands_.size());
+    for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);
+    opengl_.bend(tips);
+    return {.wall_ms = opengl_.frame()};
+  }
+  Picture read() override { return opengl_.read(); }
+  std::vector<Check> check(const Picture& timed) override {
+    std::vector<Check> checks = check_against_reference(*input_, frames_, timed, seed_).checks;
+    std::erase_if(checks, [](const Check& check) { return check.metric == "p99.9"; });
+    for (Check& check : checks)
+      if (check.metric == "psnr") check.limit = least_psnr;
+    return checks;
+  }
+  void describe(Row& row) override {
+    row.build_ms = opengl_.build_ms();
+    row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
+    row.metrics["model_height"] = {model_height(opengl_.read()), "1"};
+    row.metrics["wet_share"] = {wet_share(*input_->mesh, mask_, input_->scene.wetness.size), "1"};
+    row.metrics["frames_simulated"] = {double(frames_), "frames"};
+    row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["scene_hash"] = scene_hash(input_->scene);
+    row.provenance["check_seed"] = seed_;
+    row.provenance["opengl_renderer"] = opengl_renderer();
+    row.provenance["opengl_options"] = to_text(options_);
+    row.provenance["shader_hash"] = shader_hash();
+  }
+
+ private:
+  void advance(int frames) {
+    const std::size_t substeps = std::size_t(frames) * std::size_t(input_->scene.dynamics.substeps);
+    const std::size_t first = std::size_t(frames_) * std::size_t(input_->scene.dynamics.substeps);
+    reference::for_each_index(strands_.size(), 256, [&](std::size_t face) {
+      for (std::size_t i = 0; i < substeps; ++i)
+        strands_[face] = reference::substep(*input_, face, strands_[face], first + i);
+    });
+    frames_ += frames;
+  }
+
+  std::shared_ptr<const FrameInput> input_;
+  OpenGlOptions options_;
+  std::uint32_t seed_;
+  std::vector<glm::vec4> mask_;
+  std::vector<reference::Strand> strands_;
+  int frames_ = 0;
+  OpenGl opengl_;
+};
+
+class Duel : public Subject {
+ public:
+  Duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival, std::string phase)
+      : ours_(std::move(ours)), rival_(std::move(rival)), phase_(std::move(phase)) {}
+
+  FrameSample frame() override {
+    FrameSample sample = ours_->frame();
+    sample.phase_wall_ms[phase_] = rival_->frame().wall_ms;
+    return sample;
+  }
+  Picture read() override { return ours_->read(); }
+  std::vector<Check> check(const Picture& timed) override {
+    std::vector<Check> checks = ours_->check(timed);
+    const Agreement agreement = compare(timed, rival_->read());
+    checks.push_back({phase_, "fur pixels", double(agreement.pixels), 1, true});
+    checks.push_back({phase_, "psnr", agreement.psnr, least_psnr, true});
+    return checks;
+  }
+  void describe(Row& row) override {
+    ours_->describe(row);
+    Row other;
+    rival_->describe(other);
+    row.metrics[phase_ + "_build_ms"] = {other.build_ms, "ms"};
+    for (const auto& [key, value] : other.provenance.items())
+      if (!row.provenance.contains(key)) row.provenance[key] = value;
+    row.metrics[phase_ + "_ratio"] = median_ratio(row.samples[phase_].wall_ms, row.samples["frame"].wall_ms);
+  }
+
+ private:
+  std::unique_ptr<Subject> ours_, rival_;
+  std::string phase_;
+};
+
+/// Says before the mesh is prepared whether there is any OpenGL.
+void need_opengl() {
+  try {
+    opengl_renderer();
+  } catch (const InputError& error) {
+    throw Unsupported(error.what());
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
+                              const std::string& phase) {
+  return std::make_unique<Duel>(std::move(ours), std::move(rival), phase);
+}
+
+MakeSubject with_rivals(const MakeSubject& shells, const Experiment& experiment,
+                        const std::function<void(const std::string&)>& progress) {
+  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
+  const auto opengl = [=](const Case& which) -> std::unique_ptr<Subject> {
+    need_opengl();
+    const OpenGlOptions options = opengl_options(which.opengl);
+    const Scene scene = scene_of(experiment, which);
+    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
+    if (!mesh) {
+      MeshOptions how;
+      how.progress = progress;
+      mesh = load_model(scene.model, how);
+    }
+    return std::make_unique<OpenGlSubject>(prepare(scene, mesh), options,
+                                           std::uint32_t(Hash().text(which.name).value()));
+  };
+  return [=](const Case& which) -> std::unique_ptr<Subject> {
+    if (which.pipeline == "opengl") return opengl(which);
+    if (which.pipeline != "shells+opengl") return shells(which);
+    need_opengl();
+    Case ours = which;
+    ours.pipeline = "shells";
+    return duel(shells(ours), opengl(which), "opengl");
+  };
+}
+
+}  // namespace pelage

@@ -1,0 +1,144 @@
+#include "harness/subjects/shells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "harness/cl/program.hpp"
+#include "harness/compare/shares.hpp"
+#include "harness/compare/sticks.hpp"
+#include "harness/compare/windows.hpp"
+#include "harness/error.hpp"
+#include "harness/measure/memory.hpp"
+#include "harness/mesh/hash.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/opencl/shells.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint32_t seed_of(const std::string& name) {
+  return std::uint32_t(Hash().text(name).value());
+}
+
+class ShellsSubject : public Subject {
+ public:
+  ShellsSubject(const cl::Device& device, std::shared_ptr<const FrameInput> input,
+                const ShellOptions& options, std::uint32_t seed)
+      : input_(std::move(input)), options_(options), seed_(seed), shells_(device, input_, options) {
+    bounded([&] { shells_.advance(frames_before(input_->scene.dynamics)); });
+    if (has_springs(input_->scene.dynamics)) before_ = shells_.tips();
+  }
+
+  FrameSample frame() override {
+    FrameTiming timing;
+    bounded([&] { timing = shells_.frame(); });
+    return {timing.wall_ms, timing.phase_event_ms};
+  }
+  Picture read() override { return shells_.read(); }
+  std::vector<Check> check(const Picture& timed) override {
+    peak_ = peak_memory();  // before the reference takes its own
+    const bool springs = has_springs(input_->scene.dynamics);
+    const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_,
+                                                       springs ? shells_.tips() : std::vector<glm::vec3>());
+    agreement_ = result.agreement;
+    sample_ = result.sample;
+    std::vector<Check> checks = result.checks;
+    // The masses after the motion that precedes the first picture; the picture with the masses of its own
+    // frame.
+    if (springs)
+      for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
+        checks.push_back(std::move(check));
+    return checks;
+  }
+  void describe(Row& row) override {
+    row.build_ms = shells_.build_ms();
+    row.tuning = options_.tuning;
+    row.metrics["wet_ms"] = {shells_.wet_ms(), "ms"};
+    row.metrics["covered_fragments"] = {double(shells_.count()), "fragments"};
+    row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
+    row.metrics["model_height"] = {model_height(shells_.read()), "1"};
+    row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
+    if (peak_ > 0) row.metrics["peak_memory"] = {double(peak_), "bytes"};
+    row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
+    if (has_springs(input_->scene.dynamics)) {
+      const springs::Topology topology = springs::topology_of(*input_);
+      row.metrics["masses"] = {double(topology.mass.size()), "masses"};
+      row.metrics["springs"] = {double(topology.spring.size()), "springs"};
+    }
+    // Where to look when a check fails.
+    row.metrics["worst_difference"] = {agreement_.worst, "1"};
+    row.metrics["windows_psnr"] = {sample_.psnr, "dB"};
+    row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
+    row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
+    row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["scene_hash"] = scene_hash(input_->scene);
+    row.provenance["check_seed"] = seed_;
+  }
+
+ private:
+  template <class F>
+  static void bounded(F&& move) {
+    try {
+      move();
+    } catch (const springs::Diverged& error) {
+      throw OutOfBounds(error.what());
+    }
+  }
+
+  std::shared_ptr<const FrameInput> input_;
+  ShellOptions options_;
+  std::uint32_t seed_;
+  Agreement agreement_, sample_;
+  std::uint64_t peak_ = 0;
+  Shells shells_;
+  std::vector<glm::vec3> before_;  ///< a topology's sticks when the first frame was timed
+};
+
+}  // namespace
+
+std::string kernel_hash() {
+  std::vector<fs::path> files;
+  const fs::path folder = cl::kernel_folder();
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  Hash hash;
+  for (const fs::path& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    hash.text(fs::relative(file, folder).string());
+    hash.text(std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()));
+  }
+  return hash.hex();
+}
+
+MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
+                      const std::map<std::string, int>& tuning,
+                      const std::function<void(const std::string&)>& progress) {
+  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
+  return [=](const Case& which) -> std::unique_ptr<Subject> {
+    if (which.pipeline != "shells")
+      throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
+    const Scene scene = scene_of(experiment, which);
+    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
+    if (!mesh) {
+      MeshOptions options;
+      options.progress = progress;
+      mesh = load_model(scene.model, options);
+    }
+    const ShellOptions options{which.mapping, tuning};
+    reset_peak_memory();
+    return std::make_unique<ShellsSubject>(device, prepare(scene, mesh), options, seed_of(which.name));
+  };
+}
+
+}  // namespace pelage

@@ -1,0 +1,150 @@
+#include "harness/tuning/tuning.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "harness/cl/program.hpp"
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMost = 1 << 20;
+
+std::string place(const fs::path& file, const toml::node& node, const std::string& name) {
+  return fmt::format("{}:{}: {}", file.string(), node.source().begin.line, name);
+}
+
+int axis_value(const fs::path& file, const toml::node& node, const std::string& name) {
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < 0 || *value > kMost)
+    throw InputError(place(file, node, name) + ": a tuning axis is a whole number from 0 to 1048576");
+  return int(*value);
+}
+
+void check_name(const fs::path& file, const toml::node& node, const std::string& name) {
+  if (!std::regex_match(name, std::regex("[A-Z][A-Z0-9_]*")))
+    throw InputError(place(file, node, name) + ": a tuning axis is named in capitals, such as TILE_W");
+}
+
+toml::table parsed(const fs::path& file) {
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+void collect(const fs::path& file, const toml::table& table, bool nested, const std::set<std::string>& known,
+             Tuning& into) {
+  for (const auto& [key, node] : table) {
+    const std::string name(key.str());
+    if (const auto* inner = node.as_table(); inner && !nested) {
+      collect(file, *inner, true, known, into);
+      continue;
+    }
+    const int value = axis_value(file, node, name);
+    check_name(file, node, name);
+    if (!known.contains(name))
+      throw InputError(fmt::format("{}: no such tuning axis (known: {})", place(file, node, name),
+                                   fmt::join(known, ", ")));
+    if (!into.emplace(name, value).second) throw InputError(place(file, node, name) + ": stands twice");
+  }
+}
+
+TuningAxis axis_of(const fs::path& file, const std::string& name, const toml::node& node) {
+  check_name(file, node, name);
+  const toml::table* table = node.as_table();
+  const toml::array* values = table ? (*table)["values"].as_array() : nullptr;
+  if (!values || values->empty())
+    throw InputError(place(file, node, name) + ": an axis has what, values = [..] and perhaps shipped");
+  TuningAxis axis{name, (*table)["what"].value_or(std::string{}), {}, {}};
+  for (const toml::node& value : *values) axis.values.push_back(axis_value(file, value, name));
+  if (const toml::node* shipped = table->get("shipped")) axis.shipped = axis_value(file, *shipped, name);
+  if (axis.shipped) std::erase(axis.values, *axis.shipped);
+  return axis;
+}
+
+}  // namespace
+
+std::vector<std::string> tunable_stages() {
+  std::vector<std::string> stages;
+  for (const auto& entry : fs::directory_iterator(cl::kernel_folder()))
+    if (fs::is_regular_file(entry.path() / "tuning.toml")) stages.push_back(entry.path().filename().string());
+  std::sort(stages.begin(), stages.end());
+  return stages;
+}
+
+std::vector<TuningAxis> tuning_axes(const std::string& stage) {
+  const std::vector<std::string> stages = tunable_stages();
+  if (std::find(stages.begin(), stages.end(), stage) == stages.end())
+    throw InputError(
+        fmt::format("no stage '{}' has tuning axes (those that have: {})", stage, fmt::join(stages, ", ")));
+  const fs::path file = cl::kernel_folder() / stage / "tuning.toml";
+  const toml::table table = parsed(file);
+  // toml++ sorts keys; the file's order is the order in which they are searched.
+  std::vector<std::pair<toml::source_index, TuningAxis>> axes;
+  for (const auto& [key, node] : table)
+    axes.emplace_back(node.source().begin.line, axis_of(file, std::string(key.str()), node));
+  std::sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<TuningAxis> result;
+  for (auto& [line, axis] : axes) result.push_back(std::move(axis));
+  return result;
+}
+
+Tuning read_tuning(const fs::path& file) {
+  std::set<std::string> known;
+  for (const std::string& stage : tunable_stages())
+    for (const TuningAxis& axis : tuning_axes(stage)) known.insert(axis.name);
+  Tuning result;
+  collect(file, parsed(file), false, known, result);
+  return result;
+}
+
+std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
+                       const std::string& note) {
+  // Blocks begin at their comment or, without one, at their [stage]; that of `stage` is left out.
+  std::string kept, block;
+  bool own = false, in_table = false;
+  const auto close = [&] {
+    if (!own) kept += block;
+    block.clear();
+    own = in_table = false;
+  };
+  std::istringstream lines(before);
+  for (std::string line; std::getline(lines, line);) {
+    const bool header = line.starts_with("["), comment = line.starts_with("#");
+    if ((comment && in_table) || (header && in_table)) close();
+    if (header) {
+      in_table = true;
+      own = line == "[" + stage + "]";
+    }
+    block += line + "\n";
+  }
+  close();
+  if (!kept.empty() && !kept.ends_with("\n\n")) kept += "\n";
+  std::istringstream notes(note);
+  for (std::string line; std::getline(notes, line);) kept += "# " + line + "\n";
+  kept += "[" + stage + "]\n";
+  for (const auto& [axis, value] : values) kept += fmt::format("{} = {}\n", axis, value);
+  return kept;
+}
+
+std::string text_of(const Tuning& tuning) {
+  if (tuning.empty()) return "shipped";
+  std::string text;
+  for (const auto& [axis, value] : tuning)
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", axis, value);
+  return text;
+}
+
+}  // namespace pelage

@@ -1,0 +1,126 @@
+// Vertex work of a frame: the strands' tips to the vertices, every layer's vertices to the screen, the boxes of each
+// group of layers for the binning. One work-item per LANES vertices. The binning and the triangles' reach are parts of the
+// same program: PoCL preprocesses each program for 25 ms before it looks in its cache.
+#include "rasterize/geometry/bin.clh"
+#include "rasterize/geometry/reach.clh"
+#include "rasterize/geometry/transform.clh"
+
+// 1 - rho at each vertex, once per mask. mask_uv: u, then v, in columns.
+__kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
+  store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
+}
+
+// B = sum weight q over the vertex's strands. Rows are padded per block of LANES: entry e of lane i of a block stands
+// at (slice[block] + e) LANES + i, weight 0 beyond a row's end. tips: columns q_x, q_y, q_z of `strand_stride`.
+__kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
+                          int strand_stride, __global float *tip) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  real3 b = vec3(REAL(0.0f), REAL(0.0f), REAL(0.0f));
+  for (int e = slice[block]; e < slice[block + 1]; ++e) {
+    whole f = load_whole(strand, e);
+    real w = load_real(weight, e);
+    b = along3(b, w, vec3(gather(tips, f), gather(tips + strand_stride, f), gather(tips + 2 * (size_t)strand_stride, f)));
+  }
+  store_real(b.x, tip, block);
+  store_real(b.y, tip + s.vertices, block);
+  store_real(b.z, tip + 2 * (size_t)s.vertices, block);
+}
+
+static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, int block) {
+  Corner c;
+  c.position = column3(vertex, VERTEX_X, s->vertices, block);
+  c.a = column3(vertex, ROOT_X, s->vertices, block);
+  c.b = column3(tip, 0, s->vertices, block);
+  c.u = column3(vertex, CURL_UX, s->vertices, block);
+  c.v = column3(vertex, CURL_VX, s->vertices, block);
+  c.dry = load_real(dry, block);
+  return c;
+}
+
+// The box of pixels whose centres LANES vertices bound in some layers, from the image's corner.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: the greatest 1/w
+
+static inline Bounds nothing(void) {
+  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
+  return b;
+}
+
+static inline Bounds both(Bounds a, Bounds b) {
+  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom), fmax(a.most, b.most)};
+  return c;
+}
+
+// A vertex that needs clipping may lie anywhere.
+static inline Bounds bounds_of(const RasterParams *s, Screen v) {
+  truth clipped = v.iw == REAL(0.0f);
+  whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);
+  Bounds b;
+  b.left = clipped ? WHOLE(-32768) : (x + WHOLE(SUBPIXEL - 1)) >> 8;
+  b.top = clipped ? WHOLE(-32768) : (y + WHOLE(SUBPIXEL - 1)) >> 8;
+  b.right = clipped ? WHOLE(32767) : x >> 8;
+  b.bottom = clipped ? WHOLE(32767) : y >> 8;
+  b.most = clipped ? REAL(INFINITY) : v.iw;
+  return b;
+}
+
+// As box_of() in boxes.clh reads them.
+static inline void store_bounds(Bounds b, __global float *box, int block) {
+  real4 row = {bits_as_real((b.left & 0xffff) | (b.top << 16)), bits_as_real((b.right & 0xffff) | (b.bottom << 16)), b.most,
+               REAL(0.0f)};
+  store_rows(row, box, block);
+}
+
+// The vertices of the base and of a pass's layers: rows of screen x, y (1/256 pixel from the image centre, integers' bits)
+// and 1/w from screen_row(n) on; for each group of layers, and last for all of them together, the vertices' bounds at
+// [(group vertices + i) 4]. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
+__kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
+                             __global float *screen, __global float *box) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  Corner c = corner(&s, vertex, tip, dry, block);
+  Bounds all = nothing();
+  for (int g = 0; g < s.groups; ++g) {
+    int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.group;
+    int last = g == 0 ? 0 : min(first + s.group, s.end_layer);
+    Bounds bounds = nothing();
+    for (int n = first; n < last; ++n) {
+      Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
+      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
+      store_rows(row, screen + 4 * screen_row(&s, n), block);
+      bounds = both(bounds, bounds_of(&s, v));
+    }
+    store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
+    all = both(all, bounds);
+  }
+  store_bounds(all, box + (size_t)s.groups * s.vertices * 4, block);
+}
+
+// One attribute record per vertex for the fragments: u, v, A, B.
+__kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
+  int i = (int)get_global_id(0);
+  if (i >= s.vertices) return;
+  size_t v = (size_t)s.vertices;
+  __global float *out = record + (size_t)i * RECORD;
+  out[0] = uv[2 * i];
+  out[1] = uv[2 * i + 1];
+  for (int k = 0; k < 3; ++k) {
+    out[2 + k] = vertex[(ROOT_X + k) * v + i];
+    out[5 + k] = tip[k * v + i];
+  }
+}
+
+// The curl's frame at each vertex, as far as it is dry: (1 - rho) u and (1 - rho) v, R.
+__kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
+  int i = (int)get_global_id(0);
+  if (i >= s.vertices) return;
+  __global float *out = curls + (size_t)i * RECORD;
+  for (int k = 0; k < 3; ++k) {
+    out[k] = dry[i] * vertex[(size_t)(CURL_UX + k) * s.vertices + i];
+    out[3 + k] = dry[i] * vertex[(size_t)(CURL_VX + k) * s.vertices + i];
+  }
+  out[6] = out[7] = 0.0f;
+}

@@ -1,0 +1,20 @@
+// The tips of a mass-spring topology's sticks to the vertices: docs/frame.md, 3. One work-item per LANES vertices.
+#include "rasterize/geometry/transform.clh"
+
+// stick: for each vertex where its stick's q_x lies in `offset`, q_y and q_z 16 and 32 further (slices of sixteen sticks).
+// level: 1 for the tangential form of Eq. 4.
+__kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(float) offset, TABLE(float) vertex,
+                         __global float *tip) {
+  int block = (int)get_global_id(0);
+  if (block * LANES >= s.vertices) return;
+  whole i = load_whole(stick, block);
+  real3 a = column3(vertex, ROOT_X, s.vertices, block);
+  real3 q = vec3(gather(offset, i), gather(offset + 16, i), gather(offset + 32, i));
+  // A mass that flew apart, which the host finds out after the frame: until then it must not lead astray what bins by it.
+  truth sound = dot3(q, q) < REAL(1e30f);
+  real3 b = stick_tip(choose3(sound, q, a), a);
+  if (level) b = level_tip(b, a);
+  store_real(b.x, tip, block);
+  store_real(b.y, tip + s.vertices, block);
+  store_real(b.z, tip + 2 * (size_t)s.vertices, block);
+}

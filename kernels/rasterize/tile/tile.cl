@@ -1,0 +1,226 @@
+// The fast form on CPUs: a work-item owns a tile, sets LANES triangles up at once, lays them on the pixels they cover and
+// shades blocks of LANES neighbouring pixels. Layers run from the tips down and triangles backwards, compositing front to
+// back: layers write no depth, so 'under' in reverse order is exactly the paper's 'over', and a pixel stops when nothing
+// more can be seen.
+#include "rasterize/tile/hidden.clh"
+
+// The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
+// covered fragments.
+static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Batch *batch, Drawn *d, Tile *tile) {
+  const Place *place = &pass->place;
+  Cut polygon[POLYGON];
+  int corners = clipped_triangle(pass->s, m, pass->layer, v0, v1, v2, polygon);
+  int covered = 0;
+  for (int i = 1; i + 1 < corners; ++i) {
+    // One piece on all lanes: rare enough that the others may idle.
+    Triangles b;
+    int index[3] = {0, i, i + 1};
+    for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
+    for (int c = 0; c < 3; ++c) b.vertex[c] = WHOLE(c);
+    b.dry = false;
+    if (!keep(set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height), b, nearest_of(b), d, batch)) continue;
+    Piece piece;
+    for (int c = 0; c < 3; ++c) {
+      int drawn_corner = index[as_int(d->triangle[9 + c]) / RECORD];
+      piece.b1[c] = polygon[drawn_corner].b1;
+      piece.b2[c] = polygon[drawn_corner].b2;
+    }
+    d->triangle[9] = as_float(RECORD * v0);
+    d->triangle[10] = as_float(RECORD * v1);
+    d->triangle[11] = as_float(RECORD * v2);
+    covered += cover_pixels(batch, 0, 0, &pass->hidden, d);
+    flush(pass, &piece, d, tile);
+  }
+  return covered;
+}
+
+// A batch with triangles that need clipping, rare: triangle by triangle, so that the order holds.
+static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
+  flush(pass, 0, d, tile);
+  truth outside = needs_clip(b);
+  Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], pass->place.width, pass->place.height);
+  t.live = t.live && !outside;
+  int clipped[LANES], corner[3][LANES];
+  spill_whole(outside ? WHOLE(1) : WHOLE(0), clipped);
+  for (int c = 0; c < 3; ++c) spill_whole(b.vertex[c], corner[c]);
+  int covered = 0;
+  for (int k = 0; k < count; ++k) {
+    int lane = pass->n < 0 ? k : count - 1 - k;
+    if (clipped[lane]) {
+      covered += draw_clipped(pass, m, corner[0][lane], corner[1][lane], corner[2][lane], batch, d, tile);
+    } else if (keep(t, b, nearest_of(b), d, batch) >> lane & 1) {
+      covered += cover_pixels(batch, lane, lane, &pass->hidden, d);
+      flush(pass, 0, d, tile);
+    }
+  }
+  return covered;
+}
+
+static void clear(const Place *place, Drawn *d, Tile *tile) {
+  clear_entries(d);
+  for (int block = 0; block < BLOCKS; ++block) {
+    int at = block * LANES;
+    truth inside = (block_x(block) < WHOLE(place->width)) && (block_y(block) < WHOLE(place->height));
+    spill_real(REAL(0.0f), tile->depth + at);
+    spill_real(REAL(0.0f), tile->red + at);
+    spill_real(REAL(0.0f), tile->green + at);
+    spill_real(REAL(0.0f), tile->blue + at);
+    spill_real(inside ? REAL(1.0f) : REAL(0.0f), tile->through + at);
+  }
+}
+
+// The pass's layer of `entries` triangles. Returns the number of covered fragments.
+static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
+  const Place *place = &pass->place;
+  int n = pass->n, covered = 0;
+  real4 next_corners;                    // where they have been fetched ahead
+  bool fetched = false;
+  for (int done = 0; done < entries; done += LANES) {
+    int begin = n < 0 ? done : (entries - 1) / LANES * LANES - done;
+    int count = min(LANES, entries - begin);
+    real4 corners = fetched ? next_corners : corners_at(m, from, begin, count);
+    Triangles b = triangles_at(pass->s, m, n, corners, place->origin_x, place->origin_y);
+    fetched = n >= 0 && begin > 0;
+    if (fetched) {
+      next_corners = corners_at(m, from, begin - LANES, LANES);
+      triangles_soon(pass->s, m, n, next_corners);
+    }
+    if (some(needs_clip(b))) {
+      covered += draw_with_clipping(pass, m, b, count, batch, d, tile);
+      continue;
+    }
+    real nearest = nearest_of(b);
+    truth drawn_here = (b.reach > WHOLE(n)) && (nearest >= REAL(pass->hidden.least[WHOLE_TILE]));
+    if (!some(drawn_here)) continue;
+    Setup t = set_up(b.corner[0], b.corner[1], b.corner[2], place->width, place->height);
+    t.live = t.live && drawn_here;
+    t.live = t.live && (nearest >= own_gather(pass->hidden.least, t.live ? rectangle(t.left, t.top, t.right, t.bottom) : WHOLE(0)));
+    uint covering = keep(t, b, nearest, d, batch) & ((1u << count) - 1);
+    if (covering == 0) continue;
+    int slot = d->used;
+    d->used += LANES;
+    // Those that cover something, in drawing order.
+    while (covering != 0) {
+      int lane = n < 0 ? first_lane(covering) : last_lane(covering);
+      covering ^= 1u << lane;
+      if (d->most == ENTRIES) {
+        flush(pass, 0, d, tile);
+        d->used = slot + LANES;   // the rest of this batch still stands in its slots
+      }
+      covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
+    }
+    if (d->used + LANES > SLOTS) flush(pass, 0, d, tile);
+  }
+  flush(pass, 0, d, tile);
+  return covered;
+}
+
+static bool anything_seen_through(const Tile *tile) {
+  bool seen = false;
+  for (int block = 0; block < BLOCKS; ++block) seen = seen || some(fill_real(tile->through + block * LANES) > REAL(OPAQUE));
+  return seen;
+}
+
+// What the pixels gathered in the passes before, between passes: colour and transmittance in the image.
+static void resume(const RasterParams *s, const Place *place, Tile *tile, __global const float4 *image) {
+  for (int j = 0; j < place->height; ++j)
+    for (int i = 0; i < place->width; ++i) {
+      float4 front = image[(size_t)(place->first_y + j) * s->width + place->first_x + i];
+      int pixel = column_number(i) + row_number(j);
+      tile->red[pixel] = front.x;
+      tile->green[pixel] = front.y;
+      tile->blue[pixel] = front.z;
+      tile->through[pixel] = front.w;
+    }
+}
+
+static void suspend(const RasterParams *s, const Place *place, const Tile *tile, __global float4 *image) {
+  for (int j = 0; j < place->height; ++j)
+    for (int i = 0; i < place->width; ++i) {
+      int pixel = column_number(i) + row_number(j);
+      image[(size_t)(place->first_y + j) * s->width + place->first_x + i] =
+          (float4)(tile->red[pixel], tile->green[pixel], tile->blue[pixel], tile->through[pixel]);
+    }
+}
+
+// The base, then the pass's layers from the outermost one. Returns the fragments of these, when counting.
+static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
+                      __global float4 *image) {
+  const RasterParams *s = pass->s;
+  Place *place = &pass->place;
+  place->first_x = number % s->tiles_x * TILE_W;
+  place->first_y = number / s->tiles_x * TILE_H;
+  place->origin_x = SUBPIXEL * place->first_x + 128 - 128 * s->width;
+  place->origin_y = SUBPIXEL * place->first_y + 128 - 128 * s->height;
+  place->width = min(TILE_W, s->width - place->first_x);
+  place->height = min(TILE_H, s->height - place->first_y);
+  Tile tile;
+  Batch batch;
+  Drawn drawn;
+  clear(place, &drawn, &tile);
+  hide_nothing(&pass->hidden);
+
+  pass->n = -1;
+  pass->layer = layer_at(s, m.table, -1);
+  int first = list_start[number], entries = list_start[number + 1] - first;
+  Entries listed = {list + first, 0, 0};
+  draw_layer(pass, m, &listed, entries, &batch, &drawn, &tile);
+#ifndef COUNT_FRAGMENTS
+  find_hidden(&tile, place, &pass->hidden);
+  if (s->end_layer < s->layers) resume(s, place, &tile, image);
+#endif
+
+  uint fragments = 0;
+  if (entries > 0) find_eyes(pass, &tile);
+  for (int g = s->groups - 1; g > 0; --g) {
+#ifdef COUNT_FRAGMENTS
+    Entries drawn_here = listed;
+    int count = entries;
+#else
+    __global int *columns = shown + 4 * ((size_t)first + LANES * (size_t)number);
+    Entries drawn_here = {0, columns, entries + LANES};
+    int count = may_be_seen(pass, m, g, listed.list, entries, columns, drawn_here.stride);
+#endif
+    int inner = s->first_layer + (g - 1) * s->group;
+    for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
+      pass->n = n;
+      pass->layer = layer_at(s, m.table, n);
+      pass->slice = slice_of(s, n);
+      fragments += (uint)draw_layer(pass, m, &drawn_here, count, &batch, &drawn, &tile);
+    }
+  }
+#ifndef COUNT_FRAGMENTS
+  pass->n = -1;
+  pass->layer = layer_at(s, m.table, -1);
+  if (s->first_layer > 0)
+    suspend(s, place, &tile, image);
+  else
+    resolve(pass, &tile, image);
+#endif
+  return fragments;
+}
+
+// image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
+// shown: room for four times the lists, and 4 LANES more per tile. next: the first tile that nobody draws yet, 0 at
+// first; so no work-item is left with all the furry tiles.
+__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(float) box,
+                          TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+                          TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
+                          TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
+                          __global int *next) {
+  Geometry m = {corners, screen, vertex, tip, dry, table, box};
+  Pass pass;
+  pass.s = &s;
+  pass.from.records = records;
+  pass.from.tangents = tangents;
+  pass.from.curls = curls;
+  pass.from.textures.fur = fur;
+  pass.from.textures.coat = coat;
+  pass.from.textures.mask = mask;
+  for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
+    uint fragments = draw_tile(&pass, m, number, list_start, list, shown, image);
+#ifdef COUNT_FRAGMENTS
+    covered[number] = fragments + (s.end_layer < s.layers ? covered[number] : 0);
+#endif
+  }
+}

@@ -1,0 +1,171 @@
+// The mapping for GPUs: a work-group owns a tile, a work-item a pixel. Triangles come in batches: each work-item sets one
+// up and finds the pixels that it covers as bits of a word; those that cover none drop out; then each pixel draws those
+// that cover it. Layers run from the tips down and triangles backwards, compositing front to back, as in tiles.cl.
+#include "rasterize/workgroup/batch.clh"
+
+// What a layer's triangles are drawn with.
+typedef struct {
+  const RasterParams *s;
+  Attributes from;
+  Textures textures;
+  int n;                                     // -1: the base
+  Layer layer;
+} Pass;
+
+typedef struct {
+  int x, y;                                  // in the tile
+  float from_centre_x, from_centre_y;        // of the image, pixels
+  float depth;                               // 1/w of the base, 0 where there is none
+  Hit base;
+  int vertex[3];                             // of the base
+  float4 front;                              // colour gathered, and the transmittance of what it was gathered from
+  uint fragments;                            // covered by layers, whether seen or not
+} Pixel;
+
+// The triangle in a slot at a pixel that it covers.
+INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Hit h, Pixel *p) {
+  int vertex[3] = {d->v0[slot], d->v1[slot], d->v2[slot]};
+  if (pass->n < 0) {
+    if (h.iw <= p->depth) return;
+    p->depth = h.iw;
+    p->base = h;
+    for (int c = 0; c < 3; ++c) p->vertex[c] = vertex[c];
+    return;
+  }
+#ifndef COUNT_FRAGMENTS
+  if (h.iw < p->depth || p->front.w <= OPAQUE) return;
+  Surface at = surface_at(pass->s, pass->from, h, vertex, p->from_centre_x, p->from_centre_y);
+  Fur f = fur_fragment(pass->s, pass->textures, pass->layer, slice_of(pass->s, pass->n), at);
+  if (f.coverage <= 0.0f) return;
+  real3 c = fur_colour(pass->s, pass->textures, pass->layer, at, f);
+  float weight = p->front.w * f.coverage;
+  p->front = fma((float4)(weight), (float4)(c.x, c.y, c.z, -1.0f), p->front);
+#endif
+}
+
+// The fan of the polygon that clipping leaves of the triangle in `slot`: one work-item clips, a few set the pieces up, all
+// draw. By all work-items of the group together.
+INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot, int item, int origin_x, int origin_y,
+                         int width, int height, Pixel *p) {
+  barrier(CLK_LOCAL_MEM_FENCE);              // the last fan has been drawn
+  if (item == 0) {
+    Cut polygon[POLYGON];
+    int corners = clipped_triangle(pass->s, m, pass->layer, w->drawn.v0[slot], w->drawn.v1[slot], w->drawn.v2[slot], polygon);
+    for (int i = 0; i < corners; ++i) w->polygon[i] = polygon[i];
+    w->corners = corners;
+  }
+  barrier(CLK_LOCAL_MEM_FENCE);
+  int pieces = max(w->corners - 2, 0);
+  if (item < pieces) put_piece(w, item, slot, origin_x, origin_y, width, height);
+  barrier(CLK_LOCAL_MEM_FENCE);
+  for (int i = 0; i < pieces; ++i) {
+    if (!(w->drawn.covered[GROUP_ITEMS + i] >> item & 1)) continue;
+    if (pass->n >= 0) ++p->fragments;
+    draw(pass, &w->drawn, GROUP_ITEMS + i, of_piece(hit_in(&w->drawn, GROUP_ITEMS + i, p->x, p->y), &w->piece[i]), p);
+  }
+}
+
+// image: width x height, top row first, rgb and coverage. covered: fragments of all layers at each pixel, when counting.
+__kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
+void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
+                  TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
+                  TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
+                  TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+  __local Work work;
+  int item = (int)get_local_id(0), tile = (int)get_group_id(0), tiles = s.tiles_x * s.tiles_y;
+  int first_x = tile % s.tiles_x * TILE_W, first_y = tile / s.tiles_x * TILE_H;
+  int origin_x = SUBPIXEL * first_x + 128 - 128 * s.width, origin_y = SUBPIXEL * first_y + 128 - 128 * s.height;
+  int width = min(TILE_W, s.width - first_x), height = min(TILE_H, s.height - first_y);
+  Geometry m = {corners, screen, vertex, tip, dry, table};
+  Pass pass = {&s, {records, tangents, curls}, {fur, coat, mask}};
+
+  Pixel p;
+  p.x = item % TILE_W;
+  p.y = item / TILE_W;
+  p.from_centre_x = (float)(first_x + p.x) + (0.5f - 0.5f * (float)s.width);
+  p.from_centre_y = (float)(first_y + p.y) + (0.5f - 0.5f * (float)s.height);
+  p.depth = 0.0f;
+  bool inside = p.x < width && p.y < height, finished = false, resumed = s.end_layer < s.layers;
+  size_t at = (size_t)(first_y + p.y) * s.width + first_x + p.x;
+  p.front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
+#ifndef COUNT_FRAGMENTS
+  if (resumed && inside) p.front = image[at];
+#endif
+  p.fragments = 0;
+  if (item == 0) {
+    clear(&work, 0);
+    work.least = INT_MAX;
+    work.finished = 0;
+  }
+  float least_iw = 0.0f;
+  int turn = 0;
+
+  // n = -1, the base, forwards; then the pass's layers from the outermost one, backwards.
+  for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
+    int n = step < 0 ? -1 : s.end_layer - 1 - step;
+    int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.group;
+    int first = list_start[g * tiles + tile], last = list_start[g * tiles + tile + 1];
+    pass.n = n;
+    pass.layer = layer_at(&s, table, n);
+    for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
+      barrier(CLK_LOCAL_MEM_FENCE);          // the last batch has been drawn
+      if (item == 0) clear(&work, 1 - turn); // all have read it, and it is next
+      if (first + done + item < last) {
+        int entry = n < 0 ? first + done + item : last - 1 - done - item;
+        put_triangle(&work, turn, item, n, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
+      }
+      barrier(CLK_LOCAL_MEM_FENCE);
+      ulong fans = raised(work.clipped[turn]), mine = 0;
+      for (ulong rest = raised(work.live[turn]); rest; rest &= rest - 1) {
+        int slot = lowest_bit(rest);
+        mine |= (work.drawn.covered[slot] >> item & 1) << slot;
+      }
+      if (n >= 0) p.fragments += (uint)popcount(mine);
+      // What comes before a triangle that has to be clipped is drawn before it.
+      for (;;) {
+        ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
+        for (; mine & before; mine &= mine - 1) {
+          int slot = lowest_bit(mine);
+          draw(&pass, &work.drawn, slot, hit_in(&work.drawn, slot, p.x, p.y), &p);
+        }
+        if (fans == 0) break;
+        draw_clipped(&pass, m, &work, lowest_bit(fans), item, origin_x, origin_y, width, height, &p);
+        fans &= fans - 1;
+      }
+    }
+#ifndef COUNT_FRAGMENTS
+    if (n < 0) {
+      // What lies behind the base everywhere in the tile cannot be seen.
+      barrier(CLK_LOCAL_MEM_FENCE);
+      if (inside) atomic_min(&work.least, as_int(p.depth));
+      barrier(CLK_LOCAL_MEM_FENCE);
+      least_iw = as_float(work.least);
+    } else if (first < last) {
+      // Without a batch there is no barrier since the last question, and nothing new to ask.
+      if (!finished && (!inside || p.front.w <= OPAQUE)) {
+        finished = true;
+        atomic_inc(&work.finished);
+      }
+      barrier(CLK_LOCAL_MEM_FENCE);
+      if (work.finished == GROUP_ITEMS) break;
+    }
+#endif
+  }
+  if (!inside) return;
+#ifdef COUNT_FRAGMENTS
+  covered[at] = p.fragments + (resumed ? covered[at] : 0);
+#else
+  if (s.first_layer > 0) {
+    image[at] = p.front;
+    return;
+  }
+  float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
+  if (p.depth > 0.0f) {
+    Layer base = layer_at(&s, table, -1);
+    real3 c = skin_colour(&s, pass.textures, base, surface_at(&s, pass.from, p.base, p.vertex, p.from_centre_x, p.from_centre_y));
+    behind = (float4)(c.x, c.y, c.z, 1.0f);
+  }
+  image[at] = (float4)(p.front.x + p.front.w * behind.x, p.front.y + p.front.w * behind.y, p.front.z + p.front.w * behind.z,
+                       1.0f - p.front.w * (1.0f - behind.w));
+#endif
+}

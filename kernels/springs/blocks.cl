@@ -1,0 +1,70 @@
+// Sticks, separable sticks and separable prisms: a work-item takes LANES blocks at a time through all substeps.
+#include "springs/block.clh"
+#include "springs/places.clh"
+
+static inline Block load_block(TopologyParams p, TABLE(scalar) sites, TABLE(scalar) push, TABLE(scalar) sides, int u) {
+  Block block;
+  UNROLL for (int c = 0; c < CORNERS; ++c) {
+    block.site[c] = load_site(p, sites, push, place_of(u, CORNERS, c), EDGES);
+    block.rest[c] = REAL(0.0f);
+#if EDGES
+    block.rest[c] = load_real(sides, column_of(u, 3, c));
+#else
+    (void)sides;
+#endif
+  }
+  return block;
+}
+
+INLINE Tops load_tops(__global const scalar *offset, __global const scalar *speed, int u) {
+  Tops a;
+  UNROLL for (int c = 0; c < CORNERS; ++c) {
+    a.top[c].q = load3(offset, place_of(u, CORNERS, c), 3, 0);
+    a.top[c].v = load3(speed, place_of(u, CORNERS, c), 3, 0);
+  }
+  return a;
+}
+
+// moment: at the start of substep i in entry 2 i, in its middle in 2 i + 1. offset, speed: the state, q and v. Whether
+// a mass was lost is asked in every substep; in which one by a second run, apart from the first, whose registers it
+// would take.
+#define FRAME(name, stepped)                                                                                          \
+  static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
+                                                    TABLE(scalar) push, TABLE(scalar) sides,                          \
+                                                    __global scalar *offset, __global scalar *speed,                  \
+                                                    __global int *diverged_at, __global int *first, int u) {          \
+    Block block = load_block(p, sites, push, sides, u);                                                               \
+    Tops a = load_tops(offset, speed, u);                                                                             \
+    TABLE(Moment) moment = moments + p.first_moment;                                                                  \
+    for (int i = 0; i < p.substeps; ++i) {                                                                            \
+      a = stepped;                                                                                                    \
+      UNROLL for (int c = 0; c < CORNERS; ++c)                                                                        \
+        note_diverged(diverged(p, a.top[c]) ? WHOLE(p.first_step + i) : WHOLE(NEVER), place_of(u, CORNERS, c),        \
+                      diverged_at, first);                                                                            \
+    }                                                                                                                 \
+  }                                                                                                                   \
+  __kernel void name(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,                \
+                     TABLE(scalar) sides, __global scalar *offset, __global scalar *speed,                            \
+                     __global int *diverged_at, __global int *first) {                                                \
+    int item = (int)get_global_id(0);                                                                                 \
+    TABLE(Moment) moment = moments + p.first_moment;                                                                  \
+    for (int u = first_unit(p, item); u < last_unit(p, item); ++u) {                                                  \
+      Block block = load_block(p, sites, push, sides, u);                                                             \
+      Tops a = load_tops(offset, speed, u);                                                                           \
+      truth lost = WHOLE(0) != WHOLE(0);                                                                              \
+      for (int i = 0; i < p.substeps; ++i) {                                                                          \
+        a = stepped;                                                                                                  \
+        UNROLL for (int c = 0; c < CORNERS; ++c) lost = lost | diverged(p, a.top[c]);                                 \
+      }                                                                                                               \
+      if (some(lost)) name##_lost(p, moments, sites, push, sides, offset, speed, diverged_at, first, u);              \
+      UNROLL for (int c = 0; c < CORNERS; ++c) {                                                                      \
+        store3(a.top[c].q, offset, place_of(u, CORNERS, c), 3, 0);                                                    \
+        store3(a.top[c].v, speed, place_of(u, CORNERS, c), 3, 0);                                                     \
+      }                                                                                                               \
+    }                                                                                                                 \
+  }
+
+FRAME(explicit_euler_frame, explicit_euler(p, moment[2 * i], block, a))
+FRAME(semi_implicit_euler_frame, semi_implicit_euler(p, moment[2 * i], block, a))
+FRAME(rk4_frame, rk4(p, moment[2 * i], moment[2 * i + 1], moment[2 * i + 2], block, a))
+FRAME(backward_euler_frame, backward_euler(p, moment[2 * i + 2], block, a))

@@ -1,0 +1,274 @@
+// Shared prisms by backward Euler: the equations of all tops at once, A x = b for x = dv, solved by conjugate gradients
+// preconditioned with the inverses of A's 3 x 3 diagonal blocks (block-Jacobi), started from the last step's x.
+// A work-item has a chunk of units; chunks do not depend on the work-group size, and neither do the sums, which every
+// work-item that needs one adds up in the same order. A large model takes a launch for each part of a step, a small one
+// a single launch of one work-item for all of it (gradients_whole): there a launch would cost more than what it does.
+#include "springs/implicit.clh"
+#include "springs/springs.clh"
+
+#ifndef DOUBLE_SUMS  // 1 where the device has doubles
+#define DOUBLE_SUMS 0
+#endif
+#if DOUBLE_SUMS
+#ifndef __cplusplus
+#pragma OPENCL EXTENSION cl_khr_fp64 : enable
+#endif
+typedef double total;
+#else
+typedef float total;
+#endif
+
+// A chunk's sum, lane by lane until its last unit.
+#if LANES == 16 && DOUBLE_SUMS
+typedef double16 totals;
+#define to_totals convert_double16
+#elif LANES == 16
+typedef float16 totals;
+#define to_totals(v) (v)
+#else
+typedef total totals;
+#define to_totals(v) ((total)(v))
+#endif
+
+static inline total total_of(totals v) {
+#if LANES == 16
+  total lanes[16];
+  vstore16(v, 0, lanes);
+  total sum = 0;
+  for (int k = 0; k < 16; ++k) sum += lanes[k];
+  return sum;
+#else
+  return v;
+#endif
+}
+
+// Eight sums side by side, then these in order: a work-item waits for chunks / 8 additions, not for chunks.
+static inline total sum_of(__global const total *sums, int row, int chunks) {
+  total part[8] = {0, 0, 0, 0, 0, 0, 0, 0}, sum = 0;
+  int k = 0;
+  for (; k + 8 <= chunks; k += 8)
+    for (int j = 0; j < 8; ++j) part[j] += sums[row * chunks + k + j];
+  for (int j = 0; j < 8; ++j) sum += part[j];
+  for (; k < chunks; ++k) sum += sums[row * chunks + k];
+  return sum;
+}
+
+// A's block of a top with itself is six columns.
+static inline Symmetric load_block(TABLE(scalar) diagonal, int u) {
+  real3 a = load3(diagonal, u, 6, 0), b = load3(diagonal, u, 6, 3);
+  Symmetric m;
+  m.xx = a.x, m.yy = a.y, m.zz = a.z, m.xy = b.x, m.xz = b.y, m.yz = b.z;
+  return m;
+}
+static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
+  store3(vec3(m.xx, m.yy, m.zz), diagonal, u, 6, 0);
+  store3(vec3(m.xy, m.xz, m.yz), diagonal, u, 6, 3);
+}
+
+// Of a block: the preconditioner.
+INLINE Symmetric inverse_of(Symmetric m) {
+  Factors f = factored(m);
+  real3 x = solved(f, uniform3(1.0f, 0.0f, 0.0f)), y = solved(f, uniform3(0.0f, 1.0f, 0.0f));
+  real3 z = solved(f, uniform3(0.0f, 0.0f, 1.0f));
+  Symmetric i;
+  i.xx = x.x, i.yy = y.y, i.zz = z.z, i.xy = y.x, i.xz = z.x, i.yz = z.y;
+  return i;
+}
+
+// A's block of two tops on a spring is -(even I + g g^T): g is kept, three columns per entry, and even is what g leaves of
+// even + g.g, which is the same for all springs. No g at all: no spring.
+INLINE real even_of(TopologyParams p, real3 g) {
+  real along = dot3(g, g);
+  real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;
+  return along > REAL(0.0f) ? even : REAL(0.0f);
+}
+
+// (even I + g g^T) w
+INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
+
+// A, its blocks' inverses and b from the state, and r = b - A x, z = inverse r, d = z. at: the moment's entry, of the step's end.
+INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
+                         TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                         TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                         __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                         __global scalar *r, __global scalar *d, __global total *sums) {
+  real3 zero = uniform3(0.0f, 0.0f, 0.0f);
+  totals rz = 0, rr = 0, bb = 0;
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    whole own = WHOLE(u * LANES) + lane_numbers();
+    real3 here = xyz(load_rows(tip, u));
+    Top a;
+    a.q = load3(offset, u, 3, 0);
+    a.v = xyz(load_rows(speed, u));
+    real3 force = zero, load = zero, pulls = zero;
+    Symmetric springs = symmetric(REAL(0.0f), REAL(0.0f), zero, REAL(0.0f), zero);
+    int width = width_of(start, u);
+    for (int k = 0; k < width; ++k) {
+      int e = entry_of(start, u, k);
+      whole other = load_whole(neighbour, e);
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the row fills up its slice
+      real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
+      real length = load_real(rest, e);
+      force = add3(force, edge_force(p, apart, parting, length));
+      Span edge = span_of(apart);
+      Stiffness m = stiffness_of(p.step, p.edge_stiffness, p.edge_damping, edge, length);
+      real3 g = scale3(spring * sqrt(m.along), edge.s);
+      real even = even_of(p, g);
+      springs = plus(springs, symmetric(even, REAL(1.0f), g, REAL(0.0f), zero));
+      load = add3(load, along3(scale3(even, parting), spring * m.stiff_along * dot3(edge.s, parting), edge.s));
+      pulls = add3(pulls, pulled(p, g, xyz(gather_rows(x, other))));
+      store3(g, coupling, e, 3, 0);
+    }
+    Site site = load_site(p, sites, push, u, 1);
+    Row row = stick_row(p, site, a, add3(stick_force(p, moments[at], site, a), force));
+    row.block = plus(row.block, springs);
+    store_block(row.block, diagonal, u);
+    truth real_row = own < WHOLE(p.sticks);
+    real3 b = choose3(real_row, add3(row.load, load), zero);
+    real3 left = sub3(b, sub3(times(row.block, xyz(load_rows(x, u))), pulls));
+    left = choose3(real_row, left, zero);
+    Symmetric over = inverse_of(row.block);
+    store_block(over, inverse, u);
+    real3 z = times(over, left);
+    store3(left, r, u, 3, 0);
+    store_rows(row_of(z), d, u);
+    rz += to_totals(dot3(left, z));
+    rr += to_totals(dot3(left, left));
+    bb += to_totals(dot3(b, b));
+  }
+  sums[SUM_RZ_EVEN * chunks + chunk] = total_of(rz);
+  sums[SUM_RR * chunks + chunk] = total_of(rr);
+  sums[SUM_BB * chunks + chunk] = total_of(bb);
+}
+__kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites,
+                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                               TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                               __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                               __global scalar *r, __global scalar *d, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks)
+    set_up_chunk(p, chunks, chunk, at, moments, sites, push, start, neighbour, rest, tip, offset, speed, x, diagonal,
+                 inverse, coupling, r, d, sums);
+}
+
+// A d and d.Ad
+INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
+                          TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
+                          __global total *sums) {
+  totals sum = 0;
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    real3 v = xyz(load_rows(d, u)), w = times(load_block(diagonal, u), v);
+    int width = width_of(start, u);
+    for (int k = 0; k < width; ++k) {
+      int e = entry_of(start, u, k);
+      w = sub3(w, pulled(p, load3(coupling, e, 3, 0), xyz(gather_rows(d, load_whole(neighbour, e)))));
+    }
+    store3(w, product_d, u, 3, 0);
+    sum += to_totals(dot3(v, w));
+  }
+  sums[SUM_DAD * chunks + chunk] = total_of(sum);
+}
+__kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, TABLE(int) neighbour,
+                                TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d,
+                                __global scalar *product_d, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) product_chunk(p, chunks, chunk, start, neighbour, diagonal, coupling, d, product_d, sums);
+}
+
+// r.z / d.Ad; odd: of the iteration's number.
+static inline real alpha_of(__global const total *sums, int chunks, int odd) {
+  total dad = sum_of(sums, SUM_DAD, chunks);
+  // No number makes x none, too, which is noted: a lost mass is not to stay where it was.
+  return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
+}
+
+// r -= alpha A d, and z in the place of A d.
+INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
+                          __global scalar *product_d, __global scalar *r, __global total *sums) {
+  real alpha = alpha_of(sums, chunks, odd);
+  totals rz = 0, rr = 0;
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    real3 left = along3(load3(r, u, 3, 0), -alpha, load3(product_d, u, 3, 0));
+    real3 z = times(load_block(inverse, u), left);
+    store3(left, r, u, 3, 0);
+    store3(z, product_d, u, 3, 0);
+    rz += to_totals(dot3(left, z));
+    rr += to_totals(dot3(left, left));
+  }
+  sums[(odd ? SUM_RZ_EVEN : SUM_RZ_ODD) * chunks + chunk] = total_of(rz);
+  sums[SUM_RR * chunks + chunk] = total_of(rr);
+}
+__kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(scalar) inverse, __global scalar *product_d,
+                                __global scalar *r, __global total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, inverse, product_d, r, sums);
+}
+
+// x += alpha d, then d = z + beta d, with beta = the new r.z / the old one.
+INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
+                       __global scalar *x, __global const total *sums) {
+  real alpha = alpha_of(sums, chunks, odd);
+  total before = sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks);
+  total after = sum_of(sums, odd ? SUM_RZ_EVEN : SUM_RZ_ODD, chunks);
+  real beta = REAL((scalar)(before > 0 ? after / before : 0));
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    real3 way = xyz(load_rows(d, u));
+    store_rows(row_of(along3(xyz(load_rows(x, u)), alpha, way)), x, u);
+    store_rows(row_of(along3(load3(z, u, 3, 0), beta, way)), d, u);
+  }
+}
+__kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar) z, __global scalar *d,
+                             __global scalar *x, __global const total *sums) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
+}
+
+// v += x, q += h v.
+INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
+                       __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
+                       __global int *first) {
+  for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
+    Top a;
+    a.v = add3(xyz(load_rows(speed, u)), xyz(load_rows(x, u)));
+    a.q = along3(load3(offset, u, 3, 0), REAL(p.step), a.v);
+    store_rows(row_of(a.v), speed, u);
+    store3(a.q, offset, u, 3, 0);
+    store_rows(row_of(add3(load3(sites, u, SITE_COLUMNS, SITE_ROOT), a.q)), tip, u);
+    note_step(p, a, u, number, diverged_at, first);
+  }
+}
+__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) sites, TABLE(scalar) x,
+                             __global scalar *offset, __global scalar *speed, __global scalar *tip,
+                             __global int *diverged_at, __global int *first) {
+  int chunk = (int)get_global_id(0);
+  if (chunk < chunks) move_chunk(p, chunk, number, sites, x, offset, speed, tip, diverged_at, first);
+}
+
+// All substeps of a launch by one work-item, until |r| <= residual |b| or `most` iterations are done. The whole model is one
+// chunk. solved: iterations in all, the most of one step, the largest |r| / |b| that a step ended with.
+__kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
+                              TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                              __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
+                              __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
+                              __global scalar *r, __global scalar *d, __global scalar *product_d, __global total *sums,
+                              __global int *diverged_at, __global int *first, __global scalar *solved) {
+  if (get_global_id(0) != 0) return;
+  for (int k = 0; k < 3; ++k) solved[k] = 0;
+  for (int i = 0; i < p.substeps; ++i) {
+    set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, tip, offset, speed, x,
+                 diagonal, inverse, coupling, r, d, sums);
+    total bb = sums[SUM_BB];
+    int done = 0;
+    // One at least: where a sum is infinite or no number the masses are lost, which shows in x then.
+    for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
+      product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
+      advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);
+      turn_chunk(p, 1, 0, done % 2, product_d, d, x, sums);
+    }
+    move_chunk(p, 0, p.first_step + i, sites, x, offset, speed, tip, diverged_at, first);
+    scalar left = bb > 0 ? sqrt((scalar)(sums[SUM_RR] / bb)) : 0;
+    solved[0] += (scalar)done;
+    solved[1] = solved[1] > (scalar)done ? solved[1] : (scalar)done;
+    solved[2] = solved[2] > left ? solved[2] : left;
+  }
+}

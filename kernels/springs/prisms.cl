@@ -1,0 +1,119 @@
+// Shared prisms by explicit schemes: every top reads its neighbours' old state, so a launch is one evaluation of the
+// forces; a small model takes one launch of one work-item for all substeps (prism_*_whole), since a launch would cost more
+// than what it does. The state is q and v; neighbours look at v and at tips, root + q, which lie in rows.
+#include "springs/springs.clh"
+
+#define TOPS(u)                                                                                                \
+  Site site = load_site(p, sites, push, u, 1);                                                                 \
+  Top a;                                                                                                       \
+  a.q = load3(offset, u, 3, 0);                                                                                \
+  a.v = xyz(load_rows(speed, u));                                                                              \
+  real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
+
+// One step of explicit (in_turn 0) or semi-implicit (1) Euler; at: the moment's entry; number: the step's.
+INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
+                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
+                        __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
+                        __global int *first) {
+  for (int u = begin; u < end; ++u) {
+    TOPS(u)
+    Top b;
+    if (in_turn) b = advanced_in_turn(p, a, p.step, f);
+    else b = advanced(p, a, p.step, a.v, f);
+    store3(b.q, offset, u, 3, 0);
+    store_rows(row_of(b.v), next_speed, u);
+    store_rows(row_of(add3(site.root, b.q)), next_tip, u);
+    note_step(p, b, u, number, diverged_at, first);
+  }
+}
+__kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TABLE(Moment) moments,
+                          TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                          TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
+                          __global scalar *next_tip, __global scalar *next_speed, __global int *diverged_at,
+                          __global int *first) {
+  int item = (int)get_global_id(0);
+  euler_units(p, first_unit(p, item), last_unit(p, item), in_turn, at, number, moments, sites, push, start, neighbour, rest,
+              tip, speed, offset, next_tip, next_speed, diverged_at, first);
+}
+
+// All substeps; after an odd number of them the state lies in other_*.
+__kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) moments, TABLE(scalar) sites,
+                                TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
+                                __global scalar *tip, __global scalar *speed, __global scalar *offset,
+                                __global scalar *other_tip, __global scalar *other_speed, __global int *diverged_at,
+                                __global int *first) {
+  if (get_global_id(0) != 0) return;
+  for (int i = 0; i < p.substeps; ++i) {
+    int back = i % 2;
+    euler_units(p, 0, p.blocks * UNITS, in_turn, p.first_moment + 2 * i, p.first_step + i, moments, sites, push, start,
+                neighbour, rest, back ? other_tip : tip, back ? other_speed : speed, offset, back ? tip : other_tip,
+                back ? speed : other_speed, diverged_at, first);
+  }
+}
+
+// Stage 0 to 3 of the classical scheme. tip, speed, offset: of the stage; base_*: of the step's start, and in stage 3
+// the step's end; sum_*: the weighted rates so far. next_*: of the stage that follows.
+INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
+                      TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                      TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
+                      __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
+                      __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
+                      __global scalar *next_offset, __global int *diverged_at, __global int *first) {
+  scalar h = p.step, weight = stage == 0 || stage == 3 ? h / 6 : h / 3, reach = stage < 2 ? h / 2 : h;
+  for (int u = begin; u < end; ++u) {
+    TOPS(u)
+    Top base, sum;
+    base.q = load3(base_offset, u, 3, 0);
+    base.v = xyz(load_rows(base_speed, u));
+    sum = base;
+    if (stage > 0) {
+      sum.q = load3(sum_offset, u, 3, 0);
+      sum.v = load3(sum_speed, u, 3, 0);
+    }
+    sum = advanced(p, sum, weight, a.v, f);
+    Top next = sum;
+    if (stage < 3) next = advanced(p, base, reach, a.v, f);
+    store_rows(row_of(add3(site.root, next.q)), next_tip, u);
+    if (stage < 3) {
+      store3(sum.q, sum_offset, u, 3, 0);
+      store3(sum.v, sum_speed, u, 3, 0);
+      store3(next.q, next_offset, u, 3, 0);
+      store_rows(row_of(next.v), next_speed, u);
+    } else {
+      store3(next.q, base_offset, u, 3, 0);
+      store_rows(row_of(next.v), base_speed, u);
+      note_step(p, next, u, number, diverged_at, first);
+    }
+  }
+}
+__kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(Moment) moments,
+                        TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
+                        TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
+                        __global scalar *base_offset, __global scalar *base_speed, __global scalar *sum_offset,
+                        __global scalar *sum_speed, __global scalar *next_tip, __global scalar *next_speed,
+                        __global scalar *next_offset, __global int *diverged_at, __global int *first) {
+  int item = (int)get_global_id(0);
+  rk4_units(p, first_unit(p, item), last_unit(p, item), stage, at, number, moments, sites, push, start, neighbour, rest, tip,
+            speed, offset, base_offset, base_speed, sum_offset, sum_speed, next_tip, next_speed, next_offset, diverged_at,
+            first);
+}
+
+// All substeps. The stages' tips and speeds go to and fro between other_* and spare_*; the step's own stay where they are.
+__kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
+                              TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
+                              __global scalar *speed, __global scalar *offset, __global scalar *other_tip,
+                              __global scalar *other_speed, __global scalar *spare_tip, __global scalar *spare_speed,
+                              __global scalar *stage_offset, __global scalar *sum_offset, __global scalar *sum_speed,
+                              __global int *diverged_at, __global int *first) {
+  if (get_global_id(0) != 0) return;
+  for (int i = 0; i < p.substeps; ++i)
+    for (int stage = 0; stage < 4; ++stage) {
+      int next = (stage + 1) % 4;
+      rk4_units(p, 0, p.blocks * UNITS, stage, p.first_moment + 2 * i + (stage + 1) / 2, p.first_step + i, moments, sites,
+                push, start, neighbour, rest, stage == 0 ? tip : stage == 2 ? spare_tip : other_tip,
+                stage == 0 ? speed : stage == 2 ? spare_speed : other_speed, stage == 0 ? offset : stage_offset, offset,
+                speed, sum_offset, sum_speed, next == 0 ? tip : next == 2 ? spare_tip : other_tip,
+                next == 0 ? speed : next == 2 ? spare_speed : other_speed, stage_offset, diverged_at, first);
+    }
+}

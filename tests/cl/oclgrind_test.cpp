@@ -1,0 +1,56 @@
+// The same calls under oclgrind, which knows every rule of the API and every byte of a buffer.
+#include "tests/support/oclgrind.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "harness/cl/program.hpp"
+
+namespace fs = std::filesystem;
+using namespace pelage;
+
+namespace {
+
+std::string complaints(const std::string& tests) {
+  const UnderOclgrind run = under_oclgrind(tests, "--data-races --uninitialized");
+  return run.status == 0 ? run.log : run.log + "the tests failed under oclgrind: " + run.printed;
+}
+
+}  // namespace
+
+TEST_F(Oclgrind, HasNothingToSayOfTheHostLayer) {
+  EXPECT_EQ(complaints("Buffers.*:Devices.*:Programs.TakeBuffersAndRecordsInOrder:Written.*-*TooLarge*"), "");
+}
+
+TEST_F(Oclgrind, SeesAPlantedOverrun) {
+  ::setenv("PELAGE_TEST_INDEX", "4", 1);
+  const std::string said = complaints("Written.*");
+  ::unsetenv("PELAGE_TEST_INDEX");
+  EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
+}
+
+// Writes inside its buffer, but for the test above.
+TEST(Written, WhereTheHostSays) {
+  const char* planted = std::getenv("PELAGE_TEST_INDEX");
+  const fs::path before = cl::kernel_folder();
+  const fs::path folder = fs::temp_directory_path() / fmt::format("pelage-written-{}", ::getpid());
+  fs::create_directories(folder);
+  std::ofstream(folder / "write.cl") << "__kernel void write(int i, __global float *out) { out[i] = 1; }\n";
+  cl::set_kernel_folder(folder);
+  const cl::Queue queue(cl::choose_device(""));
+  const std::vector<float> zeros(4);
+  const cl::Buffer<float> out(queue, zeros);
+  cl::Kernel kernel(cl::Program(queue.device(), "write.cl"), "write");
+  kernel.with(planted != nullptr ? std::atoi(planted) : 3, out).enqueue(queue, std::size_t{1});
+  if (planted == nullptr) {
+    EXPECT_EQ(out.read(queue).back(), 1.0f);
+  }
+  queue.finish();
+  cl::set_kernel_folder(before);
+  fs::remove_all(folder);
+}

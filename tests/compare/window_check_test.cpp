@@ -1,0 +1,78 @@
+// A row's check looks into windows, and where these fall short at the whole picture.
+#include <gtest/gtest.h>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/compare/windows.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/scene/scene.hpp"
+#include "harness/shells/reference/reference.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr std::uint32_t seed = 7;
+
+struct Case {
+  std::shared_ptr<const FrameInput> input;
+  Picture picture;  // the reference's own
+  Window first;     // of those that `seed` draws
+};
+
+// Two layers over much of a picture: more fur than 64 windows hold.
+const Case& torus() {
+  static const Case made = [] {
+    Scene scene;
+    scene.model = "torus";
+    scene.fur.layers = 2;
+    scene.image.width = 800;
+    scene.image.height = 600;
+    Case c;
+    c.input = prepare(scene, load_model(scene.model));
+    c.picture = reference::render(*c.input, {});
+    c.first = fur_windows(c.picture, 64, 16, seed).front();
+    return c;
+  }();
+  return made;
+}
+
+// The picture with `count` pixels of the first window off by `by`.
+Picture spoilt(int count, float by) {
+  Picture p = torus().picture;
+  for (int i = 0; i < count; ++i) {
+    glm::vec4& pixel =
+        p.pixel[std::size_t(torus().first.y) * std::size_t(p.width) + std::size_t(torus().first.x + i)];
+    pixel += glm::vec4(by, by, by, 0);
+    pixel.w = 1;
+  }
+  return p;
+}
+
+bool passes(const WindowCheck& check) {
+  for (const Check& c : check.checks)
+    if (!c.holds()) return false;
+  return true;
+}
+
+TEST(WindowCheck, ThePictureDecidesAboutOneWrongPixel) {
+  const WindowCheck check = check_against_reference(*torus().input, 0, spoilt(1, 0.25f), seed);
+  EXPECT_LT(check.sample.psnr, 60.0);
+  EXPECT_GT(check.agreement.pixels, 2 * check.sample.pixels);
+  EXPECT_GE(check.agreement.psnr, 60.0);
+  EXPECT_TRUE(passes(check));
+}
+
+TEST(WindowCheck, ManyWrongPixelsFail) {
+  const WindowCheck check = check_against_reference(*torus().input, 0, spoilt(16, 0.25f), seed);
+  EXPECT_LT(check.agreement.psnr, 60.0);
+  EXPECT_FALSE(passes(check));
+}
+
+TEST(WindowCheck, GoodWindowsAreEnough) {
+  const WindowCheck check = check_against_reference(*torus().input, 0, torus().picture, seed);
+  EXPECT_EQ(check.agreement.pixels, check.sample.pixels);
+  EXPECT_TRUE(passes(check));
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,208 @@
+#include "harness/experiment/experiment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/error.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kExperiments = fs::path(PELAGE_SOURCE_DIR) / "experiments";
+
+Experiment table1() {
+  return read_experiment(kExperiments / "silva2010-table1.toml");
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+std::string refusal_of(const std::string& text) {
+  const test::Folder folder;
+  test::write_text(folder.path / "e.toml", text);
+  return refusal([&] { read_experiment(folder.path / "e.toml"); });
+}
+
+TEST(Experiment, TableOneIsThePapersThirtyTwoCells) {
+  const Experiment e = table1();
+  const std::vector<Case> cases = cases_of(e, preset_of(e, "quick"));
+  EXPECT_EQ(cases.size(), 32u);
+  double sum = 0;
+  int censored = 0;
+  for (const Case& c : cases) {
+    ASSERT_TRUE(c.published) << c.name;
+    sum += c.published->value;
+    censored += c.published->relation == "<";
+    const Scene scene = scene_of(e, c);
+    EXPECT_EQ(scene.fur.texture, 256);
+    EXPECT_EQ(scene.wetness.size, 256);
+    EXPECT_GT(scene.curl.radius, 0);
+    EXPECT_GT(scene.dynamics.wind.gust, 0);
+    EXPECT_TRUE(scene.camera.framed);
+  }
+  // Added up by hand from the paper's table, "< 1" counted as 1.
+  EXPECT_EQ(sum, 267 + 117 + 256 + 117 + 154 + 80 + 78 + 63 + 66 + 52 + 24 + 22 + 25 + 21 + 3 + 3 +  //
+                     90 + 35 + 84 + 34 + 51 + 24 + 28 + 21 + 23 + 17 + 8 + 8 + 7 + 7 + 1 + 1);
+  EXPECT_EQ(censored, 2);
+}
+
+TEST(Experiment, WetTableEqualsTheOtherPapersCells) {
+  const Experiment wet = read_experiment(kExperiments / "wetfur2010-table1.toml");
+  const Experiment curling = table1();
+  const auto cases = cases_of(wet, preset_of(wet, "quick"));
+  EXPECT_EQ(cases.size(), 12u);
+  const auto others = cases_of(curling, preset_of(curling, "quick"));
+  for (const Case& c : cases) {
+    EXPECT_EQ(scene_of(wet, c).shading.model, "wet");
+    const auto same =
+        std::find_if(others.begin(), others.end(), [&](const Case& o) { return o.name == c.name; });
+    ASSERT_NE(same, others.end());
+    EXPECT_EQ(same->published->value, c.published->value) << c.name;
+  }
+}
+
+TEST(Experiment, EveryShippedCaseIsAScene) {
+  for (const fs::path& file : experiment_files()) {
+    const Experiment e = read_experiment(file);
+    EXPECT_EQ(e.name, file.stem());
+    for (const auto& [name, preset] : e.presets)
+      for (const Case& c : cases_of(e, preset)) EXPECT_NO_THROW(scene_of(e, c)) << c.name;
+  }
+}
+
+TEST(Experiment, LaterSettingsWin) {
+  const Experiment e = table1();
+  const auto cases = cases_of(e, preset_of(e, "paper"));
+  EXPECT_EQ(cases.size(), 64u);
+  auto scene = [&](const std::string& name) {
+    return scene_of(e,
+                    *std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; }));
+  };
+  EXPECT_FLOAT_EQ(scene("horse-16-800x600").fur.length, 0.035f);
+  EXPECT_FLOAT_EQ(scene("torus-64-1680x1050").fur.length, 0.08f);
+  EXPECT_EQ(scene("torus-64-1680x1050").image.width, 1680);
+  EXPECT_EQ(scene("torus-64-1680x1050").fur.layers, 64);
+  EXPECT_EQ(scene("horse-16-800x600-literal").clump.scale, "literal");
+  EXPECT_EQ(scene("horse-16-800x600").clump.scale, "relative");
+}
+
+TEST(Experiment, OverridesAreRecordedAndLeaveThePapersTable) {
+  const Experiment e = table1();
+  Overrides o;
+  o.set = {{"fur.length", "0.05"}};
+  o.axes = {{"layers", {"8"}}, {"coat.pattern", {"plain", "spots"}}};
+  o.model = "bunny";
+  const auto cases = cases_of(e, preset_of(e, "quick"), o);
+  ASSERT_EQ(cases.size(), 4u);
+  for (const Case& c : cases) {
+    EXPECT_EQ(c.overrides.at("fur.length"), "0.05");
+    EXPECT_EQ(c.overrides.at("layers"), "8");
+    EXPECT_EQ(c.overrides.at("coat.pattern"), "plain,spots");
+    EXPECT_EQ(c.overrides.at("model"), "bunny");
+    EXPECT_FALSE(c.published);
+    const Scene scene = scene_of(e, c);
+    EXPECT_FLOAT_EQ(scene.fur.length, 0.05f);
+    EXPECT_EQ(scene.coat.pattern, c.axes.at("coat.pattern"));
+  }
+  EXPECT_EQ(cases[0].name, "bunny-8-800x600-plain");
+}
+
+TEST(Experiment, BadOverridesAreRefused) {
+  const Experiment e = table1();
+  const Preset& preset = preset_of(e, "smoke");
+  auto first = [&](const Overrides& o) { return scene_of(e, cases_of(e, preset, o).front()); };
+  EXPECT_FALSE(refusal([&] { first({.set = {{"fur.lenght", "1"}}, .axes = {}, .model = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { first({.set = {{"fur.length", "-1"}}, .axes = {}, .model = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { first({.set = {}, .axes = {{"size", {"800"}}}, .model = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { first({.set = {}, .axes = {{"layers", {"1"}}}, .model = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { first({.set = {}, .axes = {{"reading", {"loose"}}}, .model = {}}); }).empty());
+  EXPECT_FALSE(refusal([&] { first({.set = {}, .axes = {{"variant", {"gl"}}}, .model = {}}); }).empty());
+  EXPECT_NE(refusal([&] { preset_of(e, "fast"); }).find("quick"), std::string::npos);
+  EXPECT_NE(refusal([&] { experiment_file("table-9"); }).find("silva2010-table1"), std::string::npos);
+}
+
+TEST(Experiment, PublishedFiguresAndTheirRelations) {
+  const Metric whole = published_figure("267", "fps"), below = published_figure("< 1", "fps");
+  EXPECT_EQ(whole.relation, "=");
+  EXPECT_EQ(*whole.low, 266.5);
+  EXPECT_EQ(*whole.high, 267.5);
+  EXPECT_EQ(below.relation, "<");
+  EXPECT_FALSE(below.low);
+  EXPECT_EQ(*below.high, 1);
+  EXPECT_EQ(*published_figure("2.5", "ms").low, 2.45);
+  EXPECT_EQ(published_figure("~ 30", "fps").relation, "about");
+  EXPECT_EQ(published_figure("20..30", "fps").value, 25);
+  for (const std::string text : {"", "fast", "-3", "> 4", "1e3", "1 2"})
+    EXPECT_FALSE(refusal([&] { published_figure(text, "fps"); }).empty()) << text;
+}
+
+TEST(Experiment, BadFilesAreRefusedWithTheirLine) {
+  const std::string good = "name = \"e\"\n[axes]\nmodel = [\"torus\"]\n[preset.quick]\nleast = 3\n";
+  EXPECT_EQ(refusal_of(good), "");
+  EXPECT_NE(refusal_of("name = ").find("e.toml:1: not TOML"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "[speed]\n").find("e.toml:6: unknown key speed"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "lest = 3\n").find("unknown key lest"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "most = 2\n").find("most must be"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "precision = nan\n").find("precision must be"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "limit_s = \"1\"\n").find("limit_s must be"), std::string::npos);
+  EXPECT_NE(refusal_of("name = \"../e\"\n[axes]\nmodel = [\"a\"]\n[preset.quick]\n").find("name must"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("name = \"e\"\n[axes]\nmodel = \"a\"\n[preset.quick]\n").find("must be a list"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("name = \"e\"\n[axes]\nmodel = [\"a\", \"a\"]\n[preset.quick]\n").find("twice"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("name = \"e\"\n[preset.quick]\n").find("no [axes]"), std::string::npos);
+  EXPECT_NE(refusal_of("name = \"e\"\n[axes]\nmodel = [\"a\"]\n").find("preset"), std::string::npos);
+  EXPECT_NE(refusal_of(good + "[published]\nunit=\"fps\"\nkeys=[\"model\"]\ncells=[[\"a\"]]\n").find("cell"),
+            std::string::npos);
+}
+
+TEST(Experiment, ShardsPartitionTheCases) {
+  const Experiment e = table1();
+  const auto cases = cases_of(e, preset_of(e, "paper"));
+  for (const int count : {1, 2, 3, 7, 64, 100}) {
+    std::multiset<std::string> seen;
+    for (int i = 0; i < count; ++i)
+      for (const Case& c : sharded(cases, {i, count})) seen.insert(c.name);
+    EXPECT_EQ(seen.size(), cases.size());
+    EXPECT_EQ(std::set<std::string>(seen.begin(), seen.end()).size(), cases.size()) << count;
+  }
+  EXPECT_EQ(shard_from_text("3/4").index, 3);
+  for (const std::string text : {"4/4", "0/0", "-1/2", "1", "a/b", "1/2/3", ""})
+    EXPECT_FALSE(refusal([&] { shard_from_text(text); }).empty()) << text;
+}
+
+TEST(Experiment, FilterAndOrder) {
+  const Experiment e = table1();
+  const auto cases = cases_of(e, preset_of(e, "quick"));
+  EXPECT_EQ(filtered(cases, "^torus").size(), 4u);
+  EXPECT_EQ(filtered(cases, "-16-.*x600$").size(), 8u);
+  EXPECT_TRUE(filtered(cases, "whale").empty());
+  EXPECT_FALSE(refusal([&] { filtered(cases, "("); }).empty());
+
+  auto names = [](const std::vector<Case>& list) {
+    std::vector<std::string> result;
+    for (const Case& c : list) result.push_back(c.name);
+    return result;
+  };
+  EXPECT_EQ(names(shuffled(cases, 5)), names(shuffled(cases, 5)));
+  EXPECT_NE(names(shuffled(cases, 5)), names(shuffled(cases, 6)));
+  auto sorted = names(shuffled(cases, 5)), all = names(cases);
+  std::sort(sorted.begin(), sorted.end());
+  std::sort(all.begin(), all.end());
+  EXPECT_EQ(sorted, all);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,148 @@
+// The rules of the house, on the house itself and on planted violations of each.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/house/rules.hpp"
+
+namespace fs = std::filesystem;
+using namespace pelage::house;
+
+namespace {
+
+const fs::path root = PELAGE_SOURCE_DIR;
+
+std::string read(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Sources and documents of the checkout, relative to its root; results/ and pictures are data.
+std::vector<std::string> written_files() {
+  const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
+                                    ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};
+  std::vector<std::string> files;
+  for (const char* folder :
+       {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs", "bench", ".ci"}) {
+    if (!fs::is_directory(root / folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder))
+      if (entry.is_regular_file() &&
+          (kinds.count(entry.path().extension()) > 0 || std::string(folder) == ".ci"))
+        files.push_back(entry.path().lexically_relative(root).generic_string());
+  }
+  for (const auto& entry : fs::directory_iterator(root))
+    if (entry.is_regular_file() && kinds.count(entry.path().extension()) > 0)
+      files.push_back(entry.path().filename().generic_string());
+  return files;
+}
+
+std::string joined(const Faults& faults) {
+  std::string text;
+  for (const std::string& fault : faults) text += fault + "\n";
+  return text;
+}
+
+const Links& links() {
+  static const Links known = room_links(read(root / "CMakeLists.txt"));
+  return known;
+}
+
+std::size_t faults_of(const std::string& path, const std::string& include) {
+  return include_faults(path, "// first line\n#include " + include + "\n", links()).size();
+}
+
+}  // namespace
+
+TEST(House, KeepsItsRulesOfInclusion) {
+  Faults faults;
+  for (const std::string& file : written_files()) {
+    const Faults found = include_faults(file, read(root / file), links());
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(faults.empty()) << joined(faults);
+}
+
+TEST(House, KeepsItsRulesOfText) {
+  Faults faults;
+  const auto files = written_files();
+  EXPECT_GT(files.size(), 50u);
+  for (const std::string& file : files) {
+    const Faults found = text_faults(file, read(root / file));
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(faults.empty()) << joined(faults);
+}
+
+TEST(House, LinksAreReadFromCMake) {
+  const Links small = room_links(
+      "function(pelage_room name)\n"
+      "pelage_room(a fmt::fmt)\npelage_room(b pelage_a PRIVATE pelage_d) # pelage_e\npelage_room(d)\n"
+      "pelage_room(c pelage_b\n  glm::glm)\n");
+  EXPECT_EQ(small.at("b"), (std::set<std::string>{"a", "d"}));
+  EXPECT_EQ(small.at("c"), (std::set<std::string>{"a", "b"})) << "a private link is not handed on";
+  EXPECT_TRUE(small.at("a").empty());
+  ASSERT_TRUE(links().count("shells_opencl") == 1);
+  EXPECT_TRUE(links().at("shells_opencl").count("cl") == 1);
+  EXPECT_TRUE(links().at("scene").count("cl") == 0);
+}
+
+TEST(House, PlantedInclusionsAreFound) {
+  const std::pair<const char*, const char*> forbidden[] = {
+      {"harness/scene/scene_read.cpp", "<CL/cl.h>"},
+      {"harness/commands/run.cpp", "<CL/cl.h>"},
+      {"harness/error.hpp", "\"CL/cl.h\""},
+      {"harness/scene/scene_read.cpp", "<CGAL/Surface_mesh.h>"},
+      {"harness/commands/mesh.cpp", "<assimp/Importer.hpp>"},
+      {"harness/report/images.cpp", "<OpenImageIO/imageio.h>"},
+      {"harness/commands/render.cpp", "<epoxy/gl.h>"},
+      {"harness/scene/scene_read.cpp", "\"harness/shells/opencl/shells.hpp\""},
+      {"harness/mesh/load.cpp", "\"harness/scene/scene.hpp\""},
+      {"harness/shells/opencl/shells.cpp", "\"harness/shells/reference/reference.hpp\""},
+      {"harness/cl/device.cpp", "\"harness/commands/devices.hpp\""},
+      {"harness/cl/device.cpp", "\"../error.hpp\""},
+      {"harness/shells/opencl/shells.cpp", "\"kernels/wet/equations.clh\""},
+      {"harness/shells/opencl/shells.cpp", "\"tests/support/opencl_as_cpp.hpp\""},
+      {"kernels/wet/equations.clh", "\"simulate/params.h\""},
+      {"kernels/wet/equations.clh", "\"wet/lists.clh\""},
+      {"kernels/wet/equations.clh", "<math.h>"},
+      {"kernels/wet/wet.cl", "\"simulate/equations.clh\""},
+      {"kernels/wet/wet.cl", "\"harness/error.hpp\""},
+      {"kernels/wet/params.h", "<stdint.h>"},
+      {"kernels/common/powers.clh", "\"wet/params.h\""},
+      {"kernels/opencl.clh", "\"common/powers.clh\""}};
+  for (const auto& [path, include] : forbidden)
+    EXPECT_EQ(faults_of(path, include), 1u) << path << " includes " << include;
+
+  const std::pair<const char*, const char*> allowed[] = {
+      {"harness/cl/device.hpp", "<CL/cl.h>"},
+      {"harness/mesh/repair.cpp", "<CGAL/Surface_mesh.h>"},
+      {"harness/shells/opencl/shells.cpp", "\"kernels/wet/params.h\""},
+      {"harness/shells/opencl/shells.cpp", "\"harness/cl/program.hpp\""},
+      {"harness/scene/scene_read.cpp", "\"harness/error.hpp\""},
+      {"harness/commands/run.cpp", "\"harness/shells/opencl/shells.hpp\""},
+      {"harness/commands/command.hpp", "<CLI/CLI.hpp>"},
+      {"kernels/wet/equations.clh", "\"wet/params.h\""},
+      {"kernels/wet/equations.clh", "\"common/powers.clh\""},
+      {"kernels/wet/wet.cl", "\"wet/equations.clh\""},
+      {"tests/shells/shim.cpp", "\"kernels/wet/equations.clh\""}};
+  for (const auto& [path, include] : allowed)
+    EXPECT_EQ(faults_of(path, include), 0u) << path << " includes " << include;
+}
+
+TEST(House, PlantedTextsAreFound) {
+  const auto count = [](const std::string& text) { return text_faults("harness/x.cpp", text).size(); };
+  EXPECT_EQ(count("int x;\n"), 0u);
+  EXPECT_EQ(count("int x;"), 1u) << "no newline";
+  EXPECT_EQ(count("int x; \n"), 1u) << "trailing blank";
+  EXPECT_EQ(count("int x;\r\n"), 1u) << "carriage return";
+  EXPECT_EQ(count(std::string("// TO") + "DO later\n"), 1u);
+  EXPECT_EQ(count(std::string("open(\"/ho") + "me/me/x\")\n"), 1u);
+  EXPECT_EQ(count(std::string("see /wo") + "rk/notes\n"), 1u);
+  EXPECT_EQ(count("a/tmp/b and $XDG/tmp/x and /usr/share/doc\n"), 0u);
+  std::string lines;
+  for (int i = 0; i < 400; ++i) lines += "x\n";
+  EXPECT_EQ(count(lines), 0u);
+  EXPECT_EQ(count(lines + "x\n"), 1u);
+}

@@ -1,0 +1,77 @@
+// The published schema (docs/row.schema.json) holds every row the harness writes, and refuses what no row may
+// be.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "harness/error.hpp"
+#include "harness/measure/runner.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Lines of `journal` that the schema refuses, as python3-jsonschema sees it.
+int refused_lines(const fs::path& journal) {
+  const std::string script = R"(
+import json, sys
+import jsonschema
+validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
+jsonschema.Draft7Validator.check_schema(validator.schema)
+sys.exit(sum(not validator.is_valid(json.loads(line)) for line in open(sys.argv[2])))
+)";
+  const fs::path program = journal.parent_path() / "validate.py";
+  test::write_text(program, script);
+  const std::string command = "/usr/bin/python3 " + program.string() + " " +
+                              PELAGE_SOURCE_DIR "/docs/row.schema.json " + journal.string();
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(Schema, HoldsRowsOfEveryStatus) {
+  const test::Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  {
+    Journal journal(file, Journal::Mode::fresh);
+    RunPlan plan = test::fake_plan(4);
+    plan.cases[3].published = Metric{1, "fps", "<", std::nullopt, 1.0};
+    plan.limits = {0, 6, 10, 0.5, 1};
+    run_cases(
+        plan,
+        [](const Case& c) -> std::unique_ptr<Subject> {
+          if (c.name == "case0") throw DeviceError("CL_OUT_OF_RESOURCES");
+          if (c.name == "case1") throw Unsupported("no");
+          if (c.name == "case2") return std::make_unique<test::FakeSubject>(10, 20);
+          return std::make_unique<test::FakeSubject>(10);
+        },
+        journal);
+    journal.append(test::sample_row("by hand"));
+  }
+  ASSERT_EQ(read_journal(file).size(), 5u);
+  EXPECT_EQ(refused_lines(file), 0);
+}
+
+TEST(Schema, RefusesWhatNoRowMayBe) {
+  const test::Folder folder;
+  const fs::path file = folder.path / "j.jsonl";
+  auto with = [](auto change) {
+    auto json = nlohmann::ordered_json::parse(to_line(test::sample_row("a")));
+    change(json);
+    return json.dump() + "\n";
+  };
+  std::string text;
+  text += with([](auto& j) { j.erase("image_hash"); });
+  text += with([](auto& j) { j["status"] = "fine"; });
+  text += with([](auto& j) { j["status"] = "failed-check"; });  // with samples: a time would be published
+  text += with([](auto& j) { j["check"] = nlohmann::ordered_json::array(); });
+  text += with([](auto& j) { j["samples"].erase("frame"); });
+  text += with([](auto& j) { j["speed"] = 1; });
+  text += with([](auto& j) { j["schema"] = 2; });
+  test::write_text(file, text);
+  EXPECT_EQ(refused_lines(file), 7);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,225 @@
+#include "harness/measure/runner.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "harness/error.hpp"
+#include "harness/measure/interrupt.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+using test::fake_plan;
+using test::FakeSubject;
+using test::Folder;
+using test::text_of;
+
+MakeSubject fakes() {
+  return [](const Case&) { return std::make_unique<FakeSubject>(10.0); };
+}
+
+const SamplingLimits kShort{0, 6, 10, 0.5, 1};
+
+TEST(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
+  RunPlan plan = fake_plan(1);
+  plan.provenance["host"] = "h";
+  const Row row = run_case(plan, plan.cases[0], kShort, fakes());
+  EXPECT_EQ(row.status, Status::ok) << row.reason;
+  EXPECT_EQ(row.samples.at("frame").wall_ms.size(), 6u);
+  EXPECT_EQ(row.provenance.at("host"), "h");
+  EXPECT_TRUE(row.provenance.contains("utc"));
+  EXPECT_TRUE(row.provenance.contains("load"));
+  EXPECT_EQ(row.image_hash.size(), 16u);
+}
+
+TEST(Runner, AFailedCheckPublishesNoTime) {
+  const RunPlan plan = fake_plan(1);
+  const Row row = run_case(plan, plan.cases[0], kShort,
+                           [](const Case&) { return std::make_unique<FakeSubject>(10.0, 59.9); });
+  EXPECT_EQ(row.status, Status::failed_check);
+  EXPECT_TRUE(row.samples.empty());
+  EXPECT_FALSE(row.metrics.contains("fragments_per_s"));
+  EXPECT_NE(row.reason.find("psnr against reference is 59.9, must be at least 60"), std::string::npos)
+      << row.reason;
+}
+
+struct Unchecked : FakeSubject {
+  Unchecked() : FakeSubject(10) {}
+  std::vector<Check> check(const Picture&) override { return {}; }
+};
+
+struct Diverging : FakeSubject {
+  Diverging() : FakeSubject(10) {}
+  Picture read() override { return {1, 1, {glm::vec4(std::numeric_limits<float>::quiet_NaN())}}; }
+};
+
+TEST(Runner, NothingCheckedIsNotOk) {
+  const RunPlan plan = fake_plan(1);
+  EXPECT_EQ(
+      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Unchecked>(); }).status,
+      Status::failed_check);
+  EXPECT_EQ(
+      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Diverging>(); }).status,
+      Status::diverged);
+}
+
+/// NaN compares false with everything: it must not pass for good.
+TEST(Runner, ACheckThatIsNotANumberFails) {
+  const RunPlan plan = fake_plan(1);
+  EXPECT_EQ(run_case(plan, plan.cases[0], kShort,
+                     [](const Case&) { return std::make_unique<FakeSubject>(10.0, std::nan("")); })
+                .status,
+            Status::failed_check);
+}
+
+TEST(Runner, ACaseMustMeetWhatItsExperimentRequires) {
+  RunPlan plan = fake_plan(1);
+  for (const auto& [least, status] : {std::pair{12.0, Status::ok}, {12.5, Status::failed_check}}) {
+    plan.cases[0].require = {{"triangles", least}};
+    EXPECT_EQ(run_case(plan, plan.cases[0], kShort, fakes()).status, status) << least;
+  }
+  plan.cases[0].require = {{"never measured", 0}};
+  EXPECT_EQ(run_case(plan, plan.cases[0], kShort, fakes()).status, Status::failed_check);
+}
+
+TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
+  const Folder folder;
+  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+  const RunPlan plan = fake_plan(4);
+  const RunSummary summary = run_cases(
+      plan,
+      [](const Case& c) -> std::unique_ptr<Subject> {
+        if (c.name == "case1")
+          throw DeviceError("clBuildProgram: CL_BUILD_PROGRAM_FAILURE\nlog line 1\nlog line 2");
+        if (c.name == "case2") throw Unsupported("no fp64");
+        return std::make_unique<FakeSubject>(10.0);
+      },
+      journal);
+  EXPECT_EQ(summary.ok, 3u);
+  EXPECT_EQ(summary.not_ok, 1u);
+  EXPECT_FALSE(summary.bad_input);
+  const auto rows = read_journal(journal.file());
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1].status, Status::error);
+  EXPECT_NE(rows[1].reason.find("log line 2"), std::string::npos);
+  EXPECT_EQ(rows[2].status, Status::unsupported);
+  EXPECT_EQ(rows[3].status, Status::ok);
+}
+
+TEST(Runner, BadInputOfACaseIsRemembered) {
+  const Folder folder;
+  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+  EXPECT_TRUE(run_cases(
+                  fake_plan(1),
+                  [](const Case&) -> std::unique_ptr<Subject> { throw InputError("cow.off: empty"); },
+                  journal)
+                  .bad_input);
+}
+
+TEST(Runner, ASpentBudgetLeavesTheRest) {
+  const Folder folder;
+  RunPlan plan = fake_plan(3);
+  plan.budget_s = 0;
+  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+  EXPECT_EQ(run_cases(plan, fakes(), journal).left, 3u);
+  plan.budget_s = 100;
+  EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
+}
+
+/// A run of fakes in a process of its own that can be killed; returns when it has ended.
+int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
+  const pid_t child = fork();
+  if (child == 0) {
+    end_on_interrupt("interrupted\n");
+    try {
+      Journal journal(file, Journal::Mode::resume);
+      RunPlan plan = fake_plan(cases);
+      run_cases(
+          plan,
+          [](const Case&) {
+            std::this_thread::sleep_for(std::chrono::microseconds(300));
+            return std::make_unique<FakeSubject>(10.0);
+          },
+          journal);
+    } catch (const std::exception&) {
+      _exit(9);
+    }
+    _exit(0);
+  }
+  if (kill_after_ms >= 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(kill_after_ms));
+    kill(child, signal_number);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+/// What a row says, timings and the time of day aside.
+std::string without_times(Row row) {
+  for (const char* key : {"utc", "load", "prepare_s", "check_s"}) row.provenance.erase(key);
+  for (auto& [phase, samples] : row.samples) samples = {};
+  row.first_launch_ms = 0;
+  return to_line(row);
+}
+
+std::vector<std::string> contents(const fs::path& file) {
+  std::vector<std::string> lines;
+  for (const Row& row : read_journal(file)) lines.push_back(without_times(row));
+  return lines;
+}
+
+TEST(Runner, KilledAndResumedGivesTheSameRows) {
+  const Folder folder;
+  const int cases = 24;
+  ASSERT_EQ(run_in_child(folder.path / "whole.jsonl", cases, -1, 0), 0);
+  const auto whole = contents(folder.path / "whole.jsonl");
+  ASSERT_EQ(whole.size(), std::size_t(cases));
+
+  std::mt19937_64 random(20261121);
+  int killed = 0;
+  for (int moment = 0; moment < 100; ++moment) {
+    const fs::path file = folder.path / ("k" + std::to_string(moment) + ".jsonl");
+    const double after_ms = double(random() % 40000) / 1000;
+    killed += WIFSIGNALED(run_in_child(file, cases, after_ms, SIGKILL));
+    const std::string before = fs::exists(file) ? text_of(file) : "";
+    ASSERT_EQ(run_in_child(file, cases, -1, 0), 0);
+    EXPECT_EQ(contents(file), whole) << "moment " << moment;
+    // What was acknowledged before the kill stands untouched.
+    const std::string acknowledged = before.substr(0, before.rfind('\n') + 1);
+    EXPECT_EQ(text_of(file).substr(0, acknowledged.size()), acknowledged);
+  }
+  EXPECT_GE(killed, 20) << "too few of the kills hit a running sweep";
+}
+
+TEST(Runner, InterruptedEndsWithItsCodeAndAWholeJournal) {
+  const Folder folder;
+  std::mt19937_64 random(1);
+  int interrupted = 0;
+  for (int moment = 0; moment < 30; ++moment) {
+    const int number = moment % 2 ? SIGINT : SIGTERM;
+    const fs::path file = folder.path / ("i" + std::to_string(moment) + ".jsonl");
+    const int status = run_in_child(file, 24, double(random() % 30000) / 1000, number);
+    if (!WIFEXITED(status)) continue;  // it came before the handler was set
+    if (WEXITSTATUS(status) == 0) continue;
+    EXPECT_EQ(WEXITSTATUS(status), 128 + number);
+    ++interrupted;
+    const std::string text = fs::exists(file) ? text_of(file) : "";
+    EXPECT_TRUE(text.empty() || text.back() == '\n') << "no row may be torn by a signal";
+  }
+  EXPECT_GE(interrupted, 10);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,63 @@
+#include "harness/measure/sampler.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelage {
+namespace {
+
+/// Frames of given lengths on a clock that only they advance.
+struct Clock {
+  double now_s = 0;
+  int frames = 0;
+  std::function<double(int)> length_ms;
+  FrameSample frame() {
+    const double length = length_ms(frames++);
+    now_s += length / 1000;
+    return {length, {{"simulate", length / 4}, {"raster", length / 2}}};
+  }
+  Sampling run(const SamplingLimits& limits) {
+    return take_samples([this] { return frame(); }, limits, [this] { return now_s; });
+  }
+};
+
+TEST(Sampler, WarmsUpByTimeAndKeepsTheFirstLaunchApart) {
+  Clock clock{.length_ms = [](int i) { return i == 0 ? 900.0 : i < 6 ? 50.0 : 10.0; }};
+  const Sampling s = clock.run({0.25, 6, 100, 0.01, 10});
+  EXPECT_EQ(s.first_launch_ms, 900);
+  // 0.25 s of warm-up are the five frames of 50 ms; no sample is one of them.
+  EXPECT_EQ(s.samples.at("frame").wall_ms, std::vector<double>(6, 10.0));
+  EXPECT_TRUE(s.converged);
+}
+
+TEST(Sampler, StopsWhenTheMedianIsKnown) {
+  Clock steady{.length_ms = [](int i) { return 10 + 0.001 * (i % 3); }};
+  EXPECT_EQ(steady.run({0, 8, 500, 0.01, 100}).samples.at("frame").wall_ms.size(), 8u);
+
+  Clock noisy{.length_ms = [](int i) { return i % 2 ? 10.0 : 20.0; }};
+  const Sampling s = noisy.run({0, 8, 60, 0.01, 100});
+  EXPECT_EQ(s.samples.at("frame").wall_ms.size(), 60u);
+  EXPECT_FALSE(s.converged);
+}
+
+TEST(Sampler, StopsAtItsWallClockLimit) {
+  Clock slow{.length_ms = [](int) { return 700.0; }};
+  const Sampling s = slow.run({0, 10, 100, 0.01, 2});
+  EXPECT_EQ(s.samples.at("frame").wall_ms.size(), 3u);
+  EXPECT_FALSE(s.converged);
+}
+
+TEST(Sampler, TakesOneSampleWhateverTheLimit) {
+  Clock slow{.length_ms = [](int) { return 5000.0; }};
+  EXPECT_EQ(slow.run({0, 10, 100, 0.01, 0}).samples.at("frame").wall_ms.size(), 1u);
+}
+
+TEST(Sampler, EventTimesStandInColumnsOfTheirOwn) {
+  Clock clock{.length_ms = [](int) { return 8.0; }};
+  const Sampling s = clock.run({0, 6, 6, 0.01, 100});
+  EXPECT_EQ(s.samples.at("raster").event_ms, std::vector<double>(6, 4.0));
+  EXPECT_TRUE(s.samples.at("raster").wall_ms.empty());
+  EXPECT_EQ(s.samples.at("frame").event_ms, std::vector<double>(6, 6.0));
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,87 @@
+#include "harness/measure/statistics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace pelage {
+namespace {
+
+TEST(Statistics, MedianOfOddAndEvenCounts) {
+  EXPECT_DOUBLE_EQ(median(std::vector<double>{3, 1, 2}), 2);
+  EXPECT_DOUBLE_EQ(median(std::vector<double>{4, 1, 3, 2}), 2.5);
+  EXPECT_DOUBLE_EQ(median(std::vector<double>{7}), 7);
+}
+
+TEST(Statistics, QuantilesAreThoseOfNumpy) {
+  const std::vector<double> v{15, 20, 35, 40, 50};
+  EXPECT_DOUBLE_EQ(quantile(v, 0), 15);
+  EXPECT_DOUBLE_EQ(quantile(v, 0.25), 20);
+  EXPECT_DOUBLE_EQ(quantile(v, 0.4), 29);
+  EXPECT_DOUBLE_EQ(quantile(v, 1), 50);
+}
+
+// Ranks from tables of the sign test (Conover, Practical Nonparametric Statistics): n = 10 gives the 2nd and
+// 9th values, n = 20 the 6th and 15th, n = 30 the 10th and 21st.
+TEST(Statistics, OrderStatisticsOfTheTables) {
+  for (const auto& [n, low, high] : {std::tuple{6, 1, 6}, {10, 2, 9}, {20, 6, 15}, {30, 10, 21}}) {
+    std::vector<double> v{};
+    for (int i = n; i >= 1; --i) v.push_back(i);
+    const Interval interval = median_interval(v);
+    EXPECT_EQ(interval.low, low) << n;
+    EXPECT_EQ(interval.high, high) << n;
+  }
+}
+
+TEST(Statistics, FiveValuesHaveNoNinetyFivePercentInterval) {
+  EXPECT_FALSE(has_median_interval(5));
+  EXPECT_TRUE(has_median_interval(6));
+  const Interval interval = median_interval(std::vector<double>{5, 1, 4, 2, 3});
+  EXPECT_EQ(interval.low, 1);
+  EXPECT_EQ(interval.high, 5);
+}
+
+TEST(Statistics, IntervalHoldsTheMedianAsOftenAsItSays) {
+  std::mt19937_64 random(7);
+  std::exponential_distribution<double> skewed(1.0);
+  const double truth = std::log(2.0);
+  int held = 0;
+  const int trials = 4000;
+  for (int t = 0; t < trials; ++t) {
+    std::vector<double> v(25);
+    for (double& x : v) x = skewed(random);
+    const Interval interval = median_interval(v);
+    held += interval.low <= truth && truth <= interval.high;
+  }
+  // n = 25: the 8th and 18th values hold it with 95.7%; three standard errors below 95%.
+  EXPECT_GE(held, int(trials * 0.947));
+  EXPECT_LE(held, int(trials * 0.970));
+}
+
+TEST(Statistics, ProcessesAreResampledFirst) {
+  // Two processes that disagree: samples alone would give a narrow interval, processes must not.
+  std::vector<std::vector<double>> processes(4);
+  for (int i = 0; i < 50; ++i)
+    for (std::size_t p = 0; p < 4; ++p) processes[p].push_back((p % 2 ? 20 : 10) + 0.001 * i);
+  const Interval interval = nested_median_interval(processes, 1);
+  EXPECT_LT(interval.low, 10.1);
+  EXPECT_GT(interval.high, 19.9);
+  const Interval again = nested_median_interval(processes, 1);
+  EXPECT_EQ(interval.low, again.low);
+  EXPECT_EQ(interval.high, again.high);
+}
+
+TEST(Statistics, RelativeHalfWidth) {
+  EXPECT_DOUBLE_EQ(relative_half_width(std::vector<double>{10, 10, 10, 10, 10, 10}), 0);
+  EXPECT_DOUBLE_EQ(relative_half_width(std::vector<double>{9, 10, 10, 10, 10, 11}), 0.1);
+}
+
+TEST(Statistics, FlagsOutliersOnly) {
+  EXPECT_EQ(outliers(std::vector<double>{10, 10.1, 9.9, 10, 10.05, 9.95, 42}), std::vector<std::size_t>{6});
+  EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
+}
+
+}  // namespace
+}  // namespace pelage

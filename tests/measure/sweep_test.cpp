@@ -1,0 +1,176 @@
+// The real program on the real smoke preset: killed, resumed, sharded.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <set>
+#include <thread>
+
+#include "harness/journal/journal.hpp"
+#include "harness/journal/results_folder.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs pelage with its messages dropped; kills it after `kill_after_s` unless that is negative. Returns
+/// wait's status.
+int pelage(std::vector<std::string> words, double kill_after_s = -1) {
+  words.insert(words.begin(), PELAGE_BINARY);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(126);
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  if (kill_after_s >= 0) {
+    std::this_thread::sleep_for(std::chrono::duration<double>(kill_after_s));
+    kill(child, SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+/// Everything in a row that is not a time, a place or a date: case, status, picture, checks, hashes.
+std::set<std::string> said(const std::string& folder) {
+  std::set<std::string> lines;
+  for (FoundRow& found : read_results({folder})) {
+    Row& row = found.row;
+    row.run_id.clear();
+    row.build_ms = row.first_launch_ms = 0;
+    row.metrics.erase("wet_ms");
+    row.metrics.erase("fragments_per_s");
+    row.metrics.erase("peak_memory");
+    for (auto& [phase, samples] : row.samples) {
+      std::fill(samples.wall_ms.begin(), samples.wall_ms.end(), 0.0);
+      std::fill(samples.event_ms.begin(), samples.event_ms.end(), 0.0);
+    }
+    for (const char* key : {"utc", "load", "prepare_s", "check_s", "argv", "order_seed", "converged"})
+      row.provenance.erase(key);
+    EXPECT_TRUE(lines.insert(to_line(row)).second) << row.case_name << " stands twice";
+  }
+  return lines;
+}
+
+struct Sweep : ::testing::Test {
+  void SetUp() override {
+    ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
+    // Kernels may have to be compiled and textures made: that belongs to no moment at which a sweep is
+    // killed.
+    ASSERT_EQ(pelage(run({"-o", (folder.path / "first").string()})), 0) << "the smoke sweep itself failed";
+    const auto started = std::chrono::steady_clock::now();
+    ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
+    whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    expected = said(whole);
+    ASSERT_EQ(expected.size(), 4u);
+  }
+  static std::vector<std::string> run(std::vector<std::string> rest) {
+    rest.insert(rest.begin(), {"run", "silva2010-table1", "--preset", "smoke"});
+    return rest;
+  }
+  test::Folder folder;
+  std::string whole = (folder.path / "whole").string();
+  /// By row, and only what differs: a whole row is a page of text.
+  void expect_same(const std::string& results) const {
+    const std::set<std::string> lines = said(results);
+    EXPECT_EQ(lines.size(), expected.size());
+    for (const std::string& line : lines)
+      EXPECT_TRUE(expected.contains(line)) << row_from_line(line).case_name << " is another row: " << line;
+  }
+  double whole_s = 0;
+  std::set<std::string> expected;
+};
+
+TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
+  std::mt19937_64 random(1123);
+  int kills = 0, sweeps = 0;
+  while (kills < 20) {
+    const std::string out = (folder.path / ("killed" + std::to_string(sweeps++))).string();
+    fs::create_directories(out);
+    // Kills at random moments, each run going on where the last one was cut off; then one that is left alone.
+    for (int i = 0; i < 10; ++i)
+      kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
+    ASSERT_EQ(pelage(run({"--resume", out})), 0);
+    expect_same(out);
+    ASSERT_LT(sweeps, 20) << "the sweep ends before it can be killed";
+  }
+}
+
+TEST_F(Sweep, ShardsRepeatsAndRefusals) {
+  const std::string out = (folder.path / "shards").string();
+  for (const char* shard : {"0/3", "1/3", "2/3"}) ASSERT_EQ(pelage(run({"-o", out, "--shard", shard})), 0);
+  expect_same(out);
+  int journals = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    journals += entry.path().string().ends_with("-of-3.jsonl");
+  EXPECT_EQ(journals, 3);
+
+  // An existing key is refused without --resume, and kept with it.
+  EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
+  expect_same(whole);
+  EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
+  expect_same(whole);
+  // What was run with one preset is not gone on with by another.
+  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
+
+  // Repeats are processes of their own.
+  const std::string repeated = (folder.path / "repeats").string();
+  ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
+  std::set<std::string> runs;
+  std::set<int> repeats;
+  for (const FoundRow& found : read_results({repeated})) {
+    runs.insert(found.row.run_id);
+    repeats.insert(found.row.repeat);
+  }
+  EXPECT_EQ(runs.size(), 2u);
+  EXPECT_EQ(repeats, (std::set<int>{0, 1}));
+}
+
+TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
+  ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
+  const test::Folder folder;
+  const std::string out = (folder.path / "out").string();
+  for (const std::vector<std::string>& rest :
+       std::vector<std::vector<std::string>>{{"no-such-table"},
+                                             {"silva2010-table1", "--preset", "fast"},
+                                             {"silva2010-table1", "--filter", "("},
+                                             {"silva2010-table1", "--filter", "whale"},
+                                             {"silva2010-table1", "--shard", "2/2"},
+                                             {"silva2010-table1", "--set", "fur.lenght=1"},
+                                             {"silva2010-table1", "--set", "fur.length"},
+                                             {"silva2010-table1", "--axis", "layers=0"},
+                                             {"silva2010-table1", "--axis", "size=0x0"},
+                                             {"silva2010-table1", "--budget", "soon"},
+                                             {"silva2010-table1", "--device", "no such device"},
+                                             {"silva2010-table1", "--tuning", "/no/such/file"},
+                                             {"silva2010-table1", "--model", "/no/such/mesh.obj"},
+                                             {"silva2010-table1", "silva2010-table1"},
+                                             {}}) {
+    std::vector<std::string> words{"run", "-o", out, "--preset", "smoke"};
+    if (std::find(rest.begin(), rest.end(), "--preset") != rest.end()) words.resize(3);
+    words.insert(words.end(), rest.begin(), rest.end());
+    const int status = pelage(words);
+    EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << (rest.empty() ? "nothing" : rest.back());
+    EXPECT_FALSE(fs::exists(out)) << (rest.empty() ? "nothing" : rest.back());
+  }
+  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "-o", out, "--resume", out})), 2);
+  EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--resume", out})), 2);
+  EXPECT_EQ(WEXITSTATUS(pelage({"export", out})), 2);
+  EXPECT_EQ(WEXITSTATUS(pelage({"report", out, "-o", out})), 2);
+  EXPECT_EQ(WEXITSTATUS(pelage({"compare", out, out})), 2);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,197 @@
+#include "harness/report/report.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "harness/error.hpp"
+#include "harness/report/csv.hpp"
+#include "harness/report/plot.hpp"
+#include "tests/report/rows.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+using test::table1_rows;
+
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::string note(const std::string& model) {
+  return model == "hippo" ? "stand-in: a pig & 100% so" : "";
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(PaperTable, HasThePapersShape) {
+  const auto tables = paper_tables(cells_of(table1_rows()), note);
+  ASSERT_EQ(tables.size(), 1u);
+  const PaperTable& t = tables[0];
+  EXPECT_EQ(t.sizes, (std::vector<std::string>{"800x600", "1680x1050"}));
+  ASSERT_EQ(t.blocks.size(), 2u);
+  EXPECT_EQ(t.blocks[0].layers, "16");
+  ASSERT_EQ(t.blocks[1].rows.size(), 8u);
+  EXPECT_EQ(t.blocks[0].rows.front().model, "torus");
+  EXPECT_EQ(t.blocks[0].rows.front().triangles, "9360");
+  EXPECT_EQ(t.blocks[0].rows.back().model, "lion");
+  EXPECT_EQ(t.footnotes, std::vector<std::string>{"a hippo: stand-in: a pig & 100% so"});
+  EXPECT_EQ(t.blocks[0].rows[2].note, "a");
+}
+
+TEST(PaperTable, AsText) {
+  const std::string text = text_of(paper_tables(cells_of(table1_rows()), note).at(0));
+  // (9360 + 480000) * 16 / 1e6 ms are 127.7 fps, 0.478 of the paper's 267.
+  EXPECT_NE(text.find("torus             9360           128      267    0.478"), std::string::npos) << text;
+  EXPECT_NE(text.find("< 1"), std::string::npos);
+  EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);
+  for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 110u) << line;
+}
+
+TEST(PaperTable, AFailedCellShowsItsStatusAndNoTime) {
+  auto rows = table1_rows();
+  rows[0].row.status = Status::failed_check;
+  const auto table = paper_tables(cells_of(rows), note).at(0);
+  EXPECT_NE(text_of(table).find("failed-check"), std::string::npos);
+  EXPECT_NE(csv_of(table).find("failed-check,,,,,,,"), std::string::npos) << csv_of(table);
+}
+
+TEST(PaperTable, OverriddenRowsStayOut) {
+  auto rows = table1_rows();
+  for (FoundRow& row : rows) row.row.overrides["fur.length"] = "0.1";
+  EXPECT_TRUE(paper_tables(cells_of(rows), note).empty());
+}
+
+TEST(PaperTable, AsLatex) {
+  const std::string tex = latex_of(paper_tables(cells_of(table1_rows()), note).at(0));
+  for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "hippo\\tnote{a}",
+                           "a pig \\& 100\\% so", "$<$ 1"})
+    EXPECT_NE(tex.find(part), std::string::npos) << part;
+  EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
+  // Every line of the body has one cell per column: 2 + 2 sizes x 3.
+  for (const std::string& line : lines_of(tex)) {
+    if (!line.starts_with("torus")) continue;
+    EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
+  }
+  EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
+}
+
+TEST(Csv, Quotes) {
+  EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
+}
+
+/// Python's csv module is the judge: the same columns in every line, and the numbers that went in.
+TEST(Csv, PythonReadsIt) {
+  const Folder folder;
+  auto rows = table1_rows();
+  rows[1].row.reason = "two\nlines, \"quoted\"";
+  rows[2].row.status = Status::error;
+  std::ofstream(folder.path / "phases.csv") << csv_by_phase(rows);
+  std::ofstream(folder.path / "samples.csv") << csv_by_sample(rows);
+  std::ofstream(folder.path / "check.py") << R"(
+import csv, sys
+phases = list(csv.DictReader(open(sys.argv[1], newline="")))
+samples = list(csv.DictReader(open(sys.argv[2], newline="")))
+assert all(None not in r and None not in r.values() for r in phases + samples)
+assert len(phases) == 31 * 2 + 1, len(phases)
+assert len(samples) == 31 * 42, len(samples)
+first = [r for r in phases if r["case"] == "torus-16-800x600" and r["phase"] == "frame"][0]
+assert first["clock"] == "wall" and first["samples"] == "21"
+assert abs(float(first["median_ms"]) - 7.82976) < 1e-6, first["median_ms"]
+assert (first["model"], first["layers"], first["size"]) == ("torus", "16", "800x600")
+assert float(first["metric.paper_fps"]) == 267
+assert any(r["reason"] == 'two\nlines, "quoted"' for r in phases)
+assert [r["median_ms"] for r in phases if r["status"] == "error"] == [""]
+)";
+  const std::string command =
+      fmt::format("python3 {0}/check.py {0}/phases.csv {0}/samples.csv", folder.path.string());
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+TEST(Report, WritesEverythingItPromises) {
+  const Folder folder;
+  auto rows = table1_rows();
+  // A picture for one model, where a run would have left it.
+  const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
+  fs::create_directories(journal.parent_path() / "images");
+  std::ofstream(journal.parent_path() / "images" / "torus-64-800x600.png") << "png";
+  for (FoundRow& row : rows) row.journal = journal;
+
+  const fs::path out = folder.path / "deep" / "report";
+  const Report report = write_report(rows, out, note);
+  for (const char* file :
+       {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex", "tables/all-phases.csv",
+        "references.bib", "provenance.txt", "index.html", "images/silva2010-table1-torus.png",
+        "plots/silva2010-table1-frame-time.csv", "plots/silva2010-table1-frame-time.py"})
+    EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
+  EXPECT_EQ(lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
+  EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);
+  EXPECT_NE(text_of(out / "provenance.txt").find("preset: quick"), std::string::npos);
+  const std::string page = text_of(out / "index.html");
+  EXPECT_EQ(page.find("http://"), page.find("http://www.w3.org"))
+      << "nothing from outside but SVG's own names";
+  EXPECT_NE(page.find("images/silva2010-table1-torus.png"), std::string::npos);
+  EXPECT_NE(page.find("a pig &amp; 100% so"), std::string::npos);
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  if (report.notes.empty()) {
+    EXPECT_GT(fs::file_size(out / "plots/silva2010-table1-frame-time.svg"), 5000u);
+    EXPECT_EQ(text_of(out / "plots/silva2010-table1-frame-time.pdf").substr(0, 5), "%PDF-");
+    EXPECT_NE(page.find("<svg"), std::string::npos);
+  }
+}
+
+/// A report without matplotlib is a report without plots, and says so.
+TEST(Report, EveryExperimentsPaperCanBeCited) {
+  std::vector<FoundRow> rows;
+  for (const auto& file : experiment_files()) {
+    FoundRow found;
+    found.row.experiment = file.stem().string();
+    rows.push_back(found);
+  }
+  const std::string text = bibliography_of(rows);
+  for (const auto& file : experiment_files()) {
+    const std::string paper = read_experiment(file).paper;
+    EXPECT_NE(text.find("{" + paper + ",\n"), std::string::npos) << file << ": " << paper;
+  }
+}
+
+TEST(Report, APlotThatFailsIsANote) {
+  const Folder folder;
+  std::ofstream(folder.path / "none.py") << "raise ModuleNotFoundError(\"No module named 'matplotlib'\")\n";
+  std::ofstream(folder.path / "odd.py") << "raise ValueError('odd')\n";
+  EXPECT_NE(draw_plot(folder.path / "none.py", "x", "y").find("matplotlib is not installed"),
+            std::string::npos);
+  EXPECT_NE(draw_plot(folder.path / "odd.py", "x", "y").find("ValueError: odd"), std::string::npos);
+}
+
+TEST(Report, APlaceThatCannotBeWritten) {
+  const Folder folder;
+  std::ofstream(folder.path / "file") << "x";
+  EXPECT_THROW(write_report(table1_rows(), folder.path / "file" / "r", note), InputError);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,134 @@
+// Scaling: what doubling the layers costs, and a fit that finds the costs that a table was made with.
+#include "harness/report/scaling.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "harness/report/plot.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 1 ms a frame, 40 ns a triangle, 2 ns per triangle and layer, 10 ns per pixel and layer, within 1%.
+std::vector<Cell> cells() {
+  std::vector<Cell> result;
+  int i = 0;
+  for (const int triangles : {9360, 37440, 149760, 2000000})
+    for (const int layers : {16, 32, 64, 128})
+      for (const auto& [size, pixels] :
+           {std::pair("400x300", 120000), {"800x600", 480000}, {"1680x1050", 1764000}}) {
+        Cell c;
+        c.experiment = "scaling";
+        c.device = "device";
+        c.axes = {{"model", std::to_string(triangles)}, {"layers", std::to_string(layers)}, {"size", size}};
+        c.case_name = std::to_string(triangles) + "-" + std::to_string(layers) + "-" + size;
+        c.metrics["triangles"] = {double(triangles), "triangles"};
+        c.metrics["peak_memory"] = {double(1 << 20) * (100 + ++i), "bytes"};
+        c.median_ms = (1 + 4e-5 * triangles + 2e-6 * triangles * layers + 1e-5 * pixels * layers) *
+                      (1 + 0.01 * std::sin(7.0 * i));
+        c.interval_ms = {0.99 * c.median_ms, 1.01 * c.median_ms};
+        result.push_back(c);
+      }
+  return result;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(Scaling, OnlyItsOwnCellsWithATimeCount) {
+  std::vector<Cell> all = cells();
+  all[0].overrides = {{"fur.length", "0.1"}};
+  all[1].median_ms = 0;
+  all[2].experiment = "silva2010-table1";
+  EXPECT_EQ(scaling_cells(all).size(), all.size() - 3);
+}
+
+TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
+  Cell c;
+  c.experiment = "layers";
+  c.device = "device";
+  c.axes = {{"model", "bunny"}, {"layers", "64"}, {"size", "800x600"}};
+  c.status = Status::ok;
+  c.median_ms = 200;
+  c.metrics["half_ratio"] = {1.8, "times", "", 1.7, 1.9};
+  std::vector<Cell> all{c};
+  EXPECT_TRUE(in_turns_cells(all).empty());  // no quarter
+  all[0].metrics["quarter_ratio"] = {3.2, "times", "", 3.1, 3.4};
+  all.push_back(all[0]);
+  all[1].status = Status::failed_check;
+  all[1].metrics["half_ratio"].value = 9;
+  const std::vector<Cell> shown = in_turns_cells(all);
+  ASSERT_EQ(shown.size(), 1u);
+  EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
+            std::string::npos)
+      << in_turns_csv(shown);
+  EXPECT_NE(in_turns_text(shown).find("At most 1.80 times for twice and 3.20 times for four times"),
+            std::string::npos)
+      << in_turns_text(shown);
+  EXPECT_TRUE(in_turns_text({}).empty());
+}
+
+TEST(Scaling, SaysWhatMoreLayersCost) {
+  std::vector<Cell> two;
+  for (const Cell& c : cells())
+    if (c.axis("model") == "9360" && c.axis("size") == "800x600") two.push_back(c);
+  two[0].median_ms = 10;
+  two[1].median_ms = 19;
+  two[2].median_ms = 40;
+  two[3].median_ms = 70;
+  const std::string text = scaling_text(two);
+  EXPECT_NE(text.find("1.90 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("Doubling the layers costs at most 2.11 times (wanted: at most 2.05)"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("64 layers cost at most 4.00 times 16 (wanted: at most 3.3)"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
+}
+
+TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
+  std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
+  const fs::path folder = mkdtemp(name.data());
+  std::ofstream(folder / "t.csv") << scaling_csv(cells());
+  ASSERT_EQ(draw_plot(plot_program("scaling"), folder / "t.csv", folder / "t"), "");
+  const std::string fit = text_of(folder / "t.txt");
+  const auto cost = [&](const std::string& term) {
+    const auto at = fit.find("per " + term + " ");
+    return at == std::string::npos ? -1 : std::strtod(fit.c_str() + at + 25, nullptr);
+  };
+  EXPECT_NEAR(cost("pixel and layer"), 10, 0.5) << fit;
+  EXPECT_NEAR(cost("triangle and layer"), 2, 0.5) << fit;
+  EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
+  EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
+  EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
+  // No size, and no number of layers, is left out of the fit whole.
+  for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
+    int left_out = 0;
+    for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {
+      const std::string line = fit.substr(at, fit.find('\n', at) - at);
+      left_out += line.ends_with("held out");
+    }
+    EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
+  }
+  EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
+  // Too few cases are said to be too few, not fitted.
+  std::vector<Cell> few = cells();
+  few.resize(6);
+  std::ofstream(folder / "few.csv") << scaling_csv(few);
+  EXPECT_NE(draw_plot(plot_program("scaling"), folder / "few.csv", folder / "few").find("too few"),
+            std::string::npos);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace pelage

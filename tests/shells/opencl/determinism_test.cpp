@@ -1,0 +1,84 @@
+// One scene, one device, one mapping: one picture, to the bit, however the work is cut and however often it
+// is done.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/shells/opencl/picture_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace pictures;
+
+// The tuning that a drawing is made with.
+using Tuning = std::map<std::string, int>;
+
+Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
+              const Tuning& tuning) {
+  Shells shells(device(), input, {mapping, tuning});
+  shells.advance(frames - 1);
+  shells.frame();
+  return shells.read();
+}
+
+bool same_bits(const Picture& a, const Picture& b) {
+  return a.pixel.size() == b.pixel.size() &&
+         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
+}
+
+TEST(Determinism, TwentyRunsAreOnePicture) {
+  const auto input = small_frame("curling");
+  const Picture first = drawn(input, "tile", {});
+  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn(input, "tile", {}))) << "run " << run;
+}
+
+TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
+  for (const char* shading : {"curling", "wet"}) {
+    const auto input = small_frame(shading);
+    const Picture first = drawn(input, "tile", {});
+    for (const Tuning& tuning :
+         {Tuning{{"TILE_W", 16}}, Tuning{{"TILE_H", 16}}, Tuning{{"TILE_W", 8}, {"TILE_H", 8}},
+          Tuning{{"GROUP", 1}}, Tuning{{"GROUP", 16}}, Tuning{{"TILE_W", 24}, {"GROUP", 5}}}) {
+      std::string given;
+      for (const auto& [name, value] : tuning) given += name + "=" + std::to_string(value) + " ";
+      EXPECT_TRUE(same_bits(first, drawn(input, "tile", tuning))) << shading << ", " << given;
+    }
+  }
+}
+
+// Triangles are left out of layers in which Algorithm 2 would discard all of their fragments: that changes no
+// bit.
+TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
+  for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
+    for (const char* cells : {"separate", "literal"})
+      for (const char* scale : {"relative", "literal"}) {
+        const auto input = std::make_shared<FrameInput>(*frame);
+        input->scene.clump.cells = cells;
+        input->scene.clump.scale = scale;
+        Shells shells(device(), input, {"tile", {}}), every_layer(device(), input, {"tile", {{"REACH", 0}}});
+        shells.frame();
+        every_layer.frame();
+        EXPECT_TRUE(same_bits(shells.read(), every_layer.read())) << cells << ", " << scale;
+        EXPECT_EQ(shells.count(), every_layer.count()) << cells << ", " << scale;
+      }
+}
+
+TEST(Determinism, AnotherSceneIsAnotherPicture) {
+  EXPECT_FALSE(same_bits(drawn(small_frame("curling"), "tile", {}), drawn(small_frame("wet"), "tile", {})));
+}
+
+TEST(Determinism, MappingsAgree) {
+  const auto input = small_frame("curling");
+  const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
+  const Agreement agreement = compare(tile, pixel);
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  // The base and its depth are coverage alone: they agree wherever fur leaves nothing to see.
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < tile.pixel.size(); ++i)
+    differing += (tile.pixel[i].a == 0) != (pixel.pixel[i].a == 0);
+  EXPECT_EQ(differing, 0u);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,92 @@
+// The mapping for GPUs beside the others on one device: the same coverage to the bit, the same picture run
+// after run. (Against the reference: picture_test.cpp; against exact integers: properties_coverage_test.cpp.)
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "tests/shells/opencl/coverage_scene.hpp"
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace pictures;
+
+std::shared_ptr<const FrameInput> tiny_frame() {
+  Scene scene = synthetic::lively_scene();
+  scene.shading.model = "wet";
+  scene.image.width = 61;
+  scene.image.height = 45;
+  return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 30, 20, 40));
+}
+
+TEST(Group, CountsTheFragmentsThatTheOthersCount) {
+  const auto input = tiny_frame();
+  const auto counted = [&](const char* mapping) {
+    Shells shells(device(), input, {mapping, {}});
+    shells.frame();
+    return shells.count();
+  };
+  const std::uint64_t tile = counted("tile");
+  EXPECT_GT(tile, 10000u);
+  EXPECT_EQ(counted("group"), tile);
+  EXPECT_EQ(counted("pixel"), tile);
+}
+
+TEST(Group, CoversThePixelsThatTilesCover) {
+  // A fan of slivers around a point, in front of the eye, across the near plane and beyond the guard.
+  for (const glm::vec4 row_w : {glm::vec4(0, 0, -.5f, 1), glm::vec4(0, .001f, -.5f, 1)}) {
+    Flat flat{{{3, -7}}, {}, 131, 77, row_w};
+    constexpr std::uint32_t spokes = 40;
+    for (std::uint32_t i = 0; i < spokes; ++i) {
+      const float angle = 6.2831853f * float(i) / spokes, radius = i % 2 ? 60.f : 90000.f;
+      flat.vertex.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+      flat.triangle.emplace_back(0, 1 + i, 1 + (i + 1) % spokes);
+    }
+    const std::vector<int> tile = covered_counts(flat, {"tile", {}});
+    EXPECT_GT(std::count(tile.begin(), tile.end(), 1), 3000);
+    EXPECT_TRUE(covered_counts(flat, {"group", {}}) == tile);
+  }
+}
+
+TEST(Group, TwentyRunsAreOnePicture) {
+  const auto input = tiny_frame();
+  const auto drawn = [&](const std::map<std::string, int>& tuning) {
+    Shells shells(device(), input, {"group", tuning});
+    shells.frame();
+    return shells.read();
+  };
+  const auto same_bits = [](const Picture& a, const Picture& b) {
+    return a.pixel.size() == b.pixel.size() &&
+           std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
+  };
+  const Picture first = drawn({});
+  for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn({}))) << "run " << run;
+  // However many layers share a bin.
+  for (const int group : {1, 3, 16}) EXPECT_TRUE(same_bits(first, drawn({{"GROUP", group}}))) << group;
+}
+
+TEST(Group, DrawsNothingWhereNothingIs) {
+  // Nothing drawn: every tile is empty, every list is.
+  FrameInput input = *tiny_frame();
+  input.scene.camera.target = {40, 1, 40};
+  input.camera = synthetic::camera(input.scene.camera, 61, 45);
+  Shells shells(device(), std::make_shared<FrameInput>(input), {"group", {}});
+  shells.frame();
+  const Picture picture = shells.read();
+  for (const glm::vec4& pixel : picture.pixel) EXPECT_EQ(pixel.w, 0.0f);
+}
+
+TEST(Group, IsWhatGpusDrawWith) {
+  cl::DeviceInfo gpu, cpu;
+  gpu.gpu = true;
+  cpu.cpu = true;
+  EXPECT_EQ(default_mapping(gpu), "group");
+  EXPECT_EQ(default_mapping(cpu), "tile");
+  EXPECT_EQ(mappings().size(), 3u);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,65 @@
+// A comparison that lets a mistake pass proves nothing: each planted mistake must be seen on the scenes on
+// which the device's picture passes.
+#include <gtest/gtest.h>
+
+#include "tests/shells/opencl/picture_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+using reference::Mutant;
+
+struct Planted {
+  const char* name;
+  Mutant mutant;
+};
+
+constexpr Planted planted[] = {
+    {"layer_missing", Mutant::layer_missing},
+    {"height_without_one", Mutant::height_without_one},
+    {"triangles_reversed", Mutant::triangles_reversed},
+    {"back_faces_culled", Mutant::back_faces_culled},
+    {"uv_swapped", Mutant::uv_swapped},
+    {"mask_bilinear", Mutant::mask_bilinear},
+    {"droplets_reversed", Mutant::droplets_reversed},
+    {"log_negated", Mutant::log_negated},
+};
+
+/// The device draws once per scene; every mistake is compared with that.
+struct Scenes {
+  std::shared_ptr<const FrameInput> small = pictures::small_frame("curling");
+  Picture small_drawn = pictures::drawn_by_device(small, "tile");
+  std::shared_ptr<const FrameInput> torus = pictures::model_frame("torus", 16, "curling");
+  Picture torus_drawn = pictures::drawn_by_device(torus, "tile");
+};
+
+struct Mutants : testing::TestWithParam<Planted> {
+  static std::unique_ptr<Scenes> scenes;
+  static void SetUpTestSuite() { scenes = std::make_unique<Scenes>(); }
+  static void TearDownTestSuite() { scenes.reset(); }
+};
+std::unique_ptr<Scenes> Mutants::scenes;
+
+TEST_P(Mutants, AreSeen) {
+  const Agreement small =
+      compare(pictures::drawn_by_reference(*scenes->small, GetParam().mutant), scenes->small_drawn);
+  EXPECT_GT(small.pixels, 5000u);
+  EXPECT_FALSE(within(small)) << pictures::describe(small);
+  const Agreement torus =
+      compare(pictures::drawn_by_reference(*scenes->torus, GetParam().mutant), scenes->torus_drawn);
+  EXPECT_GT(torus.pixels, 20000u);
+  EXPECT_FALSE(within(torus)) << pictures::describe(torus);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planted, Mutants, testing::ValuesIn(planted),
+                         [](const auto& given) { return std::string(given.param.name); });
+
+TEST(MutantsControl, TheOriginalPasses) {
+  const auto input = pictures::small_frame("curling");
+  const Agreement agreement =
+      compare(pictures::drawn_by_reference(*input), pictures::drawn_by_device(input, "tile"));
+  EXPECT_TRUE(within(agreement)) << pictures::describe(agreement);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,77 @@
+// Layers that are drawn in several passes, where their vertices do not all fit in memory at once: the picture
+// of one pass, bit for bit, and as many fragments.
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace pictures;
+
+constexpr int layers = 16;
+
+std::shared_ptr<const FrameInput> wet_frame() {
+  Scene scene = synthetic::lively_scene();
+  scene.shading.model = "wet";
+  scene.fur.layers = layers;
+  scene.image.width = 61;
+  scene.image.height = 45;
+  return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 30, 20, 40));
+}
+
+struct Drawn {
+  Picture picture, after;  // of one frame, and of another once fragments were counted
+  std::uint64_t counted;
+  Tally tally;
+};
+
+Drawn drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, int layers_at_once) {
+  Shells shells(device(), input, {mapping, {}, layers_at_once});
+  shells.frame();
+  Drawn d;
+  d.picture = shells.read();
+  d.tally = shells.tally(1);
+  const Picture untouched = shells.read();
+  EXPECT_EQ(std::memcmp(untouched.pixel.data(), d.picture.pixel.data(),
+                        untouched.pixel.size() * sizeof untouched.pixel[0]),
+            0)
+      << "a tally leaves the picture alone";
+  d.counted = shells.count();
+  shells.frame();
+  d.after = shells.read();
+  return d;
+}
+
+bool same_bits(const Picture& a, const Picture& b) {
+  return a.pixel.size() == b.pixel.size() &&
+         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]) == 0;
+}
+
+struct Passes : testing::TestWithParam<const char*> {};
+
+TEST_P(Passes, ArePartsOfOnePicture) {
+  const auto input = wet_frame();
+  const Drawn whole = drawn(input, GetParam(), layers);
+  EXPECT_GT(whole.tally.blended, 1000u);
+  // Whole groups of layers, the last pass with fewer; parts of a group; one layer.
+  for (const int at_once : {7, 3, 1}) {
+    SCOPED_TRACE(at_once);
+    const Drawn parts = drawn(input, GetParam(), at_once);
+    EXPECT_TRUE(same_bits(parts.picture, whole.picture));
+    EXPECT_TRUE(same_bits(parts.after, whole.after));
+    EXPECT_EQ(parts.counted, whole.counted);
+    EXPECT_EQ(parts.tally.covered, whole.tally.covered);
+    EXPECT_EQ(parts.tally.shaded, whole.tally.shaded);
+    EXPECT_EQ(parts.tally.blended, whole.tally.blended);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, Passes, testing::Values("tile", "pixel", "group"),
+                         [](const auto& given) { return std::string(given.param); });
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,105 @@
+// The device's picture is the reference's: two programs written from the same papers, by different hands.
+#include <gtest/gtest.h>
+
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace pictures;
+
+void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
+  const Agreement agreement = compare(expected, drawn);
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  EXPECT_GT(agreement.pixels, least_pixels);  // the fur fills the picture
+  ::testing::Test::RecordProperty("agreement", describe(agreement));
+}
+
+struct Case {
+  const char* model;
+  int layers;
+  const char* shading;
+};
+
+struct Models : testing::TestWithParam<Case> {};
+
+TEST_P(Models, LookLikeTheReference) {
+  const auto input = model_frame(GetParam().model, GetParam().layers, GetParam().shading);
+  expect_same(drawn_by_reference(*input), drawn_by_device(input, "tile"), 15000);
+}
+
+INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
+                         testing::Values(Case{"torus", 16, "curling"}, Case{"torus", 64, "curling"},
+                                         Case{"torus", 16, "wet"}, Case{"torus", 64, "wet"},
+                                         Case{"bunny", 16, "curling"}, Case{"bunny", 64, "curling"},
+                                         Case{"bunny", 16, "wet"}, Case{"bunny", 64, "wet"}),
+                         [](const auto& given) {
+                           return std::string(given.param.model) + "_" + std::to_string(given.param.layers) +
+                                  "_" + given.param.shading;
+                         });
+
+struct Mappings : testing::TestWithParam<const char*> {};
+
+TEST_P(Mappings, BothModelsAndBothBindings) {
+  for (const char* shading : {"curling", "wet"})
+    for (const char* binding : {"shared", "separate"}) {
+      SCOPED_TRACE(std::string(shading) + ", " + binding);
+      const auto input = small_frame(shading, binding);
+      expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 5000);
+    }
+}
+
+TEST_P(Mappings, OtherReadings) {
+  // Every switch of the scene that changes the picture, turned the other way.
+  FrameInput input = *small_frame("wet");
+  input.scene.fur.layer_spacing = "uniform";
+  input.scene.clump.scale = "literal";
+  input.scene.clump.cells = "literal";
+  input.scene.shading.tangent = "drawn";
+  input.scene.shading.wrap = 0;
+  const auto wet = std::make_shared<FrameInput>(input);
+  expect_same(drawn_by_reference(*wet), drawn_by_device(wet, GetParam()), 5000);
+  input.scene.shading.model = "curling";
+  input.scene.shading.lights.resize(1);
+  input.scene.clump.scale = "relative";
+  const auto curling = std::make_shared<FrameInput>(input);
+  expect_same(drawn_by_reference(*curling), drawn_by_device(curling, GetParam()), 5000);
+}
+
+TEST_P(Mappings, FurThatRunsBehindTheEye) {
+  // A square seen from so near that its triangles cross the near plane and leave the guard band.
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .05f;
+  scene.camera.eye = {.13f, -.21f, .25f};
+  scene.camera.target = {.3f, 1.2f, 0};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.fov = 70;
+  for (const int cells : {1, 7}) {
+    const auto input =
+        std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::square(6), cells, cells, 30));
+    SCOPED_TRACE(cells);
+    expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+  }
+}
+
+TEST_P(Mappings, AnyPictureSize) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {17, 33}, {161, 99}}) {
+    FrameInput input = *small_frame("curling");
+    input.camera = synthetic::camera(input.scene.camera, width, height);
+    input.scene.image.width = width;
+    input.scene.image.height = height;
+    const auto sized = std::make_shared<FrameInput>(input);
+    SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+    const Picture expected = drawn_by_reference(*sized), drawn = drawn_by_device(sized, GetParam());
+    const Agreement agreement = compare(expected, drawn);
+    EXPECT_EQ(drawn.pixel.size(), std::size_t(width) * std::size_t(height));
+    EXPECT_LE(agreement.worst, 4.0 / 255) << describe(agreement);  // too few pixels for a percentile
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Device, Mappings, testing::Values("tile", "pixel", "group"),
+                         [](const auto& given) { return std::string(given.param); });
+
+}  // namespace
+}  // namespace pelage

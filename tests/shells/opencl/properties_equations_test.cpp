@@ -1,0 +1,344 @@
+// The device's own text of every equation, compiled as C++ in double, against the papers' closed forms and
+// against the reference, which another hand wrote from the same papers. What is left between this and the
+// device is rounding.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/mask.hpp"
+#include "harness/shells/reference/shading.hpp"
+#include "harness/shells/reference/strands.hpp"
+#include "harness/shells/reference/substeps.hpp"
+#include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage::in_double {
+// clang-format off
+#include "simulate/equations.clh"
+#include "wet/equations.clh"
+#include "rasterize/equations.clh"
+// clang-format on
+}  // namespace pelage::in_double
+
+namespace pelage {
+namespace {
+
+namespace shim = in_double;
+using shim::real3;
+using synthetic::noise;
+
+constexpr double tight = 1e-12;
+
+glm::dvec3 glm_of(const real3& v) {
+  return {v.x, v.y, v.z};
+}
+real3 shim_of(const glm::dvec3& v) {
+  return shim::vec3(v.x, v.y, v.z);
+}
+
+/// Repeatable numbers in [-1, 1].
+struct Any {
+  std::uint32_t seed, count = 0;
+  double operator()() { return 2 * noise(seed, count++, 31) - 1; }
+  glm::dvec3 vector() { return {(*this)(), (*this)(), (*this)()}; }
+  glm::dvec3 direction() { return glm::normalize(vector()); }
+};
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = tight) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);
+}
+
+/// The records that the kernels get, from the scene that the reference gets.
+shim::SimulateParams simulate_params(const FrameInput& input) {
+  const DynamicsScene& dynamics = input.scene.dynamics;
+  const glm::vec3 wind = dynamics.wind.strength * glm::normalize(dynamics.wind.direction);
+  const glm::vec3 weight = dynamics.mass * dynamics.gravity;
+  shim::SimulateParams p{};
+  p.stiffness = dynamics.stiffness;
+  p.drag = dynamics.drag;
+  p.inverse_mass = 1 / dynamics.mass;
+  p.step = dynamics.step;
+  p.length = input.scene.fur.length;
+  p.gust = dynamics.wind.gust;
+  p.weight_x = weight.x, p.weight_y = weight.y, p.weight_z = weight.z;
+  p.wind_x = wind.x, p.wind_y = wind.y, p.wind_z = wind.z;
+  return p;
+}
+
+shim::Strand stepped(const FrameInput& input, const shim::Strand& strand, double time) {
+  const shim::SimulateParams p = simulate_params(input);
+  const double turn = 2 * std::numbers::pi * double(input.scene.dynamics.wind.frequency) * time;
+  const glm::dvec2 phase(input.strands.phase[0]);
+  const real3 force = shim::forces(p, strand, shim_of(input.strands.anchor[0]), phase.x, phase.y,
+                                   std::sin(turn), std::cos(turn));
+  return shim::constrained(p, shim::accelerated(p, strand, force), shim_of(input.strands.normal[0]));
+}
+
+FrameInput one_strand() {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .1f;
+  return synthetic::frame(scene, synthetic::square(1), 1, 1, 0);
+}
+
+TEST(Equations, StrandsStepLikeTheReference) {
+  FrameInput input = one_strand();
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    Any any{trial};
+    const glm::dvec3 n = any.direction();
+    input.strands.normal[0] = n;
+    input.strands.anchor[0] = .1 * glm::normalize(n + .5 * any.vector());
+    input.strands.phase[0] = {float(std::cos(trial)), float(std::sin(trial))};
+    input.scene.dynamics.gravity = 50.0 * any.vector();
+    input.scene.dynamics.wind = {any.vector(), float(.05 * any()), float(any()), 3, 1};
+    shim::Strand strand{shim_of(input.strands.anchor[0]), shim_of(glm::dvec3(0))};
+    reference::Strand expected = reference::rest(input, 0);
+    for (std::size_t i = 0; i < 40; ++i) {
+      strand = stepped(input, strand, double(i) * double(input.scene.dynamics.step));
+      expected = reference::substep(input, 0, expected, i);
+      // The records hold floats: wind, weight and 1/m are rounded before they are used, and swings amplify
+      // that.
+      ASSERT_LT(glm::length(glm_of(strand.tip) - expected.tip), 1e-6) << trial << ' ' << i;
+      ASSERT_LT(glm::length(glm_of(strand.speed) - expected.velocity), 1e-4) << trial << ' ' << i;
+    }
+  }
+}
+
+TEST(Equations, Equation3HoldsUnderRandomForces) {
+  FrameInput input = one_strand();
+  const double length = double(input.scene.fur.length);
+  for (std::uint32_t trial = 0; trial < 300; ++trial) {
+    Any any{trial};
+    const glm::dvec3 n = glm::dvec3(glm::vec3(any.direction()));
+    input.strands.normal[0] = n;
+    input.strands.anchor[0] = .1 * n;
+    shim::Strand strand{shim_of(input.strands.anchor[0]), shim_of(glm::dvec3(0))};
+    for (int i = 0; i < 100; ++i) {
+      input.scene.dynamics.gravity = 300.0 * any.vector();
+      strand = stepped(input, strand, i);
+      ASSERT_LE(glm::length(glm_of(strand.tip)),
+                length * (1 + 1e-7));                              // the params' length is squared as a float
+      ASSERT_GE(glm::dot(glm_of(strand.tip), n), -1e-7 * length);  // n is unit within a float's rounding
+    }
+  }
+}
+
+TEST(Equations, RestPositionsAreTheClosedForms) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.drag = .02f;
+  input.scene.dynamics.wind.strength = 0;
+  input.scene.fur.comb = 0;
+  input.strands.anchor[0] = {0, 0, .1f};
+  const double length = double(input.scene.fur.length), k = double(input.scene.dynamics.stiffness);
+  for (const glm::vec3 gravity :
+       {glm::vec3(0), glm::vec3(4, 2, -12), glm::vec3(30, -10, 5), glm::vec3(9, 0, -60)}) {
+    input.scene.dynamics.gravity = gravity;
+    shim::Strand strand{shim_of(input.strands.anchor[0]), shim_of(glm::dvec3(0))};
+    for (int i = 0; i < 4000; ++i) strand = stepped(input, strand, 0);
+    const glm::dvec3 force = double(input.scene.dynamics.mass) * glm::dvec3(gravity), n(0, 0, 1);
+    glm::dvec3 expected = length * n + force / k;
+    if (expected.z < 0) expected.z = 0;
+    if (glm::length(expected) > length) expected = length * glm::normalize(k * length * n + force);
+    expect_near(glm_of(strand.tip), expected, 1e-7);
+  }
+}
+
+TEST(Equations, Algorithm1BlendsAndOverwritesLikeTheReference) {
+  int blended = 0, overwritten = 0;
+  for (std::uint32_t trial = 0; trial < 5000; ++trial) {
+    Any any{trial};
+    const auto positive = [&] { return std::abs(any()); };
+    const reference::Clump texel{{positive(), positive()}, .2 * positive(), trial % 5 ? positive() : 0};
+    const Droplet droplet{
+        {float(positive()), float(positive())}, float(positive()), float(positive()), {}, 1};
+    const reference::Clump expected = reference::blend(texel, droplet);
+    const shim::Clump result =
+        shim::blend_droplet({shim::vec2(texel.centre.x, texel.centre.y), texel.radius, texel.wetness},
+                            {shim::vec2(double(droplet.centre.x), double(droplet.centre.y)),
+                             double(droplet.radius), double(droplet.wetness)});
+    EXPECT_NEAR(result.centre.x, expected.centre.x, tight);
+    EXPECT_NEAR(result.centre.y, expected.centre.y, tight);
+    EXPECT_NEAR(result.radius, expected.radius, tight);
+    EXPECT_NEAR(result.wetness, expected.wetness, tight);
+    (expected.centre == glm::dvec2(droplet.centre) ? overwritten : blended)++;
+  }
+  EXPECT_GT(blended, 500);
+  EXPECT_GT(overwritten, 500);
+}
+
+TEST(Equations, TheCurveStartsAtTheRootEndsAtTheTipAndLooksLikeTheReference) {
+  const shim::Bezier root = shim::bezier(0), tip = shim::bezier(1);
+  EXPECT_EQ(root.toward, 0);
+  EXPECT_EQ(root.along, 0);
+  EXPECT_EQ(tip.toward, 0);
+  EXPECT_EQ(tip.along, 1);
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    Any any{trial};
+    const glm::dvec3 a = any.vector(), b = any.vector();
+    const double h = std::abs(any());
+    EXPECT_NEAR(shim::layer_parameter(h, 0), reference::bezier_parameter(h, "paper"), tight);
+    EXPECT_NEAR(shim::layer_parameter(h, 1), reference::bezier_parameter(h, "uniform"), tight);
+    const glm::dvec3 phi = any.vector();
+    expect_near(glm_of(shim::layer_offset(shim::bezier(h), shim_of(a), shim_of(b), shim_of(phi))),
+                reference::bezier(a, b, h) + phi);
+  }
+}
+
+TEST(Equations, CurlVanishesAtTheRootAndWhereSoakedAndLooksLikeTheReference) {
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    Any any{trial};
+    const glm::dvec3 u = any.direction(), v = glm::normalize(glm::cross(u, any.vector()));
+    const double h = std::abs(any()), rho = std::abs(any()), radius = .1 * std::abs(any()), turns = 4 * any();
+    const double wh = 2 * std::numbers::pi * turns * h;
+    const auto curl = [&](double height, double wetness) {
+      return glm_of(
+          shim::curl(height, std::cos(wh), std::sin(wh), radius, 1 - wetness, shim_of(u), shim_of(v)));
+    };
+    expect_near(curl(h, rho), reference::curl(h, rho, radius, turns, u, v));
+    expect_near(curl(0, rho), glm::dvec3(0));
+    expect_near(curl(h, 1), glm::dvec3(0));
+    EXPECT_NEAR(glm::length(curl(h, 0)), radius * h, tight);
+  }
+}
+
+TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
+  for (const int layers : {2, 16, 64}) {
+    const double k = std::log(double(layers));
+    EXPECT_NEAR(shim::clump_rate(1.0 / layers, std::log(1.0 / layers), 1, k), 0, tight);
+    for (const double w : {0.0, .3, 1.0}) {
+      EXPECT_NEAR(shim::clump_rate(1, 0, w, k), 1, tight);
+      for (int n = 0; n < layers; ++n) {
+        const double h = (1.0 + n) / layers;
+        EXPECT_NEAR(shim::clump_rate(h, std::log(h), w, k), reference::clump_shape(h, w, layers), tight);
+      }
+    }
+  }
+  const shim::real2 d = shim::clump_shift(.5, .8, 3.5, shim::vec2(.3, .7), shim::vec2(.2, .9));
+  EXPECT_NEAR(d.x, .5 * .8 * 3.5 * .1, tight);
+  EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);
+}
+
+/// S Eq. 6, C_s, of unit vectors.
+double strand_specular(const real3& tangent, const real3& light, const real3& eye, double exponent) {
+  return shim::power(shim::strand_mirror(shim::angle_with(tangent, light), shim::angle_with(tangent, eye)),
+                     exponent);
+}
+
+/// S Eq. 6 put together from its parts as a fragment does, for one light.
+glm::dvec3 curling(const ShadingScene& shading, const reference::Fragment& f) {
+  double diffuse = double(shading.ambient), specular = 0;
+  for (const LightScene& light : shading.lights) {
+    const glm::dvec3 l = glm::normalize(glm::dvec3(light.direction));
+    const double g =
+        double(light.intensity) * shim::wrapped_light(glm::dot(f.normal, l), double(shading.wrap));
+    diffuse += g * shim::strand_diffuse(shim::angle_with(shim_of(f.tangent), shim_of(l)));
+    specular +=
+        g * strand_specular(shim_of(f.tangent), shim_of(l), shim_of(f.view), double(shading.exponent));
+  }
+  return shim::shadow_factor(f.height, double(shading.shadow)) *
+         (diffuse * f.colour + specular * glm::dvec3(shading.specular));
+}
+
+glm::dvec3 wet(const ShadingScene& shading, const reference::Fragment& f) {
+  double diffuse = double(shading.ambient), specular = 0;
+  const double exponent =
+      double(shading.exponent) * shim::wet_exponent(f.wetness, double(shading.wet_specular));
+  for (const LightScene& light : shading.lights) {
+    const glm::dvec3 l = glm::normalize(glm::dvec3(light.direction));
+    const double n_dot_l = glm::dot(f.normal, l), wrap = double(shading.wrap);
+    diffuse += double(light.intensity) * shim::surface_diffuse(n_dot_l, wrap);
+    specular += double(light.intensity) * shim::wrapped_light(n_dot_l, wrap) *
+                strand_specular(shim_of(f.tangent), shim_of(l), shim_of(f.view), exponent);
+  }
+  return shim::occlusion_factor(f.height, double(shading.occlusion)) *
+         shim::wet_factor(f.wetness, double(shading.darkening)) *
+         (diffuse * f.colour + specular * glm::dvec3(shading.specular));
+}
+
+TEST(Equations, ColoursAreTheReferences) {
+  for (std::uint32_t trial = 0; trial < 2000; ++trial) {
+    Any any{trial};
+    ShadingScene shading;
+    shading.wrap = trial % 3 ? float(std::abs(any())) : 0;
+    shading.exponent = float(1 + 40 * std::abs(any()));
+    shading.wet_specular = trial % 4 ? float(.9 * std::abs(any())) : 0;
+    shading.occlusion = float(std::abs(any()));
+    shading.darkening = float(std::abs(any()));
+    shading.shadow = float(1 + std::abs(any()));
+    shading.lights = {LightScene{any.vector(), 1.5f}, LightScene{any.vector(), .6f}};
+    const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
+                                any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};
+    // The text's literals are floats: (x + .4f) / 1.4f is up to 2.2e-8 too large, times 2.1 of light and up
+    // to 1.2 of colour and highlight. Only the wrapped light has them.
+    const double tolerance = shading.wrap == 0 ? 1e-11 : 6e-8;
+    expect_near(curling(shading, f), reference::curling_colour(shading, f), tolerance);
+    expect_near(wet(shading, f), reference::wet_colour(shading, f), tolerance);
+  }
+}
+
+TEST(Equations, AlongAndAcrossTheLight) {
+  const real3 x = shim::vec3(1, 0, 0), y = shim::vec3(0, 1, 0), z = shim::vec3(0, 0, 1);
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(z, z)), 0);    // along: dark
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);    // across: fully lit
+  EXPECT_EQ(strand_specular(x, z, y, 8), 1);                     // light and view across: the highlight
+  EXPECT_EQ(strand_specular(x, z, x, 8), 0);                     // seen along the strand: none
+  EXPECT_EQ(strand_specular(z, z, z, 8), 1);                     // straight on along the strand
+  EXPECT_EQ(strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);  // a negative base is clamped
+  const auto tilted = shim::vec3(0.6, 0, 0.8), between = shim::vec3(0, 0.6, 0.8);
+  for (const int p : {1, 2, 3, 7, 24, 255, 1024}) {
+    const auto two = shim::powers_whole(
+        shim::vec2(shim::strand_mirror(shim::angle_with(tilted, between), shim::angle_with(tilted, z)), 0.25),
+        p);
+    EXPECT_NEAR(two.x / std::pow(0.64 * 0.8 + std::sqrt(1 - 0.64 * 0.64) * 0.6, p), 1, 1e-12 * p) << p;
+    EXPECT_EQ(two.y, std::ldexp(1, -2 * p)) << p;
+  }
+  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap 0 is the papers' equation
+  EXPECT_EQ(shim::surface_diffuse(-1, 0), 0);
+  EXPECT_EQ(shim::surface_diffuse(.25, 0), .25);
+  EXPECT_EQ(shim::shadow_factor(1, 1.5), 1);
+  EXPECT_EQ(shim::shadow_factor(0, 1), 0);
+  EXPECT_EQ(shim::wet_exponent(0, 0), 1);  // sigma 0: wetness does not matter
+  EXPECT_EQ(shim::wet_exponent(0, .5), .5);
+  EXPECT_EQ(shim::wet_exponent(1, .5), 1);
+  EXPECT_EQ(shim::occlusion_factor(.3, 0), 1);
+  EXPECT_EQ(shim::occlusion_factor(0, .75), .25);
+  EXPECT_EQ(shim::wet_factor(.3, 0), 1);
+  EXPECT_EQ(shim::wet_factor(0, .5), 1);
+  EXPECT_EQ(shim::wet_factor(1, .5), .5);
+}
+
+TEST(Equations, SubStepsShiftLikeTheReferences) {
+  for (std::uint32_t trial = 0; trial < 2000; ++trial) {
+    Any any{trial};
+    const glm::dvec3 step = 0.1 * any.direction(), normal = any.direction(), eye = any.direction();
+    const glm::dvec3 t = any.direction(), b = trial % 7 ? any.direction() : 2.0 * t;
+    const glm::dvec3 shift = glm_of(shim::root_shift(shim_of(step), shim_of(normal), shim_of(eye)));
+    expect_near(shift, reference::root_shift(step, normal, eye));
+    const shim::real2 uv = shim::shift_in_uv(shim_of(shift), shim_of(t), shim_of(b));
+    const glm::dvec2 expected = reference::uv_shares(shift, t, b);
+    EXPECT_NEAR(uv.x, expected.x, 1e-9 * (1 + std::abs(expected.x)));
+    EXPECT_NEAR(uv.y, expected.y, 1e-9 * (1 + std::abs(expected.y)));
+  }
+}
+
+TEST(Equations, TheWetTangentIsTheReferences) {
+  ShadingScene shading;
+  for (std::uint32_t trial = 0; trial < 200; ++trial) {
+    Any any{trial};
+    const glm::dvec3 rise = any.vector(), t = any.vector(), b = any.vector();
+    const glm::dvec2 drift(any(), any());
+    shading.tangent = trial % 2 ? "paper" : "drawn";
+    const double sign = trial % 2 ? 1 : -1;
+    expect_near(glm_of(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), shim_of(t), shim_of(b),
+                                         shim_of(rise))),
+                reference::wet_tangent(shading, rise, t, b, drift));
+  }
+  expect_near(glm_of(shim::wet_tangent(shim::vec2(0, 0), shim::vec3(4, 0, 0), shim::vec3(0, 2, 0),
+                                       shim::vec3(0, 0, .3))),
+              {0, 0, 1});
+}
+
+}  // namespace
+}  // namespace pelage

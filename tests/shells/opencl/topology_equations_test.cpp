@@ -1,0 +1,201 @@
+// B Eq. 3 and 4 as the device has them, compiled as C++ in double, against closed forms and the reference.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/shells/opencl/params.hpp"
+#include "harness/shells/opencl/spring_stage.hpp"
+#include "harness/shells/reference/layers.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/opencl_as_cpp.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage::in_double {
+// clang-format off
+#include "rasterize/equations.clh"
+// clang-format on
+}  // namespace pelage::in_double
+
+namespace pelage {
+namespace {
+
+namespace shim = in_double;
+using synthetic::noise;
+
+constexpr double length = 0.11;
+
+glm::dvec3 glm_of(const shim::real3& v) {
+  return {v.x, v.y, v.z};
+}
+shim::real3 shim_of(const glm::dvec3& v) {
+  return shim::vec3(v.x, v.y, v.z);
+}
+void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-12);
+}
+
+/// A normal, and the top of a stick that leans from it; repeatable.
+struct Stick {
+  glm::dvec3 normal, top;
+};
+Stick any_stick(std::uint32_t i) {
+  const auto vector = [i](std::uint32_t salt) {
+    return glm::dvec3(2 * noise(i, 0, salt) - 1, 2 * noise(i, 1, salt) - 1, 2 * noise(i, 2, salt) - 1);
+  };
+  const glm::dvec3 n = glm::normalize(vector(1));
+  return {n, length * (n + 0.8 * vector(2))};
+}
+
+/// The device's layer at h.
+glm::dvec3 layer(const Stick& stick, double h, double power, bool level) {
+  const shim::real3 a = shim_of(length * stick.normal);
+  shim::real3 b = shim::stick_tip(shim_of(stick.top), a);
+  if (level) b = shim::level_tip(b, a);
+  return glm_of(shim::layer_offset(shim::stick_weights(h, std::pow(h, power)), a, b, shim::vec3(0, 0, 0)));
+}
+
+TEST(EquationsOfSticks, EquationThreeAndFourAreAsPrinted) {
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    const Stick stick = any_stick(i);
+    const glm::dvec3 n = stick.normal, s = glm::normalize(stick.top);
+    for (const double h : {0.0, 0.125, 0.5, 1.0}) {
+      const double rise = h * length, part = h * h * length;
+      expect_near(layer(stick, h, 2, false), rise * n + part * (s - n));
+      expect_near(layer(stick, h, 1, false), rise * s);
+      expect_near(layer(stick, h, 2, true), rise * n + part * (s - glm::dot(s, n) * n));
+      // The tangential form keeps every layer at its height.
+      EXPECT_NEAR(glm::dot(layer(stick, h, 3, true), n), rise, 1e-12);
+    }
+  }
+  expect_near(glm_of(shim::stick_tip(shim::vec3(0, 0, 0), shim::vec3(0, 1, 0))), glm::dvec3(0.0));
+}
+
+TEST(EquationsOfSticks, LayersAreTheReferences) {
+  DynamicsScene dynamics;
+  for (const char* bend : {"linear", "paper", "tangent"})
+    for (const float power : {1.5f, 2.0f, 4.0f}) {
+      dynamics.bend = bend;
+      dynamics.bend_power = power;
+      const double k = dynamics.bend == "linear" ? 1 : double(power);
+      for (std::uint32_t i = 0; i < 50; ++i) {
+        const Stick stick = any_stick(i);
+        const reference::Bend bent = reference::stick_bend(dynamics, length, stick.normal, stick.top);
+        for (const double h : {0.0625, 0.4375, 1.0})
+          expect_near(layer(stick, h, k, dynamics.bend == "tangent"),
+                      reference::stick_displacement(dynamics, bent, h));
+      }
+    }
+}
+
+TEST(EquationsOfSticks, TheHostsTableHoldsThePowers) {
+  Scene scene;
+  scene.fur.layers = 8;
+  scene.dynamics.bend_power = 3;
+  const std::vector<float> bent = shells::layer_table(scene);
+  scene.dynamics.bend = "linear";
+  const std::vector<float> linear = shells::layer_table(scene);
+  for (std::size_t n = 0; n < 8; ++n) {
+    const double h = double(1 + n) / 8;
+    EXPECT_EQ(bent[n * LAYER_COLUMNS + LAYER_POWER], float(h * h * h));
+    EXPECT_EQ(linear[n * LAYER_COLUMNS + LAYER_POWER], float(h));
+  }
+}
+
+/// A small torus in a wind that pushes a resting mass with 0.01 N.
+FrameInput small_input(const std::string& topology) {
+  Scene scene = synthetic::lively_scene();
+  scene.dynamics.topology = topology;
+  scene.dynamics.drag = 0.004f;
+  scene.dynamics.wind.strength = 0.01f;
+  return synthetic::frame(scene, synthetic::torus(), 9, 7, 0);  // 63 points: no multiple of 16
+}
+
+TEST(SpringStage, WindPushesAMassAtRestWithTheScenesStrength) {
+  const FrameInput input = small_input("sticks");
+  const springs::Dynamics d = springs::dynamics_of(input.scene.dynamics);
+  EXPECT_FLOAT_EQ(d.wind.speed * d.drag, 0.01f);
+  EXPECT_EQ(d.solver, springs::Solver::semi_implicit_euler);
+}
+
+TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
+  FrameInput input = small_input("separable-sticks");
+  input.scene.dynamics.poke = {
+      .point = {0.7f, 0, 0}, .radius = 0.35f, .force = {0, 0.02f, 0}, .spread = 0.01f, .along = {0, 0, 1}};
+  const springs::Topology topology = springs::topology_of(input);
+  const auto force = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
+  ASSERT_EQ(force.size(), 3 * input.mesh->triangle.size());
+  std::size_t poked = 0;
+  for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
+    glm::dvec3 centre(0.0);
+    for (int c = 0; c < 3; ++c) centre += glm::dvec3(input.mesh->position[input.mesh->triangle[f][c]]) / 3.0;
+    const glm::dvec3 from = centre - glm::dvec3(glm::vec3(0.7f, 0, 0));
+    const bool near = glm::length(from) <= double(0.35f);
+    poked += near;
+    const glm::dvec2 away = glm::normalize(glm::dvec2(from));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const glm::dvec3 expected = near ? glm::dvec3(0.01 * away.x, 0.02 + 0.01 * away.y, 0) : glm::dvec3(0);
+      for (int k = 0; k < 3; ++k) EXPECT_NEAR(force[3 * f + c][k], expected[k], 1e-7);
+    }
+  }
+  EXPECT_GT(poked, 3u);
+  EXPECT_LT(poked, input.mesh->triangle.size() / 2);
+  input.scene.dynamics.poke.radius = 0;
+  EXPECT_TRUE(springs::pushes(topology, *input.mesh, input.scene.dynamics.poke).empty());
+}
+
+TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
+  FrameInput input = small_input("separable-sticks");
+  PokeScene& poke = input.scene.dynamics.poke;
+  poke = {.point = {3, 0.1f, 0.05f}, .ray = {-2, 0, 0}, .force = {0, 0.02f, 0}};
+  const springs::Topology topology = springs::topology_of(input);
+  const auto poked = [&] {
+    std::vector<std::size_t> found;
+    const auto force = springs::pushes(topology, *input.mesh, poke);
+    for (std::size_t i = 0; i < force.size(); ++i)
+      if (force[i] != glm::vec3(0)) found.push_back(i);
+    return found;
+  };
+  const auto face = springs::hit(*input.mesh, {3, 0.1, 0.05}, {-1, 0, 0});
+  ASSERT_TRUE(face.has_value());
+  EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * *face, 3 * *face + 1, 3 * *face + 2}));
+  // With a radius those around the point where it meets the mesh, not around its origin.
+  poke.radius = 0.35f;
+  const std::vector<std::size_t> around = poked();
+  EXPECT_GT(around.size(), 3u);
+  EXPECT_LT(around.size(), topology.sticks() / 2);
+  for (const std::size_t i : around) EXPECT_GT(topology.mass[i].x, 0) << "on the side of the ray";
+  poke.ray = {2, 0, 0};
+  EXPECT_THROW(springs::pushes(topology, *input.mesh, poke), InputError);
+}
+
+TEST(SpringStage, NothingIsDrawnFromMassesThatFlewApart) {
+  FrameInput input = small_input("prisms");
+  input.scene.dynamics.springs.stiffness = 1e5f;
+  Shells shells(pictures::device(), std::make_shared<FrameInput>(input));
+  EXPECT_THROW(shells.advance(20), springs::Diverged);
+  EXPECT_THROW(shells.frame(), springs::Diverged);
+}
+
+TEST(SpringStage, AFrameWithoutItsNormalsIsRefused) {
+  FrameInput input = small_input("sticks");
+  input.stick_normal.clear();
+  EXPECT_THROW(Shells(pictures::device(), std::make_shared<FrameInput>(input)), InputError);
+  EXPECT_THROW(reference::render(input, {}), InputError);
+}
+
+TEST(SpringStage, TheLaunchesOfEveryPhaseAreTimed) {
+  for (const char* topology : {"sticks", "prisms"}) {
+    Shells shells(pictures::device(), std::make_shared<FrameInput>(small_input(topology)));
+    const FrameTiming timing = shells.frame();
+    if (timing.phase_event_ms.empty()) continue;  // a timer that cannot be trusted
+    EXPECT_GT(timing.phase_event_ms.at("simulate"), 0) << topology;
+    EXPECT_GT(timing.phase_event_ms.at("raster"), 0) << topology;
+  }
+}
+
+}  // namespace
+}  // namespace pelage

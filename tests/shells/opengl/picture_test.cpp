@@ -1,0 +1,163 @@
+// The rival's picture is the reference's and the OpenCL pipeline's: three programs written from
+// docs/frame.md.
+#include <gtest/gtest.h>
+
+#include "harness/shells/opencl/shells.hpp"
+#include "tests/shells/opengl/scenes.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace rival_tests;
+
+constexpr double least_psnr = 55.0;  // what a published ratio asks for
+
+void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
+  const Agreement agreement = compare(expected, drawn);
+  EXPECT_GE(agreement.psnr, least_psnr) << describe(agreement);
+  EXPECT_GT(agreement.pixels, least_pixels);  // the fur fills the picture
+}
+
+/// As it is written by default, the harness's own limits hold: 60 dB, 99.9% within 2/255.
+void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
+  const Agreement agreement = compare(expected, drawn);
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  EXPECT_GT(agreement.pixels, least_pixels);
+  ::testing::Test::RecordProperty("agreement", describe(agreement));
+}
+
+void expect_same(const FrameInput& input, std::size_t least_pixels) {
+  expect_same(drawn_by_reference(input), drawn_by_opengl(std::make_shared<FrameInput>(input)), least_pixels);
+}
+
+Picture drawn_by_opencl(const std::shared_ptr<const FrameInput>& input) {
+  Shells shells(cl::choose_device(""), input);
+  shells.advance(frames - 1);
+  shells.frame();
+  return shells.read();
+}
+
+struct Case {
+  const char* model;
+  const char* shading;
+};
+
+struct Models : testing::TestWithParam<Case> {};
+
+TEST_P(Models, LookLikeTheReferenceAndTheOpenClPipeline) {
+  const auto input = model_frame(GetParam().model, 16, GetParam().shading);
+  const Picture drawn = drawn_by_opengl(input);
+  expect_same(drawn_by_reference(*input), drawn, 15000);
+  expect_agreement(drawn_by_opencl(input), drawn, 15000);
+}
+
+INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
+                         testing::Values(Case{"torus", "curling"}, Case{"torus", "wet"},
+                                         Case{"bunny", "curling"}, Case{"bunny", "wet"}),
+                         [](const auto& given) {
+                           return std::string(given.param.model) + "_" + given.param.shading;
+                         });
+
+TEST(OpenGlPicture, BothModelsAndBothBindings) {
+  for (const char* shading : {"curling", "wet"})
+    for (const char* binding : {"shared", "separate"}) {
+      SCOPED_TRACE(std::string(shading) + ", " + binding);
+      expect_same(*small_frame(shading, binding), 5000);
+    }
+}
+
+TEST(OpenGlPicture, OtherReadings) {
+  // Every switch of the scene that changes the picture, turned the other way.
+  FrameInput input = *small_frame("wet");
+  input.scene.fur.layer_spacing = "uniform";
+  input.scene.clump.scale = "literal";
+  input.scene.clump.cells = "literal";
+  input.scene.shading.tangent = "drawn";
+  input.scene.shading.wrap = 0;
+  expect_same(input, 5000);
+  input.scene.shading.model = "curling";
+  input.scene.shading.lights.resize(1);
+  input.scene.shading.exponent = 7.5f;  // no whole number: by pow
+  input.scene.clump.scale = "relative";
+  expect_same(input, 5000);
+}
+
+TEST(OpenGlPicture, PlainShells) {
+  // Neither curls nor clumps: the shaders leave them out.
+  FrameInput input = *small_frame("curling");
+  input.scene.curl.radius = 0;
+  input.droplets.clear();
+  expect_same(input, 5000);
+}
+
+TEST(OpenGlPicture, AnyPictureSize) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {17, 33}, {161, 99}}) {
+    FrameInput input = *small_frame("curling");
+    input.scene.image.width = width;
+    input.scene.image.height = height;
+    input.camera = synthetic::camera(input.scene.camera, width, height);
+    SCOPED_TRACE(width);
+    expect_same(input, 0);
+  }
+}
+
+TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
+  // A square seen from so near that its triangles cross the near plane and leave the picture far behind.
+  // Drivers clip where docs/frame.md does not, and round the new corners elsewhere.
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .05f;
+  scene.camera.eye = {.13f, -.21f, .25f};
+  scene.camera.target = {.3f, 1.2f, 0};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.fov = 70;
+  for (const int cells : {1, 7}) {
+    SCOPED_TRACE(cells);
+    const auto input =
+        std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::square(6), cells, cells, 30));
+    expect_agreement(drawn_by_reference(*input), drawn_by_opengl(input), 8000);
+  }
+}
+
+struct Writings : testing::TestWithParam<const char*> {};
+
+TEST_P(Writings, GiveTheSamePicture) {
+  const auto input = small_frame("curling");
+  expect_agreement(drawn_by_reference(*input), drawn_by_opengl(input, GetParam()), 5000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Options, Writings,
+                         testing::Values("draws=each", "vertices=corners", "draws=each,fur=slices",
+                                         "texels=float", "texels=byte", "levels=two", "target=rgba16f",
+                                         "power=pow", "constants=uniform"),
+                         [](const auto& given) {
+                           std::string name = given.param;
+                           for (char& c : name)
+                             if (c == '=' || c == ',') c = '_';
+                           return name;
+                         });
+
+TEST(OpenGlPicture, EightBitsAreThoseOfTheEightBitReference) {
+  // Rounding after every layer: nearer to the reference that rounds, too, than to the one that does not.
+  const auto input = small_frame("curling");
+  const Picture drawn = drawn_by_opengl(input, "target=rgba8");
+  const double rounded = compare(drawn_by_reference(*input, reference::Mutant::none, true), drawn).psnr;
+  const double floats = compare(drawn_by_reference(*input), drawn).psnr;
+  EXPECT_GT(rounded, floats + 3.0) << floats;
+  EXPECT_GT(rounded, 45.0);
+}
+
+TEST(OpenGlPicture, MistakesAreSeen) {
+  using reference::Mutant;
+  const auto input = small_frame("curling");
+  const Picture drawn = drawn_by_opengl(input);
+  for (const Mutant mutant : {Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed,
+                              Mutant::back_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
+                              Mutant::droplets_reversed, Mutant::log_negated}) {
+    const Agreement agreement = compare(drawn_by_reference(*input, mutant), drawn);
+    EXPECT_LT(agreement.psnr, least_psnr) << "mutant " << int(mutant) << ": " << describe(agreement);
+  }
+}
+
+}  // namespace
+}  // namespace pelage

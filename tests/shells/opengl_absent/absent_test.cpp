@@ -1,0 +1,30 @@
+// A build without libepoxy says so, and how to get what is missing.
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "harness/shells/opengl/opengl.hpp"
+
+namespace pelage {
+namespace {
+
+template <class Work>
+void expect_refusal(const Work& work) {
+  try {
+    work();
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("no OpenGL in this build: install libepoxy-dev"), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+  }
+}
+
+TEST(OpenGlAbsent, SaysWhatToInstall) {
+  expect_refusal([] { opengl_renderer(); });
+  expect_refusal([] { opengl_options(""); });
+  expect_refusal([] { OpenGl(nullptr, {}); });
+  expect_refusal([] { shader_hash(); });
+}
+
+}  // namespace
+}  // namespace pelage

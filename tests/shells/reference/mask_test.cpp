@@ -1,0 +1,180 @@
+// Algorithm 1, S Eq. 5 and Algorithm 2, on numbers small enough for a hand.
+#include "harness/shells/reference/mask.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace reference;
+
+Droplet droplet(float u, float v, float radius, float wetness) {
+  return {{u, v}, radius, wetness, {0, 0, 0}, 100.f};
+}
+
+FrameInput with(std::vector<Droplet> droplets, int size = 8) {
+  Scene scene = synthetic::lively_scene();
+  scene.wetness.size = size;
+  FrameInput input = synthetic::frame(scene, synthetic::square(1), 1, 1, 0);
+  input.droplets = std::move(droplets);
+  return input;
+}
+
+const Clump& texel(const Mask& mask, int i, int j) {
+  return mask.texel[std::size_t(j * mask.size + i)];
+}
+
+void expect_clump(const Clump& clump, double u, double v, double radius, double wetness) {
+  EXPECT_NEAR(clump.centre.x, u, 1e-6);
+  EXPECT_NEAR(clump.centre.y, v, 1e-6);
+  EXPECT_NEAR(clump.radius, radius, 1e-6);
+  EXPECT_NEAR(clump.wetness, wetness, 1e-6);
+}
+
+TEST(ReferenceMask, OneDropletWetsTheTexelsWhoseCentresItsDiscHolds) {
+  const Mask mask = wetness_mask(with({droplet(.5f, .25f, .2f, .6f)}));
+  int wet = 0;
+  for (int j = 0; j < 8; ++j)
+    for (int i = 0; i < 8; ++i) {
+      const bool inside = std::hypot((i + .5) / 8 - .5, (j + .5) / 8 - .25) <= .2;
+      if (inside) {
+        ++wet;
+        expect_clump(texel(mask, i, j), .5, .25, .2, .6);
+      } else {
+        EXPECT_EQ(texel(mask, i, j), Clump{});
+      }
+    }
+  EXPECT_EQ(wet, 12);  // the 4 x 4 texels around the centre without their corners
+}
+
+TEST(ReferenceMask, CloseDropletsBlend) {
+  // rho .4 + .4 = .8, alpha = .5: the middle.
+  const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .4f), droplet(.6f, .5f, .2f, .4f)}));
+  expect_clump(texel(mask, 4, 4), .55, .5, .25, .8);
+  expect_clump(texel(mask, 2, 4), .5, .5, .3, .4);  // the first one's alone
+}
+
+TEST(ReferenceMask, WetnessStopsAtOneAndAlphaFollows) {
+  // rho .5 + .8 clamped to 1, alpha = .8.
+  const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .5f), droplet(.6f, .5f, .2f, .8f)}));
+  expect_clump(texel(mask, 4, 4), .2 * .5 + .8 * .6, .5, .2 * .3 + .8 * .2, 1);
+}
+
+TEST(ReferenceMask, ADistantCentreIsOverwritten) {
+  // The discs overlap, the second's radius does not reach the first's centre.
+  const Mask mask = wetness_mask(with({droplet(.3f, .55f, .35f, .4f), droplet(.6f, .55f, .2f, .7f)}));
+  expect_clump(texel(mask, 4, 4), .6, .55, .2, .7);
+}
+
+TEST(ReferenceMask, OrderMatters) {
+  const Droplet large = droplet(.3f, .55f, .35f, .4f), small = droplet(.6f, .55f, .2f, .7f);
+  const Mask mask = wetness_mask(with({small, large}));
+  // The large one's radius does reach the small one's centre: rho 1, alpha .4.
+  expect_clump(texel(mask, 4, 4), .6 * .6 + .4 * .3, .55, .6 * .2 + .4 * .35, 1);
+  EXPECT_EQ(wetness_mask(with({large, small}), Mutant::droplets_reversed).texel, mask.texel);
+}
+
+TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {
+  FrameInput input = with({droplet(.5f, .5f, .4f, .5f)});
+  input.droplets[0].point = input.mask_surface[4 * 8 + 4];
+  input.droplets[0].reach = .3f;
+  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j * 8 + 3)].z = 1;  // another part of the body
+  const Mask mask = wetness_mask(input);
+  EXPECT_EQ(texel(mask, 4, 4).wetness, .5);
+  EXPECT_EQ(texel(mask, 5, 4).wetness, .5);
+  EXPECT_EQ(texel(mask, 3, 4).wetness, 0);
+}
+
+TEST(ReferenceMask, SamplingIsNearestAndRepeats) {
+  Mask mask{4, std::vector<Clump>(16)};
+  for (std::size_t i = 0; i < 16; ++i) mask.texel[i].wetness = double(i);
+  EXPECT_EQ(mask.nearest({.30, .80}).wetness, 13);
+  EXPECT_EQ(mask.nearest({-.70, 2.80}).wetness, 13);
+  EXPECT_EQ(mask.nearest({1, 1}).wetness, 0);
+  EXPECT_EQ(mask.nearest({.99999999999, 0}).wetness, 3);
+  EXPECT_EQ(mask.nearest({-1e-30, 0}).wetness, 3);  // fract rounds to 1: the last texel, not one beyond
+}
+
+TEST(ReferenceClump, ShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
+  for (const int layers : {2, 16, 64}) {
+    EXPECT_NEAR(clump_shape(1.0 / layers, 1, layers), 0, 1e-15);
+    for (const double w : {0.0, .3, 1.0}) EXPECT_NEAR(clump_shape(1, w, layers), 1, 1e-15);
+    double before = -1;
+    for (int n = 0; n < layers; ++n) {
+      const double h = (1.0 + n) / layers;
+      EXPECT_NEAR(clump_shape(h, 0, layers), h, 1e-15);
+      const double f = clump_shape(h, .7, layers);
+      EXPECT_GE(f, 0);
+      EXPECT_LE(f, 1 + 1e-15);
+      EXPECT_GT(f, before);
+      before = f;
+    }
+  }
+  EXPECT_NEAR(clump_shape(.25, 1, 16), .5, 1e-15);  // ln 4 = ln 16 / 2
+}
+
+/// A mask of one clump: centre (.5, .5), radius .2, rho .5.
+struct OneClump : testing::Test {
+  FrameInput input = with({droplet(.5f, .5f, .2f, .5f)}, 64);
+  Mask mask = wetness_mask(input);
+  OneClump() { input.scene.clump = {0, 2, "relative", "separate"}; }
+};
+
+TEST_F(OneClump, DryFurStays) {
+  const Displacement dry = clump_displacement(input, mask, {.1, .1}, 7);
+  EXPECT_FALSE(dry.discarded);
+  EXPECT_EQ(dry.d, glm::dvec2(0));
+  EXPECT_EQ(dry.delta_d, glm::dvec2(0));
+  EXPECT_EQ(dry.wetness, 0);
+}
+
+TEST_F(OneClump, TheDisplacementIsEquation5) {
+  // f = h = 8/16, rho = .5, gain 2: half of p - c. It looks up away from the centre, so what is drawn moves
+  // to it.
+  const Displacement relative = clump_displacement(input, mask, {.56, .53}, 7);
+  EXPECT_NEAR(relative.d.x, .5 * .06, 1e-7);
+  EXPECT_NEAR(relative.d.y, .5 * .03, 1e-7);
+  EXPECT_NEAR(relative.delta_d.x, .06 / 16, 1e-7);
+  EXPECT_FALSE(relative.discarded);
+  input.scene.clump.scale = "literal";  // the factor r in place of the gain
+  EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
+  input.scene.clump.shape = 1;  // the first layer's step is measured from d = 0 below it
+  EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
+  input.scene.clump.shape = .5f;
+  const Displacement first = clump_displacement(input, mask, {.56, .53}, 0);
+  EXPECT_EQ(first.delta_d, first.d);
+  EXPECT_NEAR(first.d.x, .5 / 16 * .5 * .2 * .06, 1e-9);
+}
+
+TEST_F(OneClump, Algorithm2DiscardsWhatLooksIntoDryFur) {
+  // Towards the tips (h = 1, half of rho gain = 1): p + d lies twice as far out as p.
+  EXPECT_FALSE(clump_displacement(input, mask, {.59, .5}, 15).discarded);
+  EXPECT_TRUE(clump_displacement(input, mask, {.62, .5}, 15).discarded);
+  EXPECT_FALSE(clump_displacement(input, mask, {.62, .5}, 3).discarded);
+}
+
+TEST_F(OneClump, Algorithm2DiscardsOutsideTheRadius) {
+  for (Clump& clump : mask.texel)
+    if (clump.wetness > 0) clump.radius = .05;
+  EXPECT_FALSE(clump_displacement(input, mask, {.54, .5}, 0).discarded);
+  EXPECT_TRUE(clump_displacement(input, mask, {.56, .5}, 0).discarded);
+}
+
+TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
+  // Two touching clumps of equal radius; the second overwrites the first where the discs overlap.
+  FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
+  input.scene.clump = {0, 2, "relative", "separate"};
+  const Mask mask = wetness_mask(input);
+  const glm::dvec2 p(.45, .5);  // p + d = (.5, .5) at the tips: the other's
+  EXPECT_TRUE(clump_displacement(input, mask, p, 15).discarded);
+  input.scene.clump.cells = "literal";
+  EXPECT_FALSE(clump_displacement(input, mask, p, 15).discarded);
+}
+
+}  // namespace
+}  // namespace pelage

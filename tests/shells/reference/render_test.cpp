@@ -1,0 +1,269 @@
+// The whole picture: windows, clipping, the eight-bit framebuffer, and what an opaque coat must look like.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/error.hpp"
+#include "harness/shells/reference/reference.hpp"
+#include "harness/shells/reference/visible.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using reference::Options;
+using reference::render;
+
+FrameInput lively_torus(const char* model = "curling", const char* binding = "shared") {
+  Scene scene = synthetic::lively_scene();
+  scene.shading.model = model;
+  scene.fur.binding = binding;
+  return synthetic::frame(scene, synthetic::torus(), 48, 32, 60);
+}
+
+Options after(int frames) {
+  Options options;
+  options.frames = frames;
+  return options;
+}
+
+TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
+  for (const char* binding : {"shared", "separate"}) {
+    const FrameInput input = lively_torus("wet", binding);
+    const Picture whole = render(input, after(20));
+    Options options = after(20);
+    options.windows = fur_windows(whole, 12, 16, 1);
+    options.windows.push_back({-5, 90, 30, 30});  // over the border
+    const Picture parts = render(input, options);
+    const Agreement agreement = compare(whole, parts, options.windows);
+    EXPECT_EQ(agreement.worst, 0) << binding;
+    EXPECT_GT(agreement.pixels, 1000u);
+    std::size_t outside = 0;
+    for (const glm::vec4& pixel : parts.pixel) outside += pixel == glm::vec4(input.scene.image.background, 0);
+    EXPECT_GT(outside, parts.pixel.size() / 2);
+  }
+}
+
+TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
+  const FrameInput input = lively_torus();
+  const Picture picture = render(input, after(10));
+  std::size_t background = 0, skin = 0, fur = 0;
+  for (const glm::vec4& pixel : picture.pixel) {
+    ASSERT_TRUE(pixel.w >= 0 && pixel.w <= 1);
+    background += pixel.w == 0;
+    skin += pixel.w == 1;
+    fur += pixel.w > 0 && pixel.w < 1;
+    if (pixel.w == 0) {
+      ASSERT_EQ(glm::vec3(pixel), input.scene.image.background);
+    }
+  }
+  EXPECT_GT(background, 1000u);
+  EXPECT_GT(skin, 1000u);
+  EXPECT_GT(fur, 300u);
+}
+
+TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
+  const FrameInput input = lively_torus();
+  Options options = after(10);
+  const Picture exact = render(input, options);
+  options.eight_bit = true;
+  const Picture rounded = render(input, options);
+  for (const glm::vec4& pixel : rounded.pixel)
+    for (int c = 0; c < 4; ++c) {
+      const double steps = double(pixel[c]) * 255;
+      ASSERT_NEAR(steps, std::round(steps), 1e-4);
+      ASSERT_TRUE(pixel[c] >= 0 && pixel[c] <= 1);
+    }
+  const Agreement agreement = compare(exact, rounded);
+  EXPECT_GT(agreement.worst, .5 / 255);
+  EXPECT_GT(agreement.psnr, 35);
+}
+
+/// A square seen from above and close to, so that it runs on behind the eye.
+Scene skimming_scene() {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.comb = 0;
+  scene.curl.radius = 0;
+  scene.dynamics = {};
+  scene.fur.length = .02f;
+  scene.camera.eye = {.13f, -.21f, .25f};
+  scene.camera.target = {.3f, 1.2f, 0};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.fov = 70;
+  return scene;
+}
+
+TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) {
+  // No fur, ambient light only: each pixel's colour is the coat's where its ray meets the plane.
+  Scene scene = skimming_scene();
+  scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
+  scene.shading.ambient = 1;
+  scene.shading.shadow = 2;
+  scene.coat.skin = glm::vec3(1);
+  for (const int cells : {1, 3}) {
+    FrameInput input = synthetic::frame(scene, synthetic::square(6), cells, cells, 0);
+    for (auto& level : input.fur.level)
+      for (auto& texel : level) texel = {0, 128};
+    // A coat whose red grows with u and green with v; bilinear lookups are exact between texel centres.
+    input.coat.size = 128;
+    input.coat.texel.clear();
+    for (int j = 0; j < 128; ++j)
+      for (int i = 0; i < 128; ++i)
+        input.coat.texel.push_back({std::uint8_t(2 * i), std::uint8_t(2 * j), 0, 255});
+    const Picture picture = render(input, {});
+    int skin = 0;
+    for (int y = 0; y < picture.height; ++y)
+      for (int x = 0; x < picture.width; ++x) {
+        const Camera& camera = input.camera;
+        const glm::dvec3 ray = glm::dvec3(camera.ray) +
+                               (x + .5 - camera.width * .5) * glm::dvec3(camera.ray_dx) +
+                               (y + .5 - camera.height * .5) * glm::dvec3(camera.ray_dy);
+        const double t = -double(camera.eye.z) / ray.z;
+        const glm::dvec2 uv = (glm::dvec2(camera.eye) + t * glm::dvec2(ray)) / 6.0 + .5;
+        const bool hit = t > 0 && std::min(uv.x, uv.y) > 0 && std::max(uv.x, uv.y) < 1;
+        // Snapping moves the silhouette by a fraction of a pixel: leave out what lies that close to it.
+        const double margin = 1e-3 * t * t;
+        if (t > 0 &&
+            (std::min({std::abs(uv.x), std::abs(uv.y), std::abs(1 - uv.x), std::abs(1 - uv.y)}) < margin))
+          continue;
+        ASSERT_EQ(picture.at(x, y).w, hit ? 1 : 0) << x << ' ' << y;
+        if (!hit || std::min(uv.x, uv.y) < 1 / 128.0 || std::max(uv.x, uv.y) > 127 / 128.0) continue;
+        ++skin;
+        const double steepness = std::max(1.0, t * t);  // UV per pixel grows with the square of the distance
+        ASSERT_NEAR(picture.at(x, y).x, .5 * 2 * (uv.x * 128 - .5) / 255, 2e-4 * steepness) << x << ' ' << y;
+        ASSERT_NEAR(picture.at(x, y).y, .5 * 2 * (uv.y * 128 - .5) / 255, 2e-4 * steepness) << x << ' ' << y;
+      }
+    EXPECT_GT(skin, 5000);
+  }
+}
+
+TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
+  const Scene scene = skimming_scene();
+  const Picture large = render(synthetic::frame(scene, synthetic::square(6), 1, 1, 0), {});
+  const Picture pieces = render(synthetic::frame(scene, synthetic::square(6), 40, 40, 0), {});
+  // Not equal to the bit: the pieces' corners are snapped, so barycentrics differ by a 1/512 of a pixel.
+  const Agreement agreement = compare(large, pieces);
+  EXPECT_GT(agreement.pixels, 8000u);
+  EXPECT_GT(agreement.psnr, 45) << agreement.worst << " at " << agreement.worst_x << ' ' << agreement.worst_y;
+}
+
+TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
+  // Every texel solid and shade 2/3: from above, S Eq. 6 at h = 1 with T = nu = z and light and view along z.
+  Scene scene = synthetic::lively_scene();
+  scene.fur.comb = 0;
+  scene.curl.radius = 0;
+  scene.dynamics = {};
+  scene.camera.eye = {0, 0, 4};
+  scene.shading.wrap = 0;
+  scene.shading.lights = {LightScene{{0, 3, 4}, 2}};
+  scene.shading.ambient = .1f;
+  scene.shading.specular = glm::vec3(.3f);
+  scene.shading.exponent = 4;
+  FrameInput input = synthetic::frame(scene, synthetic::square(2), 4, 4, 0);
+  for (auto& level : input.fur.level)
+    for (auto& texel : level) texel = {255, 85};
+  input.coat = {1, {{204, 102, 51, 255}}};
+  const Picture picture = render(input, {});
+  // |T x L| = 3/5; the pixels in the middle see E = -z within 1/600: (T.L)(T.E) + |T x L||T x E| < 0 there.
+  const glm::vec4 middle = picture.at(80, 50);
+  EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
+  EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);
+  EXPECT_NEAR(middle.z, .2 * 2 / 3 * (.1 + 2 * .6), 1e-6);
+  EXPECT_EQ(middle.w, 1);
+}
+
+TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
+  // Coverage 51/255 = .2 everywhere, black coat, white skin in ambient light: N layers leave .8^N of the
+  // skin.
+  Scene scene = synthetic::lively_scene();
+  scene.fur.comb = 0;
+  scene.curl.radius = 0;
+  scene.dynamics = {};
+  scene.camera.eye = {0, 0, 4};
+  scene.shading.ambient = 1;
+  scene.shading.shadow = 1e6f;
+  scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
+  FrameInput input = synthetic::frame(scene, synthetic::square(2), 4, 4, 0);
+  for (auto& level : input.fur.level)
+    for (auto& texel : level) texel = {51, 0};
+  input.coat = {1, {{255, 255, 255, 255}}};
+  input.scene.coat.skin = glm::vec3(1);
+  EXPECT_NEAR(render(input, {}).at(80, 50).x, std::pow(.8, 16), 1e-5);
+}
+
+TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
+  // One sheet folded under itself, red above and green below, with opaque fur; inside a layer the sheet below
+  // is drawn later.
+  const synthetic::Surface folded{[](double u, double v) {
+    return u < .5 ? glm::dvec3(4 * u - 1, 2 * v - 1, .5) : glm::dvec3(3 - 4 * u, 2 * v - 1, 0);
+  }};
+  Scene scene = synthetic::lively_scene();
+  scene.camera.eye = {0, 0, 3};
+  scene.camera.up = {0, 1, 0};
+  FrameInput input = synthetic::frame(scene, folded, 16, 8, 0);
+  for (auto& level : input.fur.level)
+    for (auto& texel : level) texel = {255, 128};
+  input.coat = {32, {}};
+  for (int j = 0; j < 32; ++j)
+    for (int i = 0; i < 32; ++i) {
+      const bool above = i < 16;
+      input.coat.texel.push_back({std::uint8_t(above ? 255 : 0), std::uint8_t(above ? 0 : 255), 0, 255});
+    }
+  input.scene.shading.specular = glm::vec3(0);
+  const Picture picture = render(input, {});
+  for (int y = 35; y < 65; ++y)
+    for (int x = 60; x < 85; ++x) {
+      EXPECT_GT(picture.at(x, y).x, .1);
+      EXPECT_EQ(picture.at(x, y).y, 0);
+    }
+  input.camera = synthetic::camera({false, {}, {0, 0, -3}, {0, 0, 0}, {0, 1, 0}, 37, .01f}, 160, 100);
+  EXPECT_GT(render(input, {}).at(80, 50).y, .1);  // it is there, seen from below
+}
+
+TEST(ReferenceRender, EveryMutantIsSeenAndTheOriginalIsNot) {
+  using reference::Mutant;
+  const FrameInput input = lively_torus();
+  const Picture right = render(input, after(20));
+  EXPECT_TRUE(within(compare(right, render(input, after(20)))));
+  for (const Mutant mutant : {Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed,
+                              Mutant::back_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
+                              Mutant::droplets_reversed, Mutant::log_negated}) {
+    Options options = after(20);
+    options.mutant = mutant;
+    const Agreement agreement = compare(right, render(input, options));
+    EXPECT_FALSE(within(agreement)) << "mutant " << int(mutant) << ": " << agreement.psnr << " dB";
+  }
+}
+
+TEST(ReferenceRender, SixtyFourWindowsOfALargeMeshAreQuick) {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.layers = 64;
+  scene.image.width = 800;
+  scene.image.height = 600;
+  const FrameInput input = synthetic::frame(scene, synthetic::torus(), 100, 80, 60);
+  Options options = after(10);
+  for (int i = 0; i < 64; ++i) options.windows.push_back({100 + 70 * (i % 8), 120 + 45 * (i / 8), 16, 16});
+  const auto start = std::chrono::steady_clock::now();
+  const Picture picture = render(input, options);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_EQ(picture.width, 800);
+  RecordProperty("seconds", std::to_string(seconds));
+}
+
+TEST(ReferenceRender, RefusesInputsThatDoNotFit) {
+  FrameInput input = lively_torus();
+  input.strands.phase.pop_back();
+  EXPECT_THROW(render(input, {}), InputError);
+  input = lively_torus();
+  input.mesh = nullptr;
+  EXPECT_THROW(render(input, {}), InputError);
+  input = lively_torus();
+  input.fur.layers = 8;
+  EXPECT_THROW(render(input, {}), InputError);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,197 @@
+// S Eq. 2 and 3 against closed forms (docs/frame.md, 1).
+#include "harness/shells/reference/strands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <random>
+
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+using reference::Strand;
+
+/// One upright strand on the plane z = 0, undamped and unloaded.
+FrameInput one_strand() {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .1f;
+  scene.fur.comb = 0;
+  scene.dynamics = {};
+  scene.dynamics.drag = 0;
+  return synthetic::frame(scene, synthetic::square(1), 1, 1, 0);
+}
+
+double distance(const glm::dvec3& a, const glm::dvec3& b) {
+  return glm::length(a - b);
+}
+
+/// Mean time between crossings of `level` upwards, by linear interpolation, over `periods` periods.
+template <class Coordinate>
+double period(const FrameInput& input, Strand strand, double level, int periods,
+              const Coordinate& coordinate) {
+  const double dt = double(input.scene.dynamics.step);
+  std::vector<double> crossings;
+  double before = coordinate(strand);
+  for (std::size_t i = 0; i < 100000 && int(crossings.size()) <= periods; ++i) {
+    strand = reference::substep(input, 0, strand, i);
+    const double now = coordinate(strand);
+    if (before < level && now >= level)
+      crossings.push_back((double(i) + (level - before) / (now - before)) * dt);
+    before = now;
+  }
+  return (crossings.back() - crossings.front()) / double(crossings.size() - 1);
+}
+
+double natural_period(const FrameInput& input) {
+  return 2 * std::numbers::pi *
+         std::sqrt(double(input.scene.dynamics.mass) / double(input.scene.dynamics.stiffness));
+}
+
+TEST(ReferenceStrands, RestStaysAtRest) {
+  FrameInput input = one_strand();
+  for (const float comb : {0.f, .7f}) {
+    input.scene.fur.comb = comb;
+    input.strands.anchor[0] = glm::vec3(.1 * glm::normalize(glm::dvec3(comb, 0, 1)));
+    const Strand strand = reference::simulate(input, 0, 200);
+    // The anchor is rounded to float: it may stick out of the ball by a float's last digit.
+    EXPECT_LT(distance(strand.tip, input.strands.anchor[0]), 2e-8);
+    EXPECT_LT(glm::length(strand.velocity), 1e-6);
+  }
+}
+
+TEST(ReferenceStrands, LoadInsideTheBallMovesTheRestPositionByForceOverStiffness) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.drag = .02f;
+  input.scene.dynamics.gravity = {5, -3, -12};
+  const glm::dvec3 expected = glm::dvec3(input.strands.anchor[0]) +
+                              double(input.scene.dynamics.mass) * glm::dvec3(input.scene.dynamics.gravity) /
+                                  double(input.scene.dynamics.stiffness);
+  ASSERT_LT(glm::length(expected), .1);
+  ASSERT_GT(expected.z, 0);
+  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, expected), 1e-9);
+}
+
+TEST(ReferenceStrands, LoadOutsideTheBallTurnsTheStrandTowardsTheResultant) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.drag = .02f;
+  for (const glm::vec3 gravity : {glm::vec3(30, 0, 0), glm::vec3(-10, 25, 8), glm::vec3(0, 0, 50)}) {
+    input.scene.dynamics.gravity = gravity;
+    const glm::dvec3 n(input.strands.normal[0]);
+    const double length = double(input.scene.fur.length), k = double(input.scene.dynamics.stiffness);
+    const glm::dvec3 force = double(input.scene.dynamics.mass) * glm::dvec3(gravity);
+    ASSERT_GT(glm::length(length * n + force / k), length);
+    EXPECT_LT(
+        distance(reference::simulate(input, 0, 1000).tip, length * glm::normalize(k * length * n + force)),
+        1e-8);
+  }
+}
+
+TEST(ReferenceStrands, LoadIntoTheSkinRestsOnIt) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.drag = .02f;
+  input.scene.dynamics.gravity = {20, 8, -70};
+  const glm::dvec3 free = glm::dvec3(input.strands.anchor[0]) + double(input.scene.dynamics.mass) *
+                                                                    glm::dvec3(input.scene.dynamics.gravity) /
+                                                                    double(input.scene.dynamics.stiffness);
+  ASSERT_LT(free.z, 0);
+  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {free.x, free.y, 0}), 1e-9);
+}
+
+TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
+  FrameInput input = one_strand();
+  DynamicsScene& dynamics = input.scene.dynamics;
+  dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the direction's length does not count
+  dynamics.drag = .02f;
+  EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
+  // One substep from rest at time 0: v = dt W / m, W = strength (1 - gust sin(phase)), phase from the root.
+  dynamics.wind.gust = .5f;
+  input.strands.phase[0] = {float(std::cos(.7)), float(std::sin(.7))};
+  const Strand first = reference::substep(input, 0, reference::rest(input, 0), 0);
+  EXPECT_NEAR(first.velocity.z, -.008 * (1 - .5 * std::sin(.7)) / .001 / 240, 1e-7);
+  // A quarter period later the wave has moved on: sin(pi/2 - phase).
+  dynamics.wind.frequency = 60.f / 16;  // 16 substeps are a quarter of a period
+  const Strand later = reference::substep(input, 0, reference::rest(input, 0), 16);
+  EXPECT_NEAR(later.velocity.z, -.008 * (1 + .5 * std::cos(.7)) / .001 / 240, 1e-7);
+}
+
+TEST(ReferenceStrands, DragDampsAsTheExponentialSays) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.stiffness = 0;
+  input.scene.dynamics.drag = .01f;
+  input.scene.dynamics.step = 1e-5f;
+  Strand strand{{0, 0, .05}, {.1, 0, 0}};
+  for (std::size_t i = 0; i < 10000; ++i) strand = reference::substep(input, 0, strand, i);
+  EXPECT_NEAR(strand.velocity.x, .1 * std::exp(-.01 / .001 * .1), 1e-5);
+}
+
+TEST(ReferenceStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
+  const FrameInput input = one_strand();
+  const Strand start{.1 * glm::dvec3(std::sin(.3), 0, std::cos(.3)), glm::dvec3(0)};
+  const double measured = period(input, start, 0, 1, [](const Strand& s) { return s.tip.x; });
+  EXPECT_NEAR(measured / natural_period(input), 1, .01);
+}
+
+TEST(ReferenceStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
+  FrameInput input = one_strand();
+  input.scene.dynamics.gravity = {0, 0, -10};  // at rest .075 above the skin
+  const Strand start{{0, 0, .06}, glm::dvec3(0)};
+  const double measured = period(input, start, .075, 20, [](const Strand& s) { return s.tip.z; });
+  EXPECT_NEAR(measured / natural_period(input), 1, .001);
+}
+
+TEST(ReferenceStrands, RadialReleaseStopsDeadOnTheBall) {
+  const FrameInput input = one_strand();
+  Strand strand{{0, 0, .05}, glm::dvec3(0)};
+  for (std::size_t i = 0; i < 200; ++i) strand = reference::substep(input, 0, strand, i);
+  EXPECT_LT(distance(strand.tip, {0, 0, double(.1f)}), 1e-9);
+  EXPECT_LT(glm::length(strand.velocity), 1e-9);
+}
+
+TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> any(-1, 1);
+  FrameInput input = one_strand();
+  const double length = double(input.scene.fur.length);
+  double highest = 0, lowest = 1;
+  for (int trial = 0; trial < 300; ++trial) {
+    const glm::vec3 n(glm::normalize(glm::dvec3(any(random), any(random), any(random))));
+    input.strands.normal[0] = n;
+    input.strands.anchor[0] = input.scene.fur.length * n;
+    Strand strand = reference::rest(input, 0);
+    for (std::size_t i = 0; i < 200; ++i) {
+      input.scene.dynamics.gravity = 200.f * glm::vec3(any(random), any(random), any(random));
+      input.scene.dynamics.wind = {{any(random), any(random), any(random)}, any(random), 1, 3, 1};
+      strand = reference::substep(input, 0, strand, i);
+      highest = std::max(highest, glm::length(strand.tip) / length);
+      lowest = std::min(lowest, glm::dot(strand.tip, glm::dvec3(n)) / length);
+    }
+  }
+  EXPECT_LE(highest, 1 + 1e-12);
+  EXPECT_GE(lowest, -1e-7);       // n is a float's unit vector: its length is 1 within 6e-8
+  EXPECT_GT(highest, 1 - 1e-12);  // both bounds were met
+  EXPECT_LT(lowest, 1e-7);
+}
+
+TEST(ReferenceStrands, TheProjectionTakesOnlyWhatLeaves) {
+  const glm::dvec3 n(0, 0, 1);
+  const Strand inside{{.01, 0, .02}, {9, 9, 9}};
+  EXPECT_EQ(reference::constrain(inside, n, .1).tip, inside.tip);
+  EXPECT_EQ(reference::constrain(inside, n, .1).velocity, inside.velocity);
+  const Strand below = reference::constrain({{.03, 0, -.02}, {1, 2, -3}}, n, .1);
+  EXPECT_LT(distance(below.tip, {.03, 0, 0}) + distance(below.velocity, {1, 2, 0}), 1e-15);
+  const Strand rising = reference::constrain({{.03, 0, -.02}, {1, 2, 3}}, n, .1);
+  EXPECT_LT(distance(rising.velocity, {1, 2, 3}), 1e-15);
+  const Strand outside = reference::constrain({{0, .06, .08 * 1.0 + .04}, {0, 0, 0}}, n, .1);
+  EXPECT_NEAR(glm::length(outside.tip), .1, 1e-15);
+  const Strand leaving = reference::constrain({{.2, 0, 0}, {3, 4, 0}}, n, .1);
+  EXPECT_LT(distance(leaving.tip, {.1, 0, 0}) + distance(leaving.velocity, {0, 4, 0}), 1e-15);
+  const Strand both = reference::constrain({{.3, 0, -.4}, {1, 1, -1}}, n, .1);
+  EXPECT_LT(distance(both.tip, {.1, 0, 0}) + distance(both.velocity, {0, 1, 0}), 1e-15);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,140 @@
+// The builder's arrays against the counts that follow from V, E and F, and against the paper's own figures.
+#include "harness/springs/model/network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "tests/springs/support/meshes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using test::cut_in_two;
+using test::edge_count;
+using test::sphere;
+using test::square;
+
+constexpr float length = 0.05f;
+
+void expect_counts(const Topology& topology, std::size_t masses, std::size_t springs) {
+  EXPECT_EQ(topology.mass.size(), masses) << name(topology.kind);
+  EXPECT_EQ(topology.spring.size(), springs) << name(topology.kind);
+  EXPECT_EQ(topology.copy.size(), topology.sticks()) << name(topology.kind);
+}
+
+void expect_formulas(const Mesh& mesh) {
+  const std::size_t f = mesh.triangle.size();
+  for (const Vertices vertices : {Vertices::points, Vertices::copies}) {
+    const bool points = vertices == Vertices::points;
+    const std::size_t v = points ? mesh.welded : mesh.position.size(), e = edge_count(mesh, points);
+    expect_counts(build(Kind::sticks, mesh, length, vertices), 2 * v, v);
+    expect_counts(build(Kind::prisms, mesh, length, vertices), 2 * v, v + e);
+    expect_counts(build(Kind::separable_sticks, mesh, length, vertices), 6 * f, 3 * f);
+    expect_counts(build(Kind::separable_prisms, mesh, length, vertices), 6 * f, 6 * f);
+  }
+}
+
+TEST(Topology, CountsFollowFromVerticesEdgesAndFaces) {
+  expect_formulas(square(1));
+  expect_formulas(square(5));
+  expect_formulas(sphere(2));
+  expect_formulas(cut_in_two(sphere(2)));
+  EXPECT_GT(cut_in_two(sphere(2)).position.size(), sphere(2).position.size());
+}
+
+TEST(Topology, ThePapersGrassHas13VerticesAnd16Faces) {
+  const auto mesh = load_model("banisch-grass");
+  ASSERT_EQ(mesh->position.size(), 13u);
+  ASSERT_EQ(mesh->welded, 13u);
+  ASSERT_EQ(mesh->triangle.size(), 16u);
+  expect_counts(build(Kind::sticks, *mesh, length), 26, 13);
+  expect_counts(build(Kind::prisms, *mesh, length), 26, 13 + 28);  // V + F - 1 edges: Euler on a disk
+  expect_counts(build(Kind::separable_sticks, *mesh, length), 96, 48);
+  expect_counts(build(Kind::separable_prisms, *mesh, length), 96, 96);
+}
+
+TEST(Topology, ThePapersElephantHas6888MassesAndSpringsOnSeparablePrisms) {
+  const auto mesh = load_model("banisch-elephant");
+  ASSERT_EQ(mesh->triangle.size(), 1148u);
+  expect_counts(build(Kind::separable_prisms, *mesh, length), 6888, 6888);
+  expect_formulas(*mesh);
+}
+
+TEST(Topology, SticksStandOnTheSkinAndReachTheLayer) {
+  const Mesh mesh = cut_in_two(sphere(1));
+  for (const Kind kind : kinds) {
+    const Topology topology = build(kind, mesh, length);
+    for (std::size_t i = 0; i < topology.sticks(); ++i) {
+      EXPECT_EQ(topology.mass[i], mesh.position[topology.copy[i]]);
+      EXPECT_NEAR(glm::length(topology.mass[topology.top(i)] - topology.mass[i]), length, 1e-6);
+      EXPECT_NEAR(glm::length(topology.normal[i]), 1, 1e-6);
+      EXPECT_GT(glm::dot(topology.normal[i], topology.mass[i]), 0.99f) << "outwards on a sphere";
+      EXPECT_EQ(topology.spring[i], glm::uvec2(i, topology.top(i)));
+    }
+    for (const glm::uvec2 edge : topology.edges()) {
+      EXPECT_GE(edge.x, topology.sticks());
+      EXPECT_GE(edge.y, topology.sticks());
+      EXPECT_NE(edge.x, edge.y);
+    }
+  }
+}
+
+TEST(Topology, SeparableOnesAreClosedAtRestAndOneIslandPerTriangle) {
+  const Mesh mesh = sphere(1);
+  const Topology apart = build(Kind::separable_prisms, mesh, length),
+                 whole = build(Kind::prisms, mesh, length);
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(apart.mass[apart.top(3 * f + c)], whole.mass[whole.top(mesh.triangle[f][int(c)])]);
+  ASSERT_EQ(apart.edges().size(), 3 * mesh.triangle.size());
+  for (std::size_t e = 0; e < apart.edges().size(); ++e) {
+    const std::size_t f = e / 3, c = e % 3;
+    EXPECT_EQ(apart.edges()[e], glm::uvec2(apart.top(3 * f + c), apart.top(3 * f + (c + 1) % 3)));
+  }
+}
+
+TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
+  const Mesh mesh = cut_in_two(sphere(1));
+  const Topology points = build(Kind::prisms, mesh, length, Vertices::points),
+                 copies = build(Kind::prisms, mesh, length, Vertices::copies);
+  // Reach across springs from one top.
+  const auto reached = [](const Topology& topology) {
+    std::set<std::uint32_t> seen{topology.edges()[0].x};
+    for (std::size_t before = 0; before != seen.size();) {
+      before = seen.size();
+      for (const glm::uvec2 edge : topology.edges())
+        if (seen.contains(edge.x) || seen.contains(edge.y)) seen.insert({edge.x, edge.y});
+    }
+    return seen.size();
+  };
+  EXPECT_EQ(reached(points), points.sticks());
+  EXPECT_LT(reached(copies), copies.sticks());
+}
+
+TEST(Topology, DegreesCountTheSpringsOfATop) {
+  const Mesh mesh = square(2);
+  EXPECT_EQ(degrees(build(Kind::sticks, mesh, length)).most, 1);
+  const Degrees apart = degrees(build(Kind::separable_prisms, mesh, length));
+  EXPECT_EQ(apart.least, 3);
+  EXPECT_EQ(apart.most, 3);
+  const Degrees whole = degrees(build(Kind::prisms, mesh, length));
+  EXPECT_EQ(whole.least, 1 + 3);  // a corner: two sides and a diagonal
+  EXPECT_EQ(whole.most, 1 + 8);   // the middle: four sides and four diagonals
+  EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
+}
+
+TEST(Topology, RefusesWhatHasNoMeaning) {
+  Mesh empty = square(1);
+  empty.triangle.clear();
+  EXPECT_THROW(build(Kind::sticks, empty, length), InputError);
+  for (const float bad : {0.0f, -1.0f, NAN, INFINITY})
+    EXPECT_THROW(build(Kind::sticks, square(1), bad), InputError) << bad;
+  EXPECT_THROW(kind_of("prism"), InputError);
+  for (const Kind kind : kinds) EXPECT_EQ(kind_of(std::string(name(kind))), kind);
+}
+
+}  // namespace
+}  // namespace pelage::springs

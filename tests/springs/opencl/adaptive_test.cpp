@@ -1,0 +1,90 @@
+// Frames in as many steps as they need: near the fine solution, many where the springs are stiff, few where
+// nothing moves.
+#include "harness/springs/opencl/adaptive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/springs/reference/reference.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+constexpr float span = 1.0f / 60;
+
+std::vector<glm::dvec3> truth(const Topology& topology, Dynamics dynamics, int frames) {
+  dynamics.solver = Solver::rk4;
+  dynamics.step = span / 64;
+  const reference::System system{topology, dynamics};
+  reference::State state = reference::rest(topology);
+  for (int i = 0; i < 64 * frames; ++i) state = reference::step(system, state, i);
+  return reference::offsets(topology, state);
+}
+
+TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
+  const Topology topology = build(Kind::sticks, square(2), fur_length);
+  for (const Solver solver : solvers) {
+    Dynamics d = lively(solver);
+    const auto fine = truth(topology, d, 30);
+    double before = 1e9;
+    for (const float tolerance : {1e-2f, 1e-3f, 1e-4f}) {
+      MassSprings masses(queue(), topology, d);
+      AdaptiveSteps steps(span, 1, tolerance);
+      long all = 0;
+      for (int i = 0; i < 30; ++i) {
+        const AdaptiveSteps::Frame frame = steps.advance(queue(), masses);
+        EXPECT_LE(frame.error, double(tolerance));
+        all += frame.steps;
+      }
+      const double error = largest_difference(masses.offsets(queue()), fine) / double(fur_length);
+      std::printf("%s, tolerance %g: %ld steps in 30 frames, error %.2g\n", name(solver).data(),
+                  double(tolerance), all, error);
+      // Frames forget: springs are damped. What the later ones add is what counts.
+      EXPECT_LT(error, 20 * double(tolerance)) << name(solver);
+      EXPECT_LE(error, 1.01 * before) << name(solver);
+      before = std::max(error, 1e-6);
+    }
+  }
+}
+
+TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
+  const Topology topology = build(Kind::separable_prisms, square(1), fur_length);
+  const auto last = [&](const Dynamics& d) {
+    MassSprings masses(queue(), topology, d);
+    AdaptiveSteps steps(span, 4, 1e-2f);
+    int found = 0;
+    for (int i = 0; i < 10; ++i) found = steps.advance(queue(), masses).steps;
+    return found;
+  };
+  Dynamics stiff = lively(Solver::explicit_euler);
+  stiff.stiffness = 1000;  // explodes at 0.1 ms steps: 167 to a frame
+  const int soft = last(lively(Solver::explicit_euler)), many = last(stiff);
+  EXPECT_GT(many, 2 * soft);
+  EXPECT_GT(many, 150);
+  EXPECT_EQ(last(still(Solver::explicit_euler)), 2);
+}
+
+TEST(AdaptiveSteps, SayWhenTheMostAreTooFew) {
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  MassSprings masses(queue(), topology, lively(Solver::explicit_euler));
+  EXPECT_THROW(AdaptiveSteps(span, 1, 1e-7f, 64).advance(queue(), masses), InputError);
+  Dynamics stiff = lively(Solver::explicit_euler);
+  stiff.stiffness = 1e5f;
+  MassSprings lost(queue(), topology, stiff);
+  EXPECT_THROW(AdaptiveSteps(1, 1, 1e-2f, 64).advance(queue(), lost), Diverged);
+  for (const auto& [length, steps, tolerance, most] :
+       {std::tuple(0.0f, 1, 1e-2f, 64), std::tuple(span, 0, 1e-2f, 64), std::tuple(span, 1, 0.0f, 64),
+        std::tuple(span, 65, 1e-2f, 64), std::tuple(span, 1, std::numeric_limits<float>::quiet_NaN(), 64)})
+    EXPECT_THROW(AdaptiveSteps(length, steps, tolerance, most), InputError);
+}
+
+}  // namespace
+}  // namespace pelage::springs

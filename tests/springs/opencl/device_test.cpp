@@ -1,0 +1,312 @@
+// What only a device can show: one set of bits for every cut of the work, pokes that stay where they were
+// made, and explosions that are reported.
+#include "tests/springs/support/device.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/springs/model/layout.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+using Offsets = std::vector<glm::vec3>;
+
+Offsets after(const Topology& topology, const Dynamics& dynamics, int steps,
+              const MassSpringOptions& options = {}, const Offsets& push = {}, int launch = 60) {
+  MassSprings springs(queue(), topology, dynamics, options);
+  springs.push(queue(), push);
+  for (int done = 0; done < steps; done += launch) springs.advance(queue(), std::min(launch, steps - done));
+  return springs.offsets(queue());
+}
+
+bool same_bits(const glm::vec3& a, const glm::vec3& b) {
+  for (int c = 0; c < 3; ++c)
+    if (std::bit_cast<std::uint32_t>(a[c]) != std::bit_cast<std::uint32_t>(b[c])) return false;
+  return true;
+}
+
+bool same_bits(const Offsets& a, const Offsets& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const glm::vec3& u, const glm::vec3& v) { return same_bits(u, v); });
+}
+
+TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
+  const Mesh mesh = sphere(2);  // 162 points: no multiple of 16
+  for (const Kind kind : kinds) {
+    const Topology topology = build(kind, mesh, fur_length);
+    for (const Solver solver : solvers) {
+      const Dynamics d = lively(solver);
+      Offsets once = after(topology, d, 120);
+      const auto same = [&](const MassSpringOptions& options, int launch) {
+        return same_bits(once, after(topology, d, 120, options, {}, launch));
+      };
+      EXPECT_TRUE(same({}, 7)) << name(kind) << ' ' << name(solver) << ", launches of 7 steps";
+      // So small a model is one work-item's, were it not told otherwise.
+      const auto never = MassSpringOptions::Whole::never;
+      if (kind == Kind::prisms && solver == Solver::backward_euler)
+        once = after(topology, d, 120, {.whole = never});
+      EXPECT_TRUE(same({0, 0, 1, never}, 60)) << name(kind) << ' ' << name(solver) << ", a slice per item";
+      EXPECT_TRUE(same({0, 5, 3, never}, 60))
+          << name(kind) << ' ' << name(solver) << ", groups of 5, 3 slices per item";
+      EXPECT_FALSE(same_bits(once, after(topology, d, 121)));
+    }
+  }
+}
+
+// One work-item for the whole model computes what the launches of many compute: the same bits, but where sums
+// are added in another order and tested more often, those of conjugate gradients.
+TEST(TopologyDevice, OneWorkItemForTheWholeModelDoesWhatManyDo) {
+  using Whole = MassSpringOptions::Whole;
+  const Mesh mesh = sphere(2);
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, mesh, fur_length);
+      const Dynamics d = lively(solver);
+      const auto moved = [&](Whole whole, int launch) {
+        return after(topology, d, 60, {.whole = whole}, {}, launch);
+      };
+      const Offsets many = moved(Whole::never, 60), one = moved(Whole::always, 60);
+      EXPECT_TRUE(same_bits(one, moved(Whole::always, 7))) << name(kind) << ' ' << name(solver);
+      EXPECT_TRUE(same_bits(one, moved(Whole::always, 59))) << "and a single step";
+      if (kind == Kind::prisms && solver == Solver::backward_euler) {
+        EXPECT_LT(largest_difference(many, one), 1e-4 * double(fur_length));
+      } else {
+        EXPECT_TRUE(same_bits(many, one)) << name(kind) << ' ' << name(solver);
+      }
+    }
+}
+
+TEST(TopologyDevice, OneWorkItemSolvesToTheResidualToo) {
+  const Topology topology = build(Kind::prisms, sphere(2), fur_length);
+  const Dynamics d = lively(Solver::backward_euler);
+  MassSprings one(queue(), topology, d, {.whole = MassSpringOptions::Whole::always}),
+      many(queue(), topology, d, {.whole = MassSpringOptions::Whole::never});
+  for (MassSprings* springs : {&one, &many}) {
+    springs->advance(queue(), 30);
+    EXPECT_EQ(springs->solves().solves, 30);
+    EXPECT_LE(springs->solves().worst_residual, double(d.residual));
+    EXPECT_GT(springs->solves().worst_residual, 1e-3 * double(d.residual));
+  }
+  // It asks after every iteration and the launches after every second.
+  EXPECT_LE(one.solves().iterations, many.solves().iterations);
+  EXPECT_GE(one.solves().iterations, 30);
+  EXPECT_GE(30 * one.solves().most_iterations, one.solves().iterations);
+}
+
+// What is read back, set again with its number of steps, goes on with the same bits; conjugate gradients,
+// which then start from nothing, end where they did but for their residual.
+TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
+  const Mesh mesh = sphere(2);
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, mesh, fur_length);
+      const Dynamics d = lively(solver);
+      MassSprings one(queue(), topology, d), other(queue(), topology, d);
+      one.advance(queue(), 40);
+      const Offsets offsets = one.offsets(queue()), speeds = one.speeds(queue());
+      one.advance(queue(), 7);
+      other.advance(queue(), 3);
+      other.set(queue(), offsets, speeds, 40);
+      EXPECT_EQ(other.steps(), 40);
+      EXPECT_TRUE(same_bits(other.offsets(queue()), offsets));
+      EXPECT_TRUE(same_bits(other.speeds(queue()), speeds));
+      other.advance(queue(), 7);
+      if (kind == Kind::prisms && solver == Solver::backward_euler) {
+        EXPECT_LT(largest_difference(one.offsets(queue()), other.offsets(queue())),
+                  1e-4 * double(fur_length));
+      } else {
+        EXPECT_TRUE(same_bits(one.offsets(queue()), other.offsets(queue())))
+            << name(kind) << ' ' << name(solver);
+      }
+    }
+  const Topology topology = build(Kind::prisms, mesh, fur_length);
+  MassSprings springs(queue(), topology, lively(Solver::rk4));
+  const Offsets none(topology.sticks(), glm::vec3(0));
+  EXPECT_THROW(springs.set(queue(), none, Offsets(3)), InputError);
+  EXPECT_THROW(springs.set(queue(), Offsets(topology.sticks(), glm::vec3(NAN)), none), InputError);
+  EXPECT_THROW(springs.set(queue(), none, none, -1), InputError);
+}
+
+// Drivers compile a kernel anew for every size of group, which takes seconds: two schemes have to do.
+TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
+  const Mesh mesh = sphere(2);
+  for (const auto& [kind, solver] : {std::pair(Kind::separable_prisms, Solver::backward_euler),
+                                     std::pair(Kind::prisms, Solver::semi_implicit_euler)}) {
+    const Topology topology = build(kind, mesh, fur_length);
+    const Dynamics d = lively(solver);
+    const Offsets once = after(topology, d, 120);
+    for (const MassSpringOptions& options :
+         {MassSpringOptions{0, 64, 0}, MassSpringOptions{1, 0, 0}, MassSpringOptions{1, 16, 2}})
+      EXPECT_TRUE(same_bits(once, after(topology, d, 120, options)))
+          << name(kind) << " lanes " << options.lanes << " group " << options.group;
+  }
+}
+
+TEST(TopologyDevice, APokeOfOneTriangleOfASeparableTopologyStaysThere) {
+  const Mesh mesh = sphere(1);
+  const auto face = hit(mesh, {0.1, 3, 0.05}, {0, -1, 0});
+  ASSERT_TRUE(face.has_value());
+  for (const Kind kind : kinds) {
+    const Topology topology = build(kind, mesh, fur_length);
+    const Offsets push = poke(topology, *face, {0.02f, -0.01f, 0});
+    for (const Solver solver : solvers) {
+      const Dynamics d = lively(solver);
+      const Offsets calm = after(topology, d, 60), poked = after(topology, d, 60, {}, push);
+      std::size_t changed = 0;
+      for (std::size_t i = 0; i < calm.size(); ++i) {
+        const bool aimed = push[i] != glm::vec3(0);
+        EXPECT_TRUE(!aimed || !same_bits(calm[i], poked[i])) << i;
+        if (kind != Kind::prisms) {
+          EXPECT_TRUE(aimed || same_bits(calm[i], poked[i])) << name(kind) << ' ' << i;
+        }
+        changed += !same_bits(calm[i], poked[i]);
+      }
+      if (kind == Kind::prisms) {
+        EXPECT_GT(changed, 10u) << "the wave travels";
+      } else {
+        EXPECT_EQ(changed, 3u);
+      }
+    }
+  }
+}
+
+TEST(TopologyDevice, ARayHitsTheNearestTriangle) {
+  const Mesh mesh = sphere(1);
+  const auto above = hit(mesh, {0.1, 3, 0.05}, {0, -1, 0}), below = hit(mesh, {0.1, -3, 0.05}, {0, 1, 0});
+  ASSERT_TRUE(above && below);
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_GT(mesh.position[mesh.triangle[*above][c]].y, 0);
+    EXPECT_LT(mesh.position[mesh.triangle[*below][c]].y, 0);
+  }
+  EXPECT_FALSE(hit(mesh, {0, 3, 0}, {0, 1, 0}));
+  EXPECT_FALSE(hit(mesh, {2, 3, 0}, {0, -1, 0}));
+}
+
+TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
+  for (const Kind kind : kinds) {
+    const Topology topology = build(kind, sphere(1), fur_length);
+    Dynamics d = lively(Solver::explicit_euler);
+    d.stiffness = 1e5f;  // stable below dt = 2 c / k = 0.4 us at that damping
+    MassSprings springs(queue(), topology, d);
+    try {
+      for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
+      ADD_FAILURE() << name(kind) << " did not explode";
+    } catch (const Diverged& said) {
+      EXPECT_LT(said.step, 1000);
+      EXPECT_GE(said.mass, topology.sticks());
+      EXPECT_LT(said.mass, 2 * topology.sticks());
+      const std::string text = said.what();
+      EXPECT_NE(text.find("mass " + std::to_string(said.mass)), std::string::npos) << text;
+      EXPECT_NE(text.find("step " + std::to_string(said.step)), std::string::npos) << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+      // The step is the first: a launch of so many steps is sound, one more is not.
+      MassSprings again(queue(), topology, d);
+      EXPECT_NO_THROW(again.advance(queue(), int(said.step)));
+      EXPECT_THROW(again.advance(queue(), 1), Diverged);
+      EXPECT_THROW(again.advance(queue(), 1), Diverged) << "and stays so";
+    }
+  }
+}
+
+// No solver turns a lost mass into a picture, nor waits for ever for it to come back.
+TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
+  using Whole = MassSpringOptions::Whole;
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers)
+      for (const float force : {1e30f, 3e38f})  // the sums overflow, and the tops' own equations do
+        for (const Whole whole : {Whole::never, Whole::always}) {
+          const Topology topology = build(kind, sphere(1), fur_length);
+          Offsets push(topology.sticks(), glm::vec3(0));
+          push[17] = {force, 0, 0};
+          MassSprings springs(queue(), topology, lively(solver), {.whole = whole});
+          springs.push(queue(), push);
+          try {
+            springs.advance(queue(), 5);
+            ADD_FAILURE() << name(kind) << ' ' << name(solver) << ' ' << force;
+          } catch (const Diverged& said) {
+            EXPECT_EQ(said.step, 0) << name(kind) << ' ' << name(solver) << ' ' << force;
+            // Where tops solve or stretch together others are lost in the same step.
+            if (!has_prisms(kind)) {
+              EXPECT_EQ(said.mass, topology.top(17));
+            }
+          }
+        }
+}
+
+TEST(TopologyDevice, TakesTheMemoryThatIsForetold) {
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) {
+      const Topology topology = build(kind, sphere(2), fur_length);
+      const Dynamics d = lively(solver);
+      EXPECT_EQ(MassSprings(queue(), topology, d).bytes(), memory(lay_out(topology, d.wind), solver))
+          << name(kind) << ' ' << name(solver);
+    }
+}
+
+// Each absurd value is refused with one line that names it.
+TEST(TopologyDevice, RefusesAbsurdDynamics) {
+  const float nan = std::numeric_limits<float>::quiet_NaN(),
+              infinite = std::numeric_limits<float>::infinity();
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const auto refused = [&](const char* what, const auto& spoil) {
+    Dynamics d = lively(Solver::rk4);
+    spoil(d);
+    try {
+      MassSprings springs(queue(), topology, d);
+      ADD_FAILURE() << what << " was taken";
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(what), std::string::npos) << text;
+      EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+    }
+  };
+  for (const float bad : {0.0f, -1.0f, nan, infinite}) {
+    refused("time step", [&](Dynamics& d) { d.step = bad; });
+    refused("mass", [&](Dynamics& d) { d.mass = bad; });
+    refused("wavelength", [&](Dynamics& d) { d.wind.wavelength = bad; });
+  }
+  for (const float bad : {-1.0f, nan, infinite}) {
+    refused("stiffness of the sticks", [&](Dynamics& d) { d.stiffness = bad; });
+    refused("damping of the sticks", [&](Dynamics& d) { d.damping = bad; });
+    refused("stiffness between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
+    refused("damping between tops", [&](Dynamics& d) { d.edge_damping = bad; });
+    refused("drag", [&](Dynamics& d) { d.drag = bad; });
+    refused("return force", [&](Dynamics& d) { d.return_weight = bad; });
+    refused("frequency of the gusts", [&](Dynamics& d) { d.wind.frequency = bad; });
+  }
+  for (const float bad : {nan, infinite}) {
+    refused("gravity", [&](Dynamics& d) { d.gravity.y = bad; });
+    refused("speed of the wind", [&](Dynamics& d) { d.wind.speed = bad; });
+    refused("direction of the wind", [&](Dynamics& d) { d.wind.direction.z = bad; });
+    refused("gust of the wind", [&](Dynamics& d) { d.wind.gust = bad; });
+    refused("velocity of the object", [&](Dynamics& d) { d.motion.velocity.x = bad; });
+    refused("shake of the object", [&](Dynamics& d) { d.motion.shake.x = bad; });
+    refused("spin of the object", [&](Dynamics& d) { d.motion.spin = bad; });
+    refused("swing of the object", [&](Dynamics& d) { d.motion.swing = bad; });
+  }
+  refused("direction of the wind", [](Dynamics& d) { d.wind.direction = {0, 0, 0}; });
+  refused("axis", [](Dynamics& d) { d.motion.axis = {0, 0, 0}; });
+
+  MassSprings springs(queue(), topology, lively(Solver::rk4));
+  EXPECT_THROW(springs.push(queue(), Offsets(3)), InputError);
+  EXPECT_THROW(springs.push(queue(), Offsets(topology.sticks(), glm::vec3(nan))), InputError);
+  EXPECT_THROW(springs.enqueue(queue(), 0), InputError);
+  EXPECT_THROW(MassSprings(queue(), topology, lively(Solver::rk4), {3, 0, 0}), InputError);
+  EXPECT_THROW(poke(topology, 99, {1, 0, 0}), InputError);
+  EXPECT_THROW(poke(topology, 0, {nan, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace pelage::springs

@@ -1,0 +1,209 @@
+// What must hold whatever the reference says: orders of convergence, rest, energy, Eq. 5's limits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/springs/reference/reference.hpp"
+#include "tests/springs/opencl/shim.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+constexpr double length = fur_length;
+
+struct PropertiesOf : testing::TestWithParam<Kind> {};
+std::string kind_name(const testing::TestParamInfo<Kind>& given) {
+  std::string text(name(given.param));
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
+// The error at 0.05 s against a run of 2048 steps of RK4, over falling dt: each halving divides it by
+// 2^order.
+TEST_P(PropertiesOf, OrdersOfConvergence) {
+  const Topology topology = build(GetParam(), square(1), fur_length);
+  const auto offsets_after = [&](Solver solver, int steps) {
+    Dynamics d = lively(solver);
+    d.step = 0.0625f / float(steps);  // exact
+    Shim shim(topology, d);
+    shim.advance(steps);
+    return shim.offsets();
+  };
+  const auto truth = offsets_after(Solver::rk4, 2048);
+  for (const Solver solver : solvers) {
+    const int steps = solver == Solver::rk4 ? 32 : 512;
+    const double coarse = largest_difference(offsets_after(solver, steps), truth),
+                 fine = largest_difference(offsets_after(solver, 2 * steps), truth);
+    const double order = std::log2(coarse / fine);
+    std::printf("%s %s: order %.3f, error %.2g of the fur's length\n", name(GetParam()).data(),
+                name(solver).data(), order, fine / length);
+    EXPECT_NEAR(order, solver == Solver::rk4 ? 4 : 1, 0.2) << name(solver);
+  }
+}
+
+TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
+  const Topology topology = build(GetParam(), sphere(1), fur_length);
+  const auto rest = reference::offsets(topology, reference::rest(topology));
+  for (const Solver solver : solvers) {
+    Dynamics d = still(solver);
+    d.step = lively(solver).step;  // at 1/240 s explicit Euler would blow up the rounding itself
+    Shim shim(topology, d);
+    shim.advance(500);
+    MassSprings device(queue(), topology, d);
+    device.advance(queue(), 500);
+    // Normals, places and rest lengths are floats of about 1 R, exact within 6e-8 R, and so are the device's
+    // own differences of places.
+    EXPECT_LT(largest_difference(shim.offsets(), rest), 6e-8) << name(solver);
+    EXPECT_LT(largest_difference(device.offsets(queue()), rest), 1.2e-7) << name(solver);
+  }
+}
+
+// Without Eq. 5, damping and drag the springs are conservative, and semi-implicit Euler, which is symplectic,
+// keeps the energy within a band for ever.
+TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
+  const Topology topology = build(GetParam(), square(1), fur_length);
+  Dynamics d = still(Solver::semi_implicit_euler);
+  d.return_weight = d.damping = d.edge_damping = 0;
+  d.step = 1e-3f;
+  reference::State state = reference::rest(topology);
+  std::vector<glm::dvec3> offsets = reference::offsets(topology, state), speeds(topology.sticks());
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    speeds[i] = glm::dvec3(0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i)));
+  const auto energy_of = [&](const std::vector<glm::dvec3>& q, const std::vector<glm::dvec3>& v) {
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      state.position[topology.top(i)] = state.position[i] + q[i];
+      state.velocity[topology.top(i)] = v[i];
+    }
+    return reference::energy({topology, d}, state);
+  };
+  const double start = energy_of(offsets, speeds);
+  ASSERT_GT(start, 1e-5);
+  Shim shim(topology, d);
+  shim.set(offsets, speeds);
+  double least = start, most = start, early = 0, late = 0;
+  for (int i = 0; i < 1000; ++i) {
+    shim.advance(100);
+    const double energy = energy_of(shim.offsets(), shim.speeds());
+    least = std::min(least, energy), most = std::max(most, energy);
+    (i < 500 ? early : late) += energy / 500;
+  }
+  std::printf("%s: energy from %.3f to %.3f of the start's; mean of the halves %.4f and %.4f\n",
+              name(GetParam()).data(), least / start, most / start, early / start, late / start);
+  EXPECT_GT(least, 0.8 * start);
+  EXPECT_LT(most, 1.2 * start);
+  EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
+}
+
+// Backward Euler may only lose energy there.
+TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
+  const Topology topology = build(GetParam(), square(2), fur_length);
+  Dynamics d = still(Solver::backward_euler);
+  d.return_weight = d.damping = d.edge_damping = 0;
+  d.step = 1.0f / 60;
+  reference::System system{topology, d};
+  reference::State state = reference::rest(topology);
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    state.velocity[topology.top(i)] = {0.3 * std::sin(double(i)), 0.2, 0.3 * std::cos(double(i))};
+  const double start = reference::energy(system, state);
+  std::vector<glm::dvec3> v(topology.sticks());
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = state.velocity[topology.top(i)];
+  Shim shim(topology, d);
+  shim.set(reference::offsets(topology, state), v);
+  double last = start;
+  for (int i = 0; i < 60; ++i) {
+    shim.advance(5);
+    const auto q = shim.offsets(), speed = shim.speeds();
+    for (std::size_t k = 0; k < q.size(); ++k) {
+      state.position[topology.top(k)] = state.position[k] + q[k];
+      state.velocity[topology.top(k)] = speed[k];
+    }
+    const double energy = reference::energy(system, state);
+    EXPECT_LE(energy, last * (1 + 1e-6)) << i;
+    last = energy;
+  }
+  EXPECT_LT(last, 0.5 * start);
+}
+
+// A stick leant over and let go comes back by Eq. 5 alone, each swing smaller than the one before.
+TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
+  const Topology topology = build(GetParam(), square(1), fur_length);
+  Dynamics d = still(Solver::semi_implicit_euler);
+  d.step = 1e-3f;
+  d.drag = 0.002f;
+  std::vector<glm::dvec3> q = reference::offsets(topology, reference::rest(topology));
+  for (glm::dvec3& offset : q) offset = length * glm::normalize(glm::dvec3(1, 0.6, 0));  // 59 degrees
+  Shim shim(topology, d);
+  shim.set(q, std::vector<glm::dvec3>(q.size(), glm::dvec3(0)));
+  const auto lean = [&] {
+    const glm::dvec3 s = glm::normalize(shim.offsets()[0]);
+    return std::atan2(s.x, s.y);
+  };
+  double before = lean(), highest = std::abs(before);
+  std::vector<double> peaks{highest};
+  highest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    shim.advance(1);
+    const double now = lean();
+    if ((now > 0) != (before > 0)) peaks.push_back(highest), highest = 0;
+    if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
+    before = now;
+  }
+  peaks.erase(peaks.begin() + 1);  // nothing was noted before the first crossing
+  ASSERT_GE(peaks.size(), 4u);
+  for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
+  EXPECT_LT(peaks.back(), 0.5 * peaks.front());
+}
+
+// "Grass does therefore not flip to the wrong side": the load that would pull the fur through the skin is
+// less than w, and no top goes below the plane of its root; without Eq. 5 they hang down.
+TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
+  const Topology topology = build(GetParam(), square(2), fur_length);
+  for (const float weight : {0.2f, 0.0f}) {
+    Dynamics d = still(Solver::semi_implicit_euler);
+    d.drag = 0.004f;
+    d.gravity = {1, -9.81f, 0.5f};
+    d.return_weight = weight;
+    Shim shim(topology, d);
+    double lowest = 1;
+    for (int i = 0; i < 100; ++i) {
+      shim.advance(24);
+      for (const glm::dvec3& q : shim.offsets()) lowest = std::min(lowest, q.y);
+    }
+    if (weight > 0) {
+      EXPECT_GT(lowest, 0);
+    } else {
+      EXPECT_LT(lowest, -0.5 * length);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
+
+TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  Dynamics d = still(Solver::explicit_euler);
+  d.stiffness = d.damping = 0;
+  const reference::System system{topology, d};
+  reference::State state = reference::rest(topology);
+  EXPECT_LT(glm::length(reference::forces(system, state, 0)[topology.top(0)]), 1e-14);
+  double last = 0;
+  for (int degrees = 10; degrees <= 180; degrees += 10) {
+    const double angle = degrees * std::acos(-1.0) / 180;
+    state.position[topology.top(0)] =
+        state.position[0] + length * glm::dvec3(std::sin(angle), std::cos(angle), 0);
+    const glm::dvec3 f = reference::forces(system, state, 0)[topology.top(0)];
+    // |n - s| = 2 sin(angle / 2), 1 - n.s = 2 sin^2(angle / 2)
+    EXPECT_NEAR(glm::length(f), double(d.return_weight) * 4 * std::pow(std::sin(angle / 2), 3), 1e-7);
+    EXPECT_GT(glm::length(f), last);
+    last = glm::length(f);
+  }
+}
+
+}  // namespace
+}  // namespace pelage::springs

@@ -1,0 +1,25 @@
+#include "tests/springs/opencl/shim.hpp"
+// clang-format off: it defines words that no header after it would survive
+#include "tests/springs/support/in_double.hpp"
+// clang-format on
+
+#define CORNERS 3
+#define EDGES 1
+namespace pelage::triangles_in_double {
+namespace {
+using namespace in_double;
+// clang-format off
+#include "springs/blocks.cl"
+// clang-format on
+}  // namespace
+}  // namespace pelage::triangles_in_double
+
+namespace pelage::springs::test {
+
+BlockKernels triangle_kernels() {
+  namespace kernels = triangles_in_double;
+  return {kernels::explicit_euler_frame, kernels::backward_euler_frame, kernels::semi_implicit_euler_frame,
+          kernels::rk4_frame};
+}
+
+}  // namespace pelage::springs::test

@@ -1,0 +1,156 @@
+// Each scheme of each topology against the independent reference: the kernels' text in double, which must
+// agree to the records' rounding, and the device, which must agree to 1e-4 of the fur's length.
+#include <gtest/gtest.h>
+
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/springs/reference/reference.hpp"
+#include "tests/springs/opencl/shim.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+using Whole = MassSpringOptions::Whole;
+
+reference::State run(const reference::System& system, int steps) {
+  reference::State state = reference::rest(system.topology);
+  for (int i = 0; i < steps; ++i) state = reference::step(system, state, i);
+  return state;
+}
+
+struct Case {
+  Kind kind;
+  Solver solver;
+};
+
+std::string case_name(const testing::TestParamInfo<Case>& given) {
+  std::string text = std::string(name(given.param.kind)) + "_" + std::string(name(given.param.solver));
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
+std::vector<Case> all_cases() {
+  std::vector<Case> cases;
+  for (const Kind kind : kinds)
+    for (const Solver solver : solvers) cases.push_back({kind, solver});
+  return cases;
+}
+
+struct Steps : testing::TestWithParam<Case> {};
+
+TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
+  const Dynamics dynamics = lively(GetParam().solver);
+  const int steps = int(std::lround(1 / dynamics.step));
+  for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // 5, 13 and 42 points; 4, 16 and 80 triangles
+    const Topology topology = build(GetParam().kind, mesh, fur_length);
+    reference::System system{topology, dynamics};
+    system.push.assign(topology.sticks(), glm::dvec3(0));
+    const std::vector<glm::vec3> force = poke(topology, 1, {0.004f, -0.01f, 0.006f});
+    for (std::size_t i = 0; i < force.size(); ++i) system.push[i] = glm::dvec3(force[i]);
+    const reference::State expected = run(system, steps);
+    const auto offsets = reference::offsets(topology, expected);
+    EXPECT_GT(largest_difference(reference::offsets(topology, reference::rest(topology)), offsets), 0.01)
+        << "something moved";
+
+    // Shared prisms have kernels for many work-items and for one.
+    std::vector<Whole> mappings{Whole::never};
+    if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
+    for (const Whole whole : mappings) {
+      Shim shim(topology, dynamics);
+      shim.push(force);
+      for (int done = 0; done < steps; done += 50)
+        shim.advance(std::min(50, steps - done), whole == Whole::always);
+      // Weight, moments, 1/m and a unit normal are floats in the records.
+      EXPECT_LT(largest_difference(shim.offsets(), offsets), 1e-6 * double(fur_length));
+
+      MassSprings device(queue(), topology, dynamics, {.whole = whole});
+      device.push(queue(), force);
+      for (int done = 0; done < steps; done += 50) device.advance(queue(), std::min(50, steps - done));
+      EXPECT_LT(largest_difference(device.offsets(queue()), offsets), 1e-4 * double(fur_length));
+      std::printf("%zu sticks: kernels in double %.2g, device %.2g of the fur's length\n", topology.sticks(),
+                  largest_difference(shim.offsets(), offsets) / double(fur_length),
+                  largest_difference(device.offsets(queue()), offsets) / double(fur_length));
+    }
+  }
+}
+
+struct Spread {
+  double rms = 0, percentile_99 = 0, worst = 0;  // of the fur's length
+};
+
+Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b) {
+  std::vector<double> error;
+  double squares = 0;
+  error.reserve(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    error.push_back(glm::distance(glm::dvec3(a[i]), b[i]) / double(fur_length));
+    squares += error[i] * error[i];
+  }
+  std::sort(error.begin(), error.end());
+  return {std::sqrt(squares / double(error.size())), error[error.size() * 99 / 100], error.back()};
+}
+
+// An irregular mesh of the paper's size. Compressed springs between tops may buckle, one way or the other by
+// the last bit: shared prisms are held by their spread.
+TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
+  const auto mesh = load_model("banisch-elephant");
+  for (const Kind kind : {Kind::prisms, Kind::separable_prisms})
+    for (const Solver solver : solvers) {
+      const Dynamics dynamics = lively(solver);
+      const int steps = int(std::lround(1 / dynamics.step));
+      const Topology topology = build(kind, *mesh, fur_length);
+      const auto offsets = reference::offsets(topology, run({topology, dynamics}, steps));
+      MassSprings device(queue(), topology, dynamics);
+      device.advance(queue(), steps);
+      const Spread error = spread(device.offsets(queue()), offsets);
+      std::printf(
+          "%s %s: rms %.2g, 99%% %.2g, worst %.2g of the fur's length; %ld iterations in %ld solves\n",
+          name(kind).data(), name(solver).data(), error.rms, error.percentile_99, error.worst,
+          device.solves().iterations, device.solves().solves);
+      if (kind == Kind::prisms) {
+        EXPECT_LT(error.rms, 1e-3) << name(solver);
+        EXPECT_LT(error.percentile_99, 1e-2) << name(solver);
+      } else {
+        EXPECT_LT(error.worst, 1e-4) << name(solver);
+      }
+    }
+}
+
+// |b - A x| / |b| in double, after one step with springs of that stiffness between tops. From rest the change
+// of the velocities is the velocities, so that nothing is rounded between the solver and this.
+double residual_left(const Mesh& mesh, float stiffness, float step, float asked, Whole whole) {
+  const Topology topology = build(Kind::prisms, mesh, fur_length);
+  Dynamics dynamics = lively(Solver::backward_euler);
+  dynamics.residual = asked;
+  dynamics.edge_stiffness = stiffness;
+  dynamics.step = step;
+  MassSprings device(queue(), topology, dynamics, {.whole = whole});
+  device.advance(queue(), 1);
+  const std::vector<glm::vec3> speeds = device.speeds(queue());
+  const std::vector<glm::dvec3> change(speeds.begin(), speeds.end());
+  const double left = reference::residual({topology, dynamics}, reference::rest(topology), 0, change);
+  std::printf("k = %g, dt = %.4f, asked %.0e: %.2e left, %.2e by its own reckoning, %ld iterations\n",
+              double(stiffness), double(step), double(asked), left, device.solves().worst_residual,
+              device.solves().iterations);
+  return left;
+}
+
+TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
+  const auto mesh = load_model("banisch-elephant");
+  for (const Whole whole : {Whole::never, Whole::always}) {
+    for (const float asked : {1e-2f, 1e-3f, 1e-4f})
+      EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, asked, whole), 1.05 * double(asked));
+    EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
+    // Less than the floats of the tops' places allow: they are exact to 6e-8 R, and so are the forces of
+    // springs at rest to k times that, which is what b then differs by.
+    EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Steps, testing::ValuesIn(all_cases()), case_name);
+
+}  // namespace
+}  // namespace pelage::springs

@@ -1,0 +1,199 @@
+// The reference itself: that the object's frame, in which it and the kernels compute, is the world seen from
+// the object, and that its schemes do what their closed forms say.
+#include "harness/springs/reference/reference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+struct Pose {
+  glm::dvec3 shift;
+  glm::dmat3 turn;
+};
+
+Pose pose(const Motion& m, double t) {
+  const double tau = 2 * std::numbers::pi;
+  const double angle = double(m.spin) * t + double(m.swing) * std::sin(tau * double(m.swing_frequency) * t);
+  return {
+      glm::dvec3(m.velocity) * t + glm::dvec3(m.shake) * (1 - std::cos(tau * double(m.shake_frequency) * t)),
+      glm::dmat3(glm::rotate(glm::dmat4(1), angle, glm::normalize(glm::dvec3(m.axis))))};
+}
+
+// Newton's law in the world itself: the skin's masses are carried along, tops feel springs to them, weight,
+// wind, drag and Eq. 5, and no force of any frame. Stoermer and Verlet's scheme with velocities from the last
+// half step.
+std::vector<glm::dvec3> offsets_by_the_world(const Topology& topology, const Dynamics& d, double until,
+                                             int steps) {
+  const double h = until / steps, tau = 2 * std::numbers::pi;
+  const std::size_t sticks = topology.sticks();
+  std::vector<glm::dvec3> root, normal, top, speed;
+  for (auto* values : {&root, &normal, &top, &speed}) values->reserve(sticks);
+  const Pose start = pose(d.motion, 0), soon = pose(d.motion, 1e-6), before = pose(d.motion, -1e-6);
+  for (std::size_t i = 0; i < sticks; ++i) {
+    root.emplace_back(topology.mass[i]);
+    normal.emplace_back(topology.normal[i]);
+    const glm::dvec3 rest = root[i] + glm::dvec3(topology.length * topology.normal[i]);
+    top.push_back(start.shift + start.turn * rest);
+    speed.push_back(((soon.shift + soon.turn * rest) - (before.shift + before.turn * rest)) / 2e-6);
+  }
+  const glm::dvec3 blow = glm::normalize(glm::dvec3(d.wind.direction));
+  const auto acceleration = [&](double t, const std::vector<glm::dvec3>& p,
+                                const std::vector<glm::dvec3>& v) {
+    const Pose at = pose(d.motion, t), next = pose(d.motion, t + 1e-6), last = pose(d.motion, t - 1e-6);
+    std::vector<glm::dvec3> f(sticks);
+    const auto spring = [&](glm::dvec3 from, glm::dvec3 to, glm::dvec3 from_v, glm::dvec3 to_v, double rest,
+                            double k, double c) {
+      const glm::dvec3 along = glm::normalize(to - from);
+      return (k * (glm::distance(from, to) - rest) + c * glm::dot(to_v - from_v, along)) * along;
+    };
+    for (std::size_t i = 0; i < sticks; ++i) {
+      const glm::dvec3 base = at.shift + at.turn * root[i];
+      const glm::dvec3 base_v =
+          ((next.shift + next.turn * root[i]) - (last.shift + last.turn * root[i])) / 2e-6;
+      f[i] -=
+          spring(base, p[i], base_v, v[i], double(topology.length), double(d.stiffness), double(d.damping));
+      const glm::dvec3 n = at.turn * normal[i], s = glm::normalize(p[i] - base);
+      f[i] += (n - s) * (1 - glm::dot(n, s)) * double(d.return_weight);
+      const double swell = std::sin(
+          tau * (double(d.wind.frequency) * t - glm::dot(root[i], blow) / double(d.wind.wavelength)));
+      f[i] += double(d.drag) * (double(d.wind.speed) * (1 + double(d.wind.gust) * swell) * blow - v[i]);
+      f[i] += double(d.mass) * glm::dvec3(d.gravity);
+    }
+    for (std::size_t k = sticks; k < topology.spring.size(); ++k) {
+      const std::size_t a = topology.spring[k].x - sticks, b = topology.spring[k].y - sticks;
+      const glm::dvec3 pull = spring(p[a], p[b], v[a], v[b], double(topology.rest[k]),
+                                     double(d.edge_stiffness), double(d.edge_damping));
+      f[a] += pull;
+      f[b] -= pull;
+    }
+    for (glm::dvec3& force : f) force /= double(d.mass);
+    return f;
+  };
+  const auto plus = [](std::vector<glm::dvec3> x, double time, const std::vector<glm::dvec3>& rate) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += time * rate[i];
+    return x;
+  };
+  for (int i = 0; i < steps; ++i) {
+    const double t = i * h;
+    const auto a1 = acceleration(t, top, speed), v2 = plus(speed, h / 2, a1);
+    const auto a2 = acceleration(t + h / 2, plus(top, h / 2, speed), v2), v3 = plus(speed, h / 2, a2);
+    const auto a3 = acceleration(t + h / 2, plus(top, h / 2, v2), v3), v4 = plus(speed, h, a3);
+    const auto a4 = acceleration(t + h, plus(top, h, v3), v4);
+    top = plus(plus(plus(plus(top, h / 6, speed), h / 3, v2), h / 3, v3), h / 6, v4);
+    speed = plus(plus(plus(plus(speed, h / 6, a1), h / 3, a2), h / 3, a3), h / 6, a4);
+  }
+  const Pose end = pose(d.motion, until);
+  std::vector<glm::dvec3> q;
+  q.reserve(sticks);
+  for (std::size_t i = 0; i < sticks; ++i)
+    q.push_back(glm::transpose(end.turn) * (top[i] - end.shift) - root[i]);
+  return q;
+}
+
+TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
+  for (const Kind kind : kinds) {
+    const Topology topology = build(kind, square(1), fur_length);
+    Dynamics d = lively(Solver::rk4);
+    d.step = 1e-3f;
+    const double until = 400 * double(d.step);
+    reference::State state = reference::rest(topology);
+    for (int i = 0; i < 400; ++i) state = reference::step({topology, d}, state, i);
+    const auto q = reference::offsets(topology, state);
+    const auto world = offsets_by_the_world(topology, d, until, 1000);
+    double moved = 0, worst = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      moved = std::max(moved, glm::distance(q[i], glm::dvec3(fur_length * topology.normal[i])));
+      worst = std::max(worst, glm::distance(q[i], world[i]));
+    }
+    EXPECT_GT(moved, 0.2 * double(fur_length));
+    EXPECT_LT(worst, 1e-5 * double(fur_length)) << name(kind);
+  }
+}
+
+// A stick pulled along itself is the damped oscillator m x'' + c x' + k x = 0.
+TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  Dynamics d = still(Solver::rk4);
+  d.step = 1e-4f;
+  reference::State state = reference::rest(topology);
+  const double start = 0.01;
+  state.position[topology.top(0)] += start * glm::dvec3(topology.normal[0]);
+  const double k = double(d.stiffness), c = double(d.damping), m = double(d.mass), decay = c / (2 * m),
+               rate = std::sqrt(k / m - decay * decay);
+  for (int i = 1; i <= 500; ++i) {
+    state = reference::step({topology, d}, state, i - 1);
+    const double t = i * double(d.step);
+    const double x = start * std::exp(-decay * t) * (std::cos(rate * t) + decay / rate * std::sin(rate * t));
+    ASSERT_NEAR(glm::length(reference::offsets(topology, state)[0]), double(fur_length) + x, 1e-8) << i;
+  }
+}
+
+// The linearised step is exact for a straight pull: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
+TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
+  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  Dynamics d = still(Solver::backward_euler);
+  d.step = 1.0f / 60;
+  reference::State state = reference::rest(topology);
+  double x = 0.01, v = 0;
+  state.position[topology.top(0)] += x * glm::dvec3(topology.normal[0]);
+  const double h = double(d.step), k = double(d.stiffness), c = double(d.damping), m = double(d.mass);
+  for (int i = 0; i < 60; ++i) {
+    state = reference::step({topology, d}, state, i);
+    v = (m * v - h * k * x) / (m + h * c + h * h * k);
+    x += h * v;
+    ASSERT_NEAR(glm::length(reference::offsets(topology, state)[0]), double(fur_length) + x, 1e-9) << i;
+  }
+}
+
+// Action and reaction: the springs' forces sum to nothing over all masses, also those of the skin.
+TEST(ReferenceTopology, SpringsPushBothEnds) {
+  const Topology topology = build(Kind::prisms, sphere(1), fur_length);
+  Dynamics d = still(Solver::explicit_euler);
+  d.return_weight = 0;
+  reference::State state = reference::rest(topology);
+  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i) {
+    state.position[i] +=
+        0.02 * glm::dvec3(std::sin(double(i)), std::cos(2.0 * double(i)), std::sin(3.0 * double(i)));
+    state.velocity[i] = glm::dvec3(std::cos(double(i)), std::sin(5.0 * double(i)), 0.3);
+  }
+  glm::dvec3 sum(0);
+  double size = 0;
+  for (const glm::dvec3& f : reference::forces({topology, d}, state, 0)) sum += f, size += glm::length(f);
+  EXPECT_GT(size, 1);
+  EXPECT_LT(glm::length(sum), 1e-12 * size);
+}
+
+// F = -dE/dp of the springs, by finite differences.
+TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
+  const Topology topology = build(Kind::prisms, square(2), fur_length);
+  Dynamics d = still(Solver::explicit_euler);
+  d.return_weight = d.damping = d.edge_damping = 0;
+  reference::State state = reference::rest(topology);
+  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
+    state.position[i] +=
+        0.02 * glm::dvec3(std::sin(double(i)), std::cos(2.0 * double(i)), std::sin(3.0 * double(i)));
+  const reference::System system{topology, d};
+  const auto f = reference::forces(system, state, 0);
+  for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      reference::State up = state, down = state;
+      up.position[i][c] += 1e-6;
+      down.position[i][c] -= 1e-6;
+      EXPECT_NEAR(f[i][c], (reference::energy(system, down) - reference::energy(system, up)) / 2e-6, 1e-8);
+    }
+}
+
+}  // namespace
+}  // namespace pelage::springs

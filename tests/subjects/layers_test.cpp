@@ -1,0 +1,55 @@
+// Layers in turns: the ratios are those of the rounds, and a picture of fewer layers that fails its check
+// fails the row.
+#include <gtest/gtest.h>
+
+#include "harness/subjects/fewer_layers.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+/// A frame takes its layers in ms; the pictures of `bad` layers fail.
+MakeSubject as_many_ms_as_layers(int bad) {
+  return [bad](const Case& which) -> std::unique_ptr<Subject> {
+    EXPECT_EQ(which.pipeline, "shells");
+    const int layers = std::stoi(which.settings.at("fur.layers"));
+    return std::make_unique<test::FakeSubject>(double(layers), layers == bad ? 40.0 : 80.0);
+  };
+}
+
+Row row_of(int layers, int bad = 0) {
+  RunPlan plan = test::fake_plan(1);
+  plan.cases[0].pipeline = "shells+fewer";
+  plan.cases[0].settings["fur.layers"] = std::to_string(layers);
+  return run_case(plan, plan.cases[0], {0, 6, 10, 0.5, 1}, with_fewer_layers(as_many_ms_as_layers(bad)));
+}
+
+TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {
+  const Row row = row_of(64);
+  EXPECT_EQ(row.status, Status::ok) << row.reason;
+  EXPECT_EQ(row.samples.at("half").wall_ms.size(), row.samples.at("frame").wall_ms.size());
+  // Each of at most ten fake frames takes 0.001 ms more than the one before.
+  EXPECT_NEAR(row.metrics.at("half_ratio").value, 2, 2 * 0.01 / 32);
+  EXPECT_NEAR(row.metrics.at("quarter_ratio").value, 4, 4 * 0.01 / 16);
+  EXPECT_LE(row.metrics.at("half_ratio").low, row.metrics.at("half_ratio").value);
+}
+
+TEST(Layers, ThatFailTheirCheckFailTheRow) {
+  for (const int bad : {64, 32, 16}) {
+    const Row row = row_of(64, bad);
+    EXPECT_EQ(row.status, Status::failed_check) << bad;
+    EXPECT_TRUE(row.samples.empty());
+  }
+  EXPECT_NE(row_of(64, 16).reason.find("reference, quarter"), std::string::npos);
+}
+
+TEST(Layers, MustBeAMultipleOfFour) {
+  const Row row = row_of(6);
+  EXPECT_NE(row.status, Status::ok);
+  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer draws half and a quarter of them"),
+            std::string::npos)
+      << row.reason;
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,124 @@
+// Rivals in the harness: duels, and the experiments that ask for them.
+#include "harness/subjects/opengl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "harness/measure/runner.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/opengl/opengl.hpp"
+
+namespace pelage {
+namespace {
+
+/// Draws a grey square in 10 ms, 11 ms, 12 ms ... times `factor`.
+class Grey : public Subject {
+ public:
+  Grey(double factor, float grey, std::string* order) : factor_(factor), grey_(grey), order_(order) {}
+  FrameSample frame() override {
+    *order_ += factor_ > 1 ? 'r' : 'o';
+    return {factor_ * (10.0 + frames_++), {}};
+  }
+  Picture read() override { return {2, 2, std::vector<glm::vec4>(4, glm::vec4(grey_, grey_, grey_, 1.0f))}; }
+  std::vector<Check> check(const Picture&) override { return {{"reference", "psnr", 80, 60, true}}; }
+  void describe(Row& row) override {
+    row.build_ms = factor_;
+    row.metrics["triangles"] = {12, "triangles"};
+    row.provenance[factor_ > 1 ? "rival_says" : "ours_says"] = "here";
+  }
+
+ private:
+  double factor_;
+  float grey_;
+  std::string* order_;
+  int frames_ = 0;
+};
+
+Row fought(float rivals_grey, std::string* order) {
+  RunPlan plan;
+  plan.experiment = "duels";
+  plan.device = "none";
+  plan.provenance = nlohmann::ordered_json::object();
+  Case which;
+  which.name = "case";
+  which.variant = "shells+opengl";
+  return run_case(plan, which, {0, 6, 6, 1.0, 10}, [&](const Case&) {
+    return duel(std::make_unique<Grey>(1.0, 0.5f, order), std::make_unique<Grey>(8.0, rivals_grey, order),
+                "opengl");
+  });
+}
+
+TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
+  std::string order;
+  const Row row = fought(0.5f, &order);
+  EXPECT_EQ(order, "orororororororor");  // cold, warm-up, six rounds
+  ASSERT_EQ(row.status, Status::ok) << row.reason;
+  EXPECT_EQ(row.samples.at("frame").wall_ms, (std::vector<double>{12, 13, 14, 15, 16, 17}));
+  EXPECT_EQ(row.samples.at("opengl").wall_ms, (std::vector<double>{96, 104, 112, 120, 128, 136}));
+  const Metric ratio = row.metrics.at("opengl_ratio");
+  EXPECT_DOUBLE_EQ(ratio.value, 8.0);
+  EXPECT_DOUBLE_EQ(ratio.low.value(), 8.0);
+  EXPECT_DOUBLE_EQ(ratio.high.value(), 8.0);
+  EXPECT_EQ(row.build_ms, 1.0);
+  EXPECT_EQ(row.metrics.at("opengl_build_ms").value, 8.0);
+  EXPECT_TRUE(row.provenance.contains("ours_says") && row.provenance.contains("rival_says"));
+  EXPECT_EQ(row_from_line(to_line(row)).metrics.at("opengl_ratio").low, ratio.low);
+}
+
+TEST(Duel, AnotherPictureHasNoTime) {
+  std::string order;
+  const Row row = fought(0.498f, &order);  // 54 dB
+  EXPECT_EQ(row.status, Status::failed_check);
+  EXPECT_NE(row.reason.find("psnr against opengl is 53.97"), std::string::npos) << row.reason;
+  EXPECT_TRUE(row.samples.empty());
+}
+
+TEST(Rivals, OtherPipelinesAreNotTheirs) {
+  const MakeSubject make = with_rivals(
+      [](const Case& which) -> std::unique_ptr<Subject> { throw Unsupported("asked for " + which.pipeline); },
+      {}, {});
+  Case which;
+  which.pipeline = "shells";
+  EXPECT_THROW(make(which), Unsupported);
+}
+
+// In every cell the rivals meet on Table 1's own scene.
+TEST(Rivals, MeetOnTheSceneOfTable1) {
+  const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
+  const Experiment table = read_experiment(folder / "silva2010-table1.toml");
+  std::map<std::string, std::string> expected;
+  for (const Case& which : cases_of(table, preset_of(table, "quick")))
+    expected[which.name] = scene_hash(scene_of(table, which));
+  const auto compare_with = [&](const char* file, const char* preset, std::size_t cells) {
+    const Experiment rivals = read_experiment(folder / file);
+    std::size_t compared = 0;
+    for (const Case& which : cases_of(rivals, preset_of(rivals, preset))) {
+      if (which.axes.contains("reading") && which.axes.at("reading") != "default") continue;
+      const std::string cell =
+          which.axes.at("model") + "-" + which.axes.at("layers") + "-" + which.axes.at("size");
+      ASSERT_TRUE(expected.contains(cell)) << cell;
+      EXPECT_EQ(scene_hash(scene_of(rivals, which)), expected.at(cell)) << which.name;
+      EXPECT_NE(which.pipeline.find("opengl"), std::string::npos);
+      ++compared;
+    }
+    EXPECT_EQ(compared, cells) << file;
+  };
+  compare_with("rivals.toml", "paper", 32);
+  compare_with("rivals.toml", "quick", 32);
+  compare_with("rival-options.toml", "quick", 26);
+}
+
+TEST(Rivals, EveryWritingOfTheExperimentIsOne) {
+  const Experiment options =
+      read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments" / "rival-options.toml");
+  std::set<std::string> written;
+  for (const Case& which : cases_of(options, preset_of(options, "paper")))
+    written.insert(to_text(opengl_options(which.opengl)));
+  EXPECT_EQ(written.size(), 13u);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,96 @@
+// A subject without a device, and cases for it: what the harness promises must hold whatever is timed.
+#pragma once
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "harness/measure/runner.hpp"
+
+namespace pelage::test {
+
+/// A folder of its own under the temporary ones, gone at the end.
+struct Folder {
+  std::filesystem::path path;
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "pelage-test-XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+inline std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+inline void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+inline Row sample_row(const std::string& name) {
+  Row row;
+  row.run_id = "20261121T000000Z-1";
+  row.experiment = "fake";
+  row.case_name = name;
+  row.variant = "shells/tile";
+  row.axes = {{"model", "torus"}, {"layers", "16"}, {"size", "800x600"}};
+  row.device = "a \"device\", with\ttab";
+  row.check = {{"reference", "psnr", 71.5, 60, true}, {"reference", "p99.9", 0.0039, 0.0078, false}};
+  row.samples["frame"] = {{10.25, 10.5}, {10.75, 11.0, 1e-3}};
+  row.samples["raster"] = {{8, 9}, {}};
+  row.metrics["triangles"] = {9360, "triangles"};
+  row.metrics["paper_fps"] = {1, "fps", "<", std::nullopt, 1.0};
+  row.build_ms = 812.5;
+  row.first_launch_ms = 33;
+  row.tuning = {{"TILE_W", 16}};
+  row.image_hash = "0123456789abcdef";
+  row.provenance = {{"utc", "2026-11-21T00:00:00Z"}, {"argv", {"pelage", "run"}}};
+  return row;
+}
+
+/// Draws a grey square; its times count up from `first_ms`.
+class FakeSubject : public Subject {
+ public:
+  explicit FakeSubject(double first_ms, double psnr = 80) : next_ms_(first_ms), psnr_(psnr) {}
+  FrameSample frame() override {
+    ++frames;
+    next_ms_ += 0.001;
+    return {next_ms_, {{"raster", next_ms_ - 1}}};
+  }
+  Picture read() override { return {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5f, 0.5f, 0.5f, 1.0f))}; }
+  std::vector<Check> check(const Picture&) override { return {{"reference", "psnr", psnr_, 60, true}}; }
+  void describe(Row& row) override { row.metrics["triangles"] = {12, "triangles"}; }
+  int frames = 0;
+
+ private:
+  double next_ms_, psnr_;
+};
+
+inline std::vector<Case> fake_cases(int count) {
+  std::vector<Case> cases;
+  for (int i = 0; i < count; ++i) {
+    Case c;
+    c.name = "case" + std::to_string(i);
+    c.variant = "shells/tile";
+    c.axes = {{"model", std::to_string(i)}};
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+inline RunPlan fake_plan(int count) {
+  RunPlan plan;
+  plan.run_id = "run";
+  plan.experiment = "fake";
+  plan.device = "fake";
+  plan.cases = fake_cases(count);
+  plan.limits = {0, 2, 4, 0.5, 1};
+  plan.provenance = nlohmann::ordered_json::object();
+  return plan;
+}
+
+}  // namespace pelage::test
