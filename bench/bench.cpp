@@ -16,8 +16,7 @@
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/shells/opencl/stages.hpp"
-#include "harness/subjects/shells.hpp"
+#include "harness/shells/opencl/wet_stage.hpp"
 #include "harness/version/version.hpp"
 
 namespace {
@@ -25,7 +24,7 @@ namespace {
 using namespace pelage;
 
 struct Options {
-  std::string device, scene, mapping = "tile";
+  std::string device, scene, mapping;
   std::vector<std::string> set;
   double seconds = 0.5;
 };
@@ -159,7 +158,9 @@ int run(int argc, char** argv) {
   app.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--mapping", options.mapping, "How a work-item draws: tile, pixel")->type_name("NAME");
+  app.add_option("--mapping", options.mapping, mappings_help() + " (default: what suits the device)")
+      ->check(CLI::IsMember(mappings()))
+      ->type_name("NAME");
   app.add_option("--seconds", options.seconds, "Time for each kernel's frames, s")
       ->check(CLI::Range(0.001, 3600.0))
       ->capture_default_str();
@@ -187,7 +188,7 @@ int run(int argc, char** argv) {
   benchmark::AddCustomContext("opencl_device", device.info().name);
   benchmark::AddCustomContext("opencl_platform", device.info().platform + ", driver " + device.info().driver);
   benchmark::AddCustomContext("pelage_revision", build_info().revision);
-  benchmark::AddCustomContext("kernel_hash", cl::kernel_hash());
+  benchmark::AddCustomContext("kernel_hash", bench.shells.kernel_hash());
   benchmark::AddCustomContext("scene_hash", scene_hash(scene));
   register_all(bench, options, timer.real);
   return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;

@@ -1,11 +1,7 @@
 // Where the kernel sources are.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <utility>
 
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
@@ -46,25 +42,6 @@ fs::path kernel_folder() {
   if (fs::is_directory(shared, ignored)) return shared;
   throw InputError(fmt::format("no kernels in {} or {}: name the folder with --kernels or PELAGE_DATA",
                                source.string(), shared.string()));
-}
-
-std::string kernel_hash() {
-  const fs::path folder = kernel_folder();
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder));
-  std::sort(files.begin(), files.end());
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto add = [&hash](std::string_view text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  };
-  for (const fs::path& file : files) {
-    std::ifstream stream(folder / file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    add(fmt::format("{} {}\n", file.generic_string(), text.size()));
-    add(text);
-  }
-  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace pelage::cl

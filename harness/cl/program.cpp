@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
 
 namespace pelage::cl {
 namespace fs = std::filesystem;
@@ -58,19 +59,50 @@ class IncludePath {
   fs::path path_, parent_;
 };
 
+void add_sources(const fs::path& folder, const std::string& file, Sources& found) {
+  if (found.contains(file)) return;
+  const std::string text = read_source(folder / file);
+  found[file] = Hash().text(text).value();
+  constexpr std::string_view include = "#include \"";
+  for (auto at = text.find(include); at != std::string::npos; at = text.find(include, at + 1)) {
+    const auto begin = at + include.size();
+    if (at == 0 || text[at - 1] == '\n')
+      add_sources(folder, text.substr(begin, text.find('"', begin) - begin), found);
+  }
+}
+
 }  // namespace
+
+Sources sources_of(const fs::path& file) {
+  Sources found;
+  add_sources(kernel_folder(), file.generic_string(), found);
+  return found;
+}
+
+std::string hash_of(const Sources& sources) {
+  Hash hash;
+  for (const auto& [path, contents] : sources) hash.text(path).number(contents);
+  return hash.hex();
+}
+
+std::string hash_of(const std::vector<const Program*>& programs) {
+  Sources all;
+  for (const Program* program : programs) all.insert(program->sources().begin(), program->sources().end());
+  return hash_of(all);
+}
 
 Program::Program(const Device& device, const fs::path& file, const std::string& options) {
   const fs::path folder = kernel_folder();
   const IncludePath include(folder);
   const std::string source = read_source(folder / file);
+  sources_ = sources_of(file);
   const char* text = source.data();
   const std::size_t length = source.size();
   std::string all =
       fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
   // NVIDIA's cache of binaries does not look into included files: their hash tells it that they changed.
   if (device.info().platform.find("NVIDIA") != std::string::npos)
-    all += " -D PELAGE_KERNELS=0x" + kernel_hash();
+    all += " -D PELAGE_KERNELS=0x" + hash_of(sources_);
 
   const auto start = std::chrono::steady_clock::now();
   cl_int code = CL_SUCCESS;
@@ -95,11 +127,13 @@ Program::~Program() {
 Program::Program(Program&& other) noexcept
     : program_(std::exchange(other.program_, nullptr)),
       log_(std::move(other.log_)),
+      sources_(std::move(other.sources_)),
       build_ms_(other.build_ms_) {}
 
 Program& Program::operator=(Program&& other) noexcept {
   std::swap(program_, other.program_);
   std::swap(log_, other.log_);
+  std::swap(sources_, other.sources_);
   std::swap(build_ms_, other.build_ms_);
   return *this;
 }

@@ -1,11 +1,14 @@
 // Programs built from the files of kernels/, kernels with typed arguments, events with their times.
 #pragma once
 #include <array>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "harness/cl/buffer.hpp"
 
@@ -16,8 +19,15 @@ namespace pelage::cl {
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
-/// 16 hex digits (FNV-1a) over the names and contents of every file of the kernel folder.
-std::string kernel_hash();
+/// Kernel files by their path in the kernel folder, each with the hash of its contents.
+using Sources = std::map<std::string, std::uint64_t>;
+
+/// `file` and every file that it includes, directly or not. Throws InputError for a file that is not there.
+Sources sources_of(const std::filesystem::path& file);
+
+/// 16 hex digits (FNV-1a) over the paths and contents of the files; equal files give equal digits, in
+/// whatever order programs were built.
+std::string hash_of(const Sources& sources);
 
 class Program {
  public:
@@ -29,12 +39,17 @@ class Program {
   cl_program get() const { return program_; }
   const std::string& log() const { return log_; }
   double build_ms() const { return build_ms_; }
+  const Sources& sources() const { return sources_; }
 
  private:
   cl_program program_ = nullptr;
   std::string log_;
+  Sources sources_;
   double build_ms_ = 0;
 };
+
+/// The same over the sources of all these programs together.
+std::string hash_of(const std::vector<const Program*>& programs);
 
 class Event {
  public:

@@ -13,7 +13,7 @@
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
-#include "harness/mesh/hash.hpp"
+#include "harness/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"

@@ -95,10 +95,9 @@ void add_render(CLI::App& app, Chosen& chosen) {
                    "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
   command
-      ->add_option(
-          "--mapping", options->mapping,
-          "How the shells' pixels are spread: a work-item draws a tile, or a pixel, or a work-group a "
-          "tile; default: group on a GPU, else tile")
+      ->add_option("--mapping", options->mapping,
+                   "How the shells' pixels are spread over work-items (default: what suits the device): " +
+                       mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")

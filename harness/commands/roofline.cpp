@@ -25,8 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RooflineOptions {
-  std::string experiment = "silva2010-table1", preset = "quick", device, mapping = "tile",
-              tuning = "defaults", output;
+  std::string experiment = "silva2010-table1", preset = "quick", device, mapping, tuning = "defaults", output;
   std::string filter = "^(torus-16|torus-64|bunny-16|lion-16)-800x600$";
   int frames = 15;
 };
@@ -149,7 +148,11 @@ void add_roofline(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
       ->type_name("DEVICE");
-  command->add_option("--mapping", options->mapping, "How a work-item draws: tile, pixel")
+  command
+      ->add_option(
+          "--mapping", options->mapping,
+          "How pixels are spread over work-items (default: what suits the device): " + mappings_help())
+      ->check(CLI::IsMember(mappings()))
       ->type_name("NAME")
       ->capture_default_str();
   command->add_option("--tuning", options->tuning, "Values of the kernels' tuning axes")

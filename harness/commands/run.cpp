@@ -137,7 +137,6 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   plan.provenance.update(device_provenance(device.info()));
   plan.provenance["preset"] = options.preset;
   plan.provenance["order_seed"] = seed;
-  plan.provenance["kernel_hash"] = kernel_hash();
 
   const std::string shard = options.shard.empty() ? ""
                                                   : fmt::format(".{}-of-{}", options.shard_or_all().index,

@@ -100,10 +100,11 @@ void declare(CLI::App& command, RunOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
   command
-      .add_option(
-          "--mapping", options.mapping,
-          "How the shells' pixels are spread, where the experiment does not say; default: group on a GPU, "
-          "else tile")
+      .add_option("--mapping", options.mapping,
+                  "How the shells' pixels are spread over work-items, where the experiment does not say "
+                  "(default: what "
+                  "suits the device): " +
+                      mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command.add_option("--tuning", options.tuning, "Values of the kernels' tuning axes")

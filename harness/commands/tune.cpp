@@ -70,7 +70,7 @@ std::string text_at(const fs::path& file) {
 }
 
 void store(const fs::path& file, const std::string& stage, const TuningSearch& found,
-           const cl::Device& device, const std::vector<NamedInput>& inputs) {
+           const std::string& kernel_hash, const cl::Device& device, const std::vector<NamedInput>& inputs) {
   const cl::DeviceInfo& info = device.info();
   std::string scenes;
   for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
@@ -78,9 +78,9 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
       found.best.empty() ? std::string("nothing tried was faster than what is shipped")
                          : fmt::format("{:.3f} ({:.3f} to {:.3f}) of the shipped time", found.last.ratio,
                                        found.last.interval.low, found.last.interval.high);
-  const std::string note = fmt::format(
-      "{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform, info.driver,
-      utc_now(), build_info().revision.substr(0, 12), cl::kernel_hash(), against, scenes);
+  const std::string note =
+      fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
+                  info.driver, utc_now(), build_info().revision.substr(0, 12), kernel_hash, against, scenes);
   const std::string text = with_stage(fs::exists(file) ? text_at(file) : "", stage, found.best, note);
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
   write_atomically(file, [&](const fs::path& temporary) {
@@ -134,7 +134,7 @@ int tune(const TuneOptions& options) {
       fmt::print("{}\t{}\t{} of the shipped time{}\n", stages[i], text_of(found.last.tuning),
                  told(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
-    store(file, stages[i], found, device, inputs);
+    store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);
   }
   fmt::print(stderr, "pelage: use it with run --tuning {}\n", file.string());
   return 0;

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/mesh/hash.hpp"
 #include "harness/picture/image_io.hpp"
 
 namespace pelage {

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "harness/mesh/hash.hpp"
+#include "harness/hash.hpp"
 
 namespace pelage {
 namespace {

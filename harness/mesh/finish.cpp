@@ -10,8 +10,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "harness/hash.hpp"
 #include "harness/mesh/geometry.hpp"
-#include "harness/mesh/hash.hpp"
 
 namespace pelage {
 namespace {

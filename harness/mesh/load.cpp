@@ -7,10 +7,10 @@
 #include <regex>
 
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
 #include "harness/mesh/archive.hpp"
 #include "harness/mesh/cache.hpp"
 #include "harness/mesh/finish.hpp"
-#include "harness/mesh/hash.hpp"
 #include "harness/mesh/isolated.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"

@@ -12,8 +12,8 @@
 #include "harness/compare/sticks.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
+#include "harness/hash.hpp"
 #include "harness/measure/memory.hpp"
-#include "harness/mesh/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -64,6 +64,7 @@ class ShellsSubject : public Subject {
     row.build_ms = shells_.build_ms();
     row.tuning = options_.tuning;
     row.metrics["wet_ms"] = {shells_.wet_ms(), "ms"};
+    row.metrics["per_mask_ms"] = {shells_.per_mask_ms(), "ms"};
     row.metrics["covered_fragments"] = {double(shells_.count()), "fragments"};
     row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};
@@ -80,6 +81,7 @@ class ShellsSubject : public Subject {
     row.metrics["windows_psnr"] = {sample_.psnr, "dB"};
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
     row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
+    row.provenance["kernel_hash"] = shells_.kernel_hash();
     row.provenance["mesh_hash"] = input_->mesh->hash;
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
@@ -105,21 +107,6 @@ class ShellsSubject : public Subject {
 };
 
 }  // namespace
-
-std::string kernel_hash() {
-  std::vector<fs::path> files;
-  const fs::path folder = cl::kernel_folder();
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  Hash hash;
-  for (const fs::path& file : files) {
-    std::ifstream stream(file, std::ios::binary);
-    hash.text(fs::relative(file, folder).string());
-    hash.text(std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()));
-  }
-  return hash.hex();
-}
 
 MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
                       const std::map<std::string, int>& tuning,

@@ -15,7 +15,4 @@ MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
                       const std::map<std::string, int>& tuning,
                       const std::function<void(const std::string&)>& progress);
 
-/// Hash of every file under kernels/: which text was compiled.
-std::string kernel_hash();
-
 }  // namespace pelage

@@ -8,9 +8,11 @@
 
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
-#include "harness/mesh/hash.hpp"
+#include "harness/hash.hpp"
+#include "harness/shells/opencl/params.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/shells/opencl/stages.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
+#include "harness/shells/opencl/wet_stage.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 
@@ -35,10 +37,11 @@ std::string broken(const std::vector<Check>& checks) {
 class Frame : public Contender {
  public:
   Frame(const cl::Device& device, std::shared_ptr<const FrameInput> input, const Tuning& tuning)
-      : input_(std::move(input)), shells_(device, input_, {"tile", tuning}) {
+      : input_(std::move(input)), shells_(device, input_, {"", tuning}) {
     shells_.advance(frames_before(input_->scene.dynamics));
   }
   double run_ms() override { return shells_.frame().wall_ms; }
+  std::string kernel_hash() const override { return shells_.kernel_hash(); }
   std::uint64_t output_hash() override { return Hash().values(shells_.read().pixel).value(); }
   std::string fault() override {
     return broken(check_against_reference(*input_, shells_.frames_simulated(), shells_.read(), 1).checks);
@@ -58,6 +61,7 @@ class StrandStep : public Contender {
       : queue_(device),
         input_(std::move(input)),
         stage_(queue_, *input_, shells::lay_out(*input_, device.info().lanes), device.info().lanes, tuning) {}
+  std::string kernel_hash() const override { return cl::hash_of({&stage_.program()}); }
   double run_ms() override {
     return timed([&] {
       stage_.frame(queue_, frames_++, nullptr);
@@ -90,6 +94,9 @@ class Mask : public Contender {
  public:
   Mask(const cl::Device& device, std::shared_ptr<const FrameInput> input, const Tuning& tuning)
       : queue_(device), input_(std::move(input)), stage_(queue_, *input_, tuning) {}
+  std::string kernel_hash() const override {
+    return stage_.program() ? cl::hash_of({stage_.program()}) : std::string();
+  }
   double run_ms() override {
     return timed([&] {
       const cl::Event event = stage_.run(queue_);

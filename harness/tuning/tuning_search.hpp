@@ -15,8 +15,9 @@ namespace pelage {
 class Contender {
  public:
   virtual ~Contender() = default;
-  virtual double run_ms() = 0;              ///< the work once more, ms
-  virtual std::uint64_t output_hash() = 0;  ///< of what the last run computed
+  virtual double run_ms() = 0;                            ///< the work once more, ms
+  virtual std::uint64_t output_hash() = 0;                ///< of what the last run computed
+  virtual std::string kernel_hash() const { return {}; }  ///< of the programs that it runs
   virtual std::string fault() = 0;  ///< what the reference says against it, in one line; "" for nothing
 };
 

@@ -1,5 +1,5 @@
 // What a device can do at best: the yardsticks of `pelage devices --measure`, and a load to hold its timer against.
-#include "opencl.clh"
+#include "dialect.clh"
 
 // McCalpin's STREAM triad: 12 bytes moved and 2 operations per float.
 __kernel void triad(__global float *a, __global const float *b, __global const float *c, float s) {

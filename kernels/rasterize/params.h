@@ -18,8 +18,8 @@ typedef struct {
   float curl_radius;                          // K_alpha, R
   // Tiles and the triangles in them.
   int tiles_x, tiles_y;
-  int group;                                  // layers of which a tile decides together what it leaves out
-  int groups;                                 // one for the base, then ceil((end_layer - first_layer) / group)
+  int layer_batch;                            // layers of which a tile decides together what it leaves out
+  int layer_batches;                          // one for the base, then ceil((end_layer - first_layer) / layer_batch)
   int first_layer, end_layer;                 // what a pass draws: all of 0 .. N - 1, or a part where all at once need too much memory
   int chunk;                                  // triangles counted together
   int chunks;

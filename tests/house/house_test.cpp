@@ -111,7 +111,7 @@ TEST(House, PlantedInclusionsAreFound) {
       {"kernels/wet/wet.cl", "\"harness/error.hpp\""},
       {"kernels/wet/params.h", "<stdint.h>"},
       {"kernels/common/powers.clh", "\"wet/params.h\""},
-      {"kernels/opencl.clh", "\"common/powers.clh\""}};
+      {"kernels/dialect.clh", "\"common/powers.clh\""}};
   for (const auto& [path, include] : forbidden)
     EXPECT_EQ(faults_of(path, include), 1u) << path << " includes " << include;
 

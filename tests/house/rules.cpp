@@ -59,15 +59,16 @@ std::vector<Line> lines_of(const std::string& text) {
 std::string kernel_fault(const std::string& path, const std::string& what) {
   const std::string room = room_of(path, "kernels");
   const bool common = room_of("kernels/" + what, "kernels") == "common" && ends_with(what, ".clh");
-  if (path == "kernels/opencl.clh") return "the dialect stands alone";
+  const bool lanes = starts_with(what, "lanes") && what.find('/') == std::string::npos;
+  if (path == "kernels/dialect.clh" && !lanes) return "the dialect includes its lanes and nothing else";
   if (ends_with(path, "params.h")) return "a record shared with the host includes nothing";
-  if (what == "opencl.clh" || common) return {};
-  if (room == "common") return "common/ uses opencl.clh and common/ only";
+  if (what == "dialect.clh" || common || (lanes && path == "kernels/dialect.clh")) return {};
+  if (room == "common") return "common/ uses dialect.clh and common/ only";
   if (what == room + "/params.h") return {};
   if (ends_with(path, "/equations.clh"))
-    return "equations use opencl.clh, their room's params.h and common/*.clh only";
+    return "equations use dialect.clh, their room's params.h and common/*.clh only";
   if (starts_with(what, room + "/") && ends_with(what, ".clh")) return {};
-  return "a kernel uses its own room, opencl.clh and common/ only";
+  return "a kernel uses its own room, dialect.clh and common/ only";
 }
 
 std::string harness_fault(const std::string& path, const std::string& what, const Links& links) {

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "harness/cl/program.hpp"
-#include "harness/shells/opencl/group_bins.hpp"
+#include "harness/cl/radix_sort.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"
 #include "harness/springs/model/scene.hpp"
@@ -135,7 +135,7 @@ TEST(DISABLED_Tiny, SumsOfTwoBlocks) {
   const cl::Queue queue(device());
   const std::vector<std::int32_t> ones(1030, 1);
   const cl::Buffer<std::int32_t> values(queue, ones);
-  EXPECT_EQ(shells::GroupSort(queue.device()).scan(queue, values, ones.size(), nullptr, true), 1030);
+  EXPECT_EQ(cl::RadixSort(queue.device()).scan(queue, values, ones.size(), nullptr, true), 1030);
 }
 TEST(DISABLED_Tiny, Measures) {
   const cl::Queue queue(device());

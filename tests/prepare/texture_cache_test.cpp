@@ -4,8 +4,8 @@
 
 #include <sstream>
 
+#include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
-#include "harness/mesh/hash.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/fur_texture.hpp"
 #include "harness/prepare/surface_map.hpp"

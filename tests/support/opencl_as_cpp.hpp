@@ -1,4 +1,4 @@
-// kernels/opencl.clh's words for C++: one lane, in double. A test includes this and then, inside namespace
+// kernels/dialect.clh's words for C++: one lane, in double. A test includes this and then, inside namespace
 // pelage::in_double, the .clh files it wants; the device's own text is then checked without a device. Include
 // the kernel files once per translation unit, and kernels/ must be on the include path.
 #pragma once

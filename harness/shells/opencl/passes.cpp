@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "harness/shells/opencl/stages.hpp"
+#include "harness/shells/opencl/raster_stage.hpp"
 
 namespace pelage::shells {
 namespace {
@@ -21,7 +21,7 @@ int layers_at_once(const RasterParams& p, int wanted, const cl::Device& device) 
   const std::size_t rows = std::max<std::size_t>(2, most / (screen_bytes * std::size_t(p.vertices)));
   const int fit = wanted > 0 ? wanted : int(std::min(rows - 1, std::size_t(p.layers)));
   if (fit >= p.layers) return p.layers;
-  return fit > p.group ? fit / p.group * p.group : fit;
+  return fit > p.layer_batch ? fit / p.layer_batch * p.layer_batch : fit;
 }
 
 int RasterStage::passes() const {
@@ -32,15 +32,16 @@ void RasterStage::set_pass(int number) {
   params_.first_layer = number * layers_at_once_;
   params_.end_layer = std::min(params_.first_layer + layers_at_once_, params_.layers);
   const int layers = params_.end_layer - params_.first_layer;
-  params_.groups = 1 + (layers + params_.group - 1) / params_.group;
+  params_.layer_batches = 1 + (layers + params_.layer_batch - 1) / params_.layer_batch;
 }
 
-void RasterStage::begin_pass(const cl::Queue& queue, int number, PhaseEvents* events) {
+void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mapping, PhaseEvents* events) {
   set_pass(number);
-  layers_.with(params_, vertex_, tip_, dry_, table_, screen_, box_);
-  cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / mapping_.lanes));
+  const RasterBuffers& b = buffers_;
+  layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);
+  cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));
-  bin(queue, events);
+  mapping.bin(queue, params_, buffers_, events);
 }
 
 }  // namespace pelage::shells

@@ -3,8 +3,11 @@
 #include <chrono>
 #include <optional>
 
+#include "harness/shells/opencl/params.hpp"
+#include "harness/shells/opencl/raster_stage.hpp"
+#include "harness/shells/opencl/simulate_stage.hpp"
 #include "harness/shells/opencl/spring_stage.hpp"
-#include "harness/shells/opencl/stages.hpp"
+#include "harness/shells/opencl/work.hpp"
 
 namespace pelage {
 
@@ -22,7 +25,7 @@ struct Shells::State {
   State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
       : queue(device),
         input(std::move(from)),
-        lanes(shells::mapping_of(options.mapping, device).lanes),
+        lanes(shells::mapping_named(options.mapping, device.info()).lanes(device.info())),
         geometry(shells::lay_out(*input, lanes)),
         wet(queue, *input, options.tuning),
         raster(queue, *input, geometry, wet, options) {
@@ -40,12 +43,20 @@ struct Shells::State {
   }
 
   void draw(shells::PhaseEvents* events) {
-    if (springs) {
-      springs->tips(queue, raster, events);
-      raster.frame(queue, nullptr, 0, events);
-    } else {
-      raster.frame(queue, &simulate->state(), simulate->stride(), events);
-    }
+    const cl::Buffer<float>& tips =
+        springs ? springs->tips(queue, raster.params(), raster.vertex(), events)
+                : raster.strand_tips(queue, simulate->state(), simulate->stride(), events);
+    raster.frame(queue, tips, events);
+  }
+
+  std::vector<const cl::Program*> programs() const {
+    std::vector<const cl::Program*> all = raster.programs();
+    if (springs)
+      for (const cl::Program* program : springs->programs()) all.push_back(program);
+    else
+      all.push_back(&simulate->program());
+    if (wet.program()) all.push_back(wet.program());
+    return all;
   }
 };
 
@@ -107,10 +118,16 @@ std::map<std::string, double> Shells::operations(const Tally& tally, double wet_
 double Shells::wet_ms() const {
   return state_->wet.mask_ms();
 }
+double Shells::per_mask_ms() const {
+  return state_->raster.per_mask_ms();
+}
 double Shells::build_ms() const {
-  const State& s = *state_;
-  return (s.springs ? s.springs->build_ms() : s.simulate->build_ms()) + s.wet.build_ms() +
-         s.raster.build_ms();
+  double sum = 0;
+  for (const cl::Program* program : state_->programs()) sum += program->build_ms();
+  return sum;
+}
+std::string Shells::kernel_hash() const {
+  return cl::hash_of(state_->programs());
 }
 
 std::vector<glm::vec4> Shells::mask() const {

@@ -11,11 +11,12 @@
 
 namespace pelage {
 
-/// "tile": a work-item draws a tile, in 16 lanes where these pay; "pixel": one draws a pixel, plainly;
-/// "group": a work-group draws a tile, a work-item a pixel, and all of them share its triangles.
+/// Names of the ways to spread a frame's pixels over a device's work-items.
 const std::vector<std::string>& mappings();
+/// "name: what it does; ..." of all of them, for --help.
+std::string mappings_help();
 
-/// "group" on GPUs, else "tile".
+/// The name of the one that suits the device.
 std::string default_mapping(const cl::DeviceInfo& device);
 
 struct ShellOptions {
@@ -72,6 +73,10 @@ class Shells {
   std::uint64_t count();    ///< covered fragments of the last frame, all layers (an extra, untimed pass)
   double build_ms() const;  ///< kernel builds
   double wet_ms() const;    ///< Algorithm 1
+  /// Kernels that run once per mask outside of the frame, warm: dryness and curl frames of vertices, reach of
+  /// triangles.
+  double per_mask_ms() const;
+  std::string kernel_hash() const;  ///< of the sources of all programs that were built, includes and all
 
  private:
   struct State;

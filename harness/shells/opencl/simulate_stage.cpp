@@ -1,21 +1,10 @@
-#include <fmt/format.h>
+#include "harness/shells/opencl/simulate_stage.hpp"
 
 #include <algorithm>
 
-#include "harness/shells/opencl/stages.hpp"
+#include "harness/shells/opencl/params.hpp"
 
 namespace pelage::shells {
-
-std::string build_options(int lanes, const std::map<std::string, int>& tuning) {
-  std::string options = fmt::format("-D LANES={}", lanes);
-  for (const auto& [name, value] : tuning) options += fmt::format(" -D {}={}", name, value);
-  return options;
-}
-
-int tuned(const std::map<std::string, int>& tuning, const std::string& axis, int otherwise) {
-  const auto found = tuning.find(axis);
-  return found == tuning.end() ? otherwise : found->second;
-}
 
 namespace {
 
@@ -31,7 +20,7 @@ std::vector<float> rest_state(const Geometry& g) {
 }  // namespace
 
 SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry,
-                             int lanes, const std::map<std::string, int>& tuning)
+                             int lanes, const Tuning& tuning)
     : program_(queue.device(), "simulate/simulate.cl", build_options(lanes, {})),
       step_(program_, "strand_frame"),
       params_(simulate_params(input.scene, geometry)),

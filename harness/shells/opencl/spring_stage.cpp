@@ -1,5 +1,6 @@
 #include "harness/shells/opencl/spring_stage.hpp"
 
+#include "harness/shells/opencl/build_options.hpp"
 #include "harness/springs/model/scene.hpp"
 
 namespace pelage::shells {
@@ -29,6 +30,7 @@ SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const 
       program_(queue.device(), "rasterize/geometry/sticks.cl", build_options(lanes, {})),
       tips_(program_, "stick_tips"),
       stick_(queue, std::span<const std::int32_t>(columns(masses_, geometry))),
+      tip_(queue.device(), 3 * std::size_t(geometry.vertices)),
       substeps_(input.scene.dynamics.substeps),
       lanes_(lanes),
       level_(input.scene.dynamics.bend == "tangent") {
@@ -47,10 +49,12 @@ void SpringStage::frame(const cl::Queue& queue, PhaseEvents* events) {
   for (cl::Event& launch : launches) events->emplace_back("simulate", std::move(launch));
 }
 
-void SpringStage::tips(const cl::Queue& queue, RasterStage& raster, PhaseEvents* events) {
-  tips_.with(raster.params(), level_, stick_, masses_.offset(), raster.vertex(), raster.tip());
-  cl::Event event = tips_.enqueue(queue, std::size_t(raster.params().vertices / lanes_));
+const cl::Buffer<float>& SpringStage::tips(const cl::Queue& queue, const RasterParams& params,
+                                           const cl::Buffer<float>& vertex, PhaseEvents* events) {
+  tips_.with(params, level_, stick_, masses_.offset(), vertex, tip_);
+  cl::Event event = tips_.enqueue(queue, std::size_t(params.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));
+  return tip_;
 }
 
 }  // namespace pelage::shells

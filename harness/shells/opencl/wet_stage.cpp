@@ -1,8 +1,9 @@
+#include "harness/shells/opencl/wet_stage.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
-#include "harness/shells/opencl/stages.hpp"
 #include "kernels/wet/params.h"
 
 namespace pelage::shells {
@@ -54,7 +55,7 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
 
 }  // namespace
 
-WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const std::map<std::string, int>& tuning)
+WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning)
     : size_(input.scene.wetness.size),
       bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
       droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),

@@ -1,5 +1,7 @@
 #include "harness/shells/opencl/work.hpp"
 
+#include "harness/shells/opencl/mapping.hpp"
+
 namespace pelage::shells {
 namespace {
 
@@ -29,9 +31,9 @@ std::map<std::string, double> frame_operations(const RasterParams& raster, const
   return {{"strand_frame", double(simulate.stride) * simulate.substeps * operations::strand_substep},
           {"vertex_tips", double(geometry.weight.size()) * operations::tip_entry},
           {"layer_vertices", double(raster.vertices) * (raster.layers + 1) * operations::vertex_layer},
-          {"tile_shells", fragments + eye_per_pixel},
-          {"pixel_shells", fragments + eye_per_fragment},
-          {"group_shells", fragments + eye_per_fragment}};
+          {std::string(tile_mapping.kernel), fragments + eye_per_pixel},
+          {std::string(pixel_mapping.kernel), fragments + eye_per_fragment},
+          {std::string(workgroup_mapping.kernel), fragments + eye_per_fragment}};
 }
 
 }  // namespace pelage::shells

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "harness/error.hpp"
-#include "harness/mesh/hash.hpp"
+#include "harness/hash.hpp"
 #include "harness/shells/opengl/context.hpp"
 
 namespace pelage {

@@ -243,8 +243,8 @@ const LinearSolves& MassSprings::solves() const {
   return state_->prisms ? state_->prisms->solves() : none;
 }
 
-double MassSprings::build_ms() const {
-  return state_->prisms ? state_->prisms->build_ms() : state_->blocks->build_ms();
+const cl::Program& MassSprings::program() const {
+  return state_->prisms ? state_->prisms->program() : state_->blocks->program();
 }
 
 }  // namespace pelage::springs

@@ -77,7 +77,7 @@ class MassSprings {
   float length() const;       ///< of the fur, R
   std::size_t bytes() const;  ///< of device memory, as memory() counts it
   const LinearSolves& solves() const;
-  double build_ms() const;
+  const cl::Program& program() const;  ///< of the solver
 
  private:
   struct State;

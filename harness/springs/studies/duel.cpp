@@ -103,7 +103,8 @@ class Duel : public Subject {
 
   void describe(Row& row) override {
     const Topology& topology = setting_.topology;
-    row.build_ms = masses_.build_ms();
+    row.build_ms = masses_.program().build_ms();
+    row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
     row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
     row.metrics["sticks"] = {double(topology.sticks()), "sticks"};
     row.metrics["springs"] = {double(topology.spring.size()), "springs"};

@@ -83,9 +83,9 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
   if (block * LANES >= s.vertices) return;
   Corner c = corner(&s, vertex, tip, dry, block);
   Bounds all = nothing();
-  for (int g = 0; g < s.groups; ++g) {
-    int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.group;
-    int last = g == 0 ? 0 : min(first + s.group, s.end_layer);
+  for (int g = 0; g < s.layer_batches; ++g) {
+    int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.layer_batch;
+    int last = g == 0 ? 0 : min(first + s.layer_batch, s.end_layer);
     Bounds bounds = nothing();
     for (int n = first; n < last; ++n) {
       Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
@@ -96,7 +96,7 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
     store_bounds(bounds, box + (size_t)g * s.vertices * 4, block);
     all = both(all, bounds);
   }
-  store_bounds(all, box + (size_t)s.groups * s.vertices * 4, block);
+  store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
 }
 
 // One attribute record per vertex for the fragments: u, v, A, B.

@@ -1,7 +1,25 @@
-// The fast form on CPUs: a work-item owns a tile, sets LANES triangles up at once, lays them on the pixels they cover and
-// shades blocks of LANES neighbouring pixels. Layers run from the tips down and triangles backwards, compositing front to
-// back: layers write no depth, so 'under' in reverse order is exactly the paper's 'over', and a pixel stops when nothing
-// more can be seen.
+// The tile mapping, the fast form on CPUs: a work-item owns a tile, sets LANES triangles up at once, lists them at the blocks
+// of 4 x 4 pixels that they cover, and shades LANES neighbouring pixels at once. Layers run from the tips down and triangles
+// backwards, and composite front to back: layers write no depth, so 'under' in reverse order is the paper's 'over', and a
+// pixel stops when nothing more can be seen. The stages, in the order in which a tile runs them:
+//
+//   draw_layer         set up the triangles of a layer                 below, coverage/
+//   keep, cover_pixels list the triangles at the blocks they cover     fragments.clh
+//   find_next          which triangle each pixel is shaded with next   lists.clh
+//   points_at          where on the triangle the pixels are            points.clh, coverage/perspective.clh
+//   shade, flush       attributes, clump, fur, light, blending         blocks.clh, shading/
+//   find_hidden        what the base hides, once it is drawn           hidden.clh
+//   may_be_seen        the triangles that a batch of layers draws      hidden.clh
+//   resolve            base surface or background                      blocks.clh
+#include "rasterize/buffers.clh"
+#include "rasterize/coverage/cells.clh"
+#include "rasterize/coverage/perspective.clh"
+#include "rasterize/geometry/boxes.clh"
+#include "rasterize/shading/fragment.clh"
+#include "rasterize/tile/fragments.clh"
+#include "rasterize/tile/lists.clh"
+#include "rasterize/tile/points.clh"
+#include "rasterize/tile/blocks.clh"
 #include "rasterize/tile/hidden.clh"
 
 // The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
@@ -161,7 +179,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   hide_nothing(&pass->hidden);
 
   pass->n = -1;
-  pass->layer = layer_at(s, m.table, -1);
+  pass->layer = layer_at(s, m.layer_table, -1);
   int first = list_start[number], entries = list_start[number + 1] - first;
   Entries listed = {list + first, 0, 0};
   draw_layer(pass, m, &listed, entries, &batch, &drawn, &tile);
@@ -172,7 +190,7 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
 
   uint fragments = 0;
   if (entries > 0) find_eyes(pass, &tile);
-  for (int g = s->groups - 1; g > 0; --g) {
+  for (int g = s->layer_batches - 1; g > 0; --g) {
 #ifdef COUNT_FRAGMENTS
     Entries drawn_here = listed;
     int count = entries;
@@ -181,17 +199,17 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
     Entries drawn_here = {0, columns, entries + LANES};
     int count = may_be_seen(pass, m, g, listed.list, entries, columns, drawn_here.stride);
 #endif
-    int inner = s->first_layer + (g - 1) * s->group;
-    for (int n = min(inner + s->group, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
+    int inner = s->first_layer + (g - 1) * s->layer_batch;
+    for (int n = min(inner + s->layer_batch, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
       pass->n = n;
-      pass->layer = layer_at(s, m.table, n);
+      pass->layer = layer_at(s, m.layer_table, n);
       pass->slice = slice_of(s, n);
       fragments += (uint)draw_layer(pass, m, &drawn_here, count, &batch, &drawn, &tile);
     }
   }
 #ifndef COUNT_FRAGMENTS
   pass->n = -1;
-  pass->layer = layer_at(s, m.table, -1);
+  pass->layer = layer_at(s, m.layer_table, -1);
   if (s->first_layer > 0)
     suspend(s, place, &tile, image);
   else
@@ -200,23 +218,15 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   return fragments;
 }
 
-// image: width x height, top row first, rgb and coverage. covered: fragments of all layers in each tile, when counting.
-// shown: room for four times the lists, and 4 LANES more per tile. next: the first tile that nobody draws yet, 0 at
-// first; so no work-item is left with all the furry tiles.
-__kernel void tile_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen, TABLE(float) box,
-                          TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                          TABLE(int) list_start, TABLE(int) list, __global int *shown, TABLE(float) records,
-                          TABLE(float) tangents, TABLE(float) curls, TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered,
-                          __global int *next) {
-  Geometry m = {corners, screen, vertex, tip, dry, table, box};
+// shown: room for four times the lists, and 4 LANES more per tile. next: the number of the next tile that no work-item has
+// taken, 0 at first. Work-items take tiles one by one, so none is left with all the tiles that hold much fur.
+__kernel void tile_shells(RasterParams s, RASTER_BUFFERS, __global int *shown, __global int *next) {
+  RasterBuffers of = RASTER_RECORD;
+  Geometry m = of.geometry;
   Pass pass;
   pass.s = &s;
-  pass.from.records = records;
-  pass.from.tangents = tangents;
-  pass.from.curls = curls;
-  pass.from.textures.fur = fur;
-  pass.from.textures.coat = coat;
-  pass.from.textures.mask = mask;
+  pass.from = of.attributes;
+  pass.textures = of.textures;
   for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
     uint fragments = draw_tile(&pass, m, number, list_start, list, shown, image);
 #ifdef COUNT_FRAGMENTS

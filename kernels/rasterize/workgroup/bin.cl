@@ -1,6 +1,6 @@
-// Bins for the mapping `group`: which triangles may touch which tile of TILE_W x TILE_H pixels, per group of layers
+// Bins of the workgroup mapping: which triangles may touch which tile of TILE_W x TILE_H pixels, per batch of layers
 // and in the mesh's order. Each triangle counts its tiles, a prefix sum says where its entries go, it writes them as pairs
-// of list and triangle, and a stable sort (group_sort.cl) brings the lists together. 5 or 5 million triangles: nothing is
+// of list and triangle, and a stable sort (common/radix_sort.cl) brings the lists together. 5 or 5 million triangles: nothing is
 // sized in advance.
 #include "rasterize/geometry/boxes.clh"
 
@@ -16,7 +16,7 @@ static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) b
 // count: [g triangles + t].
 __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
   int i = (int)get_global_id(0);
-  if (i >= s.groups * s.triangles) return;
+  if (i >= s.layer_batches * s.triangles) return;
   Span tiles = tiles_of(&s, corners, box, i / s.triangles, i % s.triangles);
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
@@ -25,7 +25,7 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);
-  if (i >= s.groups * s.triangles) return;
+  if (i >= s.layer_batches * s.triangles) return;
   int g = i / s.triangles, t = i % s.triangles, at = start[i];
   Span tiles = tiles_of(&s, corners, box, g, t);
   for (int y = tiles.top; y <= tiles.bottom; ++y)
@@ -39,7 +39,7 @@ __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box,
 __kernel void group_starts(RasterParams s, int count, TABLE(int) key, __global int *list_start) {
   int i = (int)get_global_id(0);
   if (i > count) return;
-  int lists = s.groups * s.tiles_x * s.tiles_y;
+  int lists = s.layer_batches * s.tiles_x * s.tiles_y;
   int from = i == 0 ? 0 : key[i - 1] + 1, to = i == count ? lists : key[i];
   for (int list = from; list <= to; ++list) list_start[list] = i;
 }

@@ -1,6 +1,17 @@
-// The mapping for GPUs: a work-group owns a tile, a work-item a pixel. Triangles come in batches: each work-item sets one
-// up and finds the pixels that it covers as bits of a word; those that cover none drop out; then each pixel draws those
-// that cover it. Layers run from the tips down and triangles backwards, compositing front to back, as in tiles.cl.
+// The workgroup mapping, for GPUs: a work-group owns a tile, a work-item a pixel. Triangles come in batches: each work-item
+// sets one up and finds the pixels that it covers as bits of a word; triangles that cover no pixel drop out; then each pixel
+// draws those that cover it. Layers run from the tips down and triangles backwards, and composite front to back: layers
+// write no depth, so 'under' in reverse order is the paper's 'over'.
+//
+//   put_triangle       set up one triangle, its pixels as bits         batch.clh, coverage/
+//   draw_clipped       the triangles that cross the near plane         below, coverage/fan.clh
+//   perspective_in     where on the triangle the pixel is              batch.clh, coverage/perspective.clh
+//   draw               base: keep the nearest; layers: shade, blend    below
+//   blend_under        clump, fur texture, light, blending             shading/one_pixel.clh
+//   over_base          base surface or background                      shading/one_pixel.clh
+#include "rasterize/buffers.clh"
+#include "rasterize/coverage/perspective.clh"
+#include "rasterize/shading/one_pixel.clh"
 #include "rasterize/workgroup/batch.clh"
 
 // What a layer's triangles are drawn with.
@@ -16,14 +27,14 @@ typedef struct {
   int x, y;                                  // in the tile
   float from_centre_x, from_centre_y;        // of the image, pixels
   float depth;                               // 1/w of the base, 0 where there is none
-  Hit base;
+  Perspective base;
   int vertex[3];                             // of the base
   float4 front;                              // colour gathered, and the transmittance of what it was gathered from
   uint fragments;                            // covered by layers, whether seen or not
 } Pixel;
 
 // The triangle in a slot at a pixel that it covers.
-INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Hit h, Pixel *p) {
+INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective h, Pixel *p) {
   int vertex[3] = {d->v0[slot], d->v1[slot], d->v2[slot]};
   if (pass->n < 0) {
     if (h.iw <= p->depth) return;
@@ -35,11 +46,7 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Hit h, Pixe
 #ifndef COUNT_FRAGMENTS
   if (h.iw < p->depth || p->front.w <= OPAQUE) return;
   Surface at = surface_at(pass->s, pass->from, h, vertex, p->from_centre_x, p->from_centre_y);
-  Fur f = fur_fragment(pass->s, pass->textures, pass->layer, slice_of(pass->s, pass->n), at);
-  if (f.coverage <= 0.0f) return;
-  real3 c = fur_colour(pass->s, pass->textures, pass->layer, at, f);
-  float weight = p->front.w * f.coverage;
-  p->front = fma((float4)(weight), (float4)(c.x, c.y, c.z, -1.0f), p->front);
+  blend_under(pass->s, pass->textures, pass->layer, slice_of(pass->s, pass->n), at, &p->front);
 #endif
 }
 
@@ -61,23 +68,21 @@ INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot
   for (int i = 0; i < pieces; ++i) {
     if (!(w->drawn.covered[GROUP_ITEMS + i] >> item & 1)) continue;
     if (pass->n >= 0) ++p->fragments;
-    draw(pass, &w->drawn, GROUP_ITEMS + i, of_piece(hit_in(&w->drawn, GROUP_ITEMS + i, p->x, p->y), &w->piece[i]), p);
+    Perspective at = perspective_in(&w->drawn, GROUP_ITEMS + i, p->x, p->y);
+    draw(pass, &w->drawn, GROUP_ITEMS + i, within_triangle(at, w->piece[i]), p);
   }
 }
 
-// image: width x height, top row first, rgb and coverage. covered: fragments of all layers at each pixel, when counting.
 __kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
-void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABLE(float) screen,
-                  TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry,
-                  TABLE(int) list_start, TABLE(int) list, TABLE(float) records, TABLE(float) tangents, TABLE(float) curls,
-                  TABLE(int) fur, TABLE(int) coat, TABLE(float) mask, __global float4 *image, __global uint *covered) {
+void group_shells(RasterParams s, RASTER_BUFFERS) {
   __local Work work;
   int item = (int)get_local_id(0), tile = (int)get_group_id(0), tiles = s.tiles_x * s.tiles_y;
   int first_x = tile % s.tiles_x * TILE_W, first_y = tile / s.tiles_x * TILE_H;
   int origin_x = SUBPIXEL * first_x + 128 - 128 * s.width, origin_y = SUBPIXEL * first_y + 128 - 128 * s.height;
   int width = min(TILE_W, s.width - first_x), height = min(TILE_H, s.height - first_y);
-  Geometry m = {corners, screen, vertex, tip, dry, table};
-  Pass pass = {&s, {records, tangents, curls}, {fur, coat, mask}};
+  RasterBuffers of = RASTER_RECORD;
+  Geometry m = of.geometry;
+  Pass pass = {&s, of.attributes, of.textures};
 
   Pixel p;
   p.x = item % TILE_W;
@@ -103,10 +108,10 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
   // n = -1, the base, forwards; then the pass's layers from the outermost one, backwards.
   for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
     int n = step < 0 ? -1 : s.end_layer - 1 - step;
-    int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.group;
+    int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
     int first = list_start[g * tiles + tile], last = list_start[g * tiles + tile + 1];
     pass.n = n;
-    pass.layer = layer_at(&s, table, n);
+    pass.layer = layer_at(&s, layer_table, n);
     for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
       barrier(CLK_LOCAL_MEM_FENCE);          // the last batch has been drawn
       if (item == 0) clear(&work, 1 - turn); // all have read it, and it is next
@@ -126,7 +131,7 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {
           int slot = lowest_bit(mine);
-          draw(&pass, &work.drawn, slot, hit_in(&work.drawn, slot, p.x, p.y), &p);
+          draw(&pass, &work.drawn, slot, perspective_in(&work.drawn, slot, p.x, p.y), &p);
         }
         if (fans == 0) break;
         draw_clipped(&pass, m, &work, lowest_bit(fans), item, origin_x, origin_y, width, height, &p);
@@ -159,13 +164,7 @@ void group_shells(RasterParams s, TABLE(float) table, TABLE(float) corners, TABL
     image[at] = p.front;
     return;
   }
-  float4 behind = (float4)(s.background[0], s.background[1], s.background[2], 0.0f);
-  if (p.depth > 0.0f) {
-    Layer base = layer_at(&s, table, -1);
-    real3 c = skin_colour(&s, pass.textures, base, surface_at(&s, pass.from, p.base, p.vertex, p.from_centre_x, p.from_centre_y));
-    behind = (float4)(c.x, c.y, c.z, 1.0f);
-  }
-  image[at] = (float4)(p.front.x + p.front.w * behind.x, p.front.y + p.front.w * behind.y, p.front.z + p.front.w * behind.z,
-                       1.0f - p.front.w * (1.0f - behind.w));
+  image[at] = over_base(&s, of.attributes, of.textures, layer_at(&s, layer_table, -1), p.depth > 0.0f, p.base, p.vertex,
+                        p.from_centre_x, p.from_centre_y, p.front);
 #endif
 }

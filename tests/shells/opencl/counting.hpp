@@ -1,4 +1,4 @@
-// kernels/opencl.clh's words for C++ once more (tests/support/opencl_as_cpp.hpp): one lane, of a type that
+// kernels/dialect.clh's words for C++ once more (tests/support/opencl_as_cpp.hpp): one lane, of a type that
 // counts its operations. An fma counts as two, a division, square root, logarithm or power as what the
 // kernels' own text of it takes; comparisons, choices, conversions and signs are free.
 #pragma once

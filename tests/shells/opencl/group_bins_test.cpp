@@ -1,7 +1,5 @@
-// The prefix sums and the sort that the bins of the mapping "group" are made of, against the standard
+// The prefix sums and the sort that the bins of the workgroup mapping are made of, against the standard
 // library's.
-#include "harness/shells/opencl/group_bins.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "harness/cl/radix_sort.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 
 namespace pelage::shells {
@@ -27,9 +26,9 @@ cl::Buffer<std::int32_t> on_device(const cl::Queue& queue, const Values& values)
   return cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(values));
 }
 
-TEST(GroupSort, PrefixSumsAreExact) {
+TEST(RadixSort, PrefixSumsAreExact) {
   const cl::Queue queue(pictures::device());
-  GroupSort sort(queue.device());
+  cl::RadixSort sort(queue.device());
   // One value, a block, its neighbours, two levels, three levels.
   for (const std::size_t count : {1u, 15u, 1023u, 1024u, 1025u, 100000u, 1048577u}) {
     const Values values = random_values(count, 1000, std::uint32_t(count));
@@ -42,9 +41,9 @@ TEST(GroupSort, PrefixSumsAreExact) {
   }
 }
 
-TEST(GroupSort, SumsThatAreTooLargeAreSeen) {
+TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
   const cl::Queue queue(pictures::device());
-  GroupSort sort(queue.device());
+  cl::RadixSort sort(queue.device());
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   const std::size_t count = 5000;
   EXPECT_EQ(sort.scan(queue, on_device(queue, Values(count, most / 4000)), count, nullptr, true), most);
@@ -52,9 +51,9 @@ TEST(GroupSort, SumsThatAreTooLargeAreSeen) {
             most / 5000 * 5000);
 }
 
-TEST(GroupSort, IsStable) {
+TEST(RadixSort, IsStable) {
   const cl::Queue queue(pictures::device());
-  GroupSort sort(queue.device());
+  cl::RadixSort sort(queue.device());
   for (const auto& [count, bits] :
        {std::pair{0u, 4}, {1u, 1}, {31u, 3}, {32u, 4}, {3333u, 9}, {70000u, 17}}) {
     const Values keys = random_values(count, 1 << bits, count);

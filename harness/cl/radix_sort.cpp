@@ -1,0 +1,82 @@
+#include "harness/cl/radix_sort.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pelage::cl {
+namespace {
+
+// The kernels are built with these (kernels/common/prefix_sum.clh, radix_sort.cl).
+constexpr std::size_t scan_items = 64, scan_block = scan_items * 16;
+constexpr std::size_t sort_items = 64, sort_run = 32;
+constexpr int sort_bits = 4;
+
+std::size_t ceil_div(std::size_t a, std::size_t b) {
+  return (a + b - 1) / b;
+}
+
+void keep(std::vector<Event>* events, Event event) {
+  if (events) events->push_back(std::move(event));
+}
+
+}  // namespace
+
+void grow(const Queue& queue, Buffer<std::int32_t>& buffer, std::size_t count) {
+  if (count > buffer.size()) buffer = Buffer<std::int32_t>(queue.device(), count + count / 4);
+}
+
+RadixSort::RadixSort(const Device& device)
+    : program_(device, "common/radix_sort.cl",
+               fmt::format("-D LANES=1 -D SCAN_ITEMS={} -D SCAN_EACH={} -D SORT_BITS={} -D SORT_RUN={}",
+                           scan_items, scan_block / scan_items, sort_bits, sort_run)),
+      blocks_(program_, "scan_blocks"),
+      add_(program_, "scan_add"),
+      count_(program_, "sort_count"),
+      move_(program_, "sort_move") {}
+
+std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
+                             std::vector<Event>* events, bool read_sum) {
+  // Sums of blocks, then of blocks of blocks, until one block is left; then back.
+  std::vector<std::size_t> length{count};
+  std::size_t level = 0;
+  do {
+    const std::size_t blocks = std::max<std::size_t>(ceil_div(length[level], scan_block), 1);
+    if (sums_.size() == level) sums_.emplace_back();
+    grow(queue, sums_[level], blocks);
+    blocks_.with(std::int32_t(length[level]), level == 0 ? value : sums_[level - 1], sums_[level]);
+    keep(events, blocks_.enqueue(queue, blocks * scan_items, scan_items));
+    length.push_back(blocks);
+    ++level;
+  } while (length[level] > 1);
+  for (std::size_t i = level - 1; i-- > 0;) {
+    add_.with(std::int32_t(length[i]), sums_[i], i == 0 ? value : sums_[i - 1]);
+    keep(events, add_.enqueue(queue, length[i]));
+  }
+  std::array<std::int32_t, 1> sum{};
+  if (read_sum) sums_[level - 1].read(queue, sum);
+  return sum[0];
+}
+
+void RadixSort::sort(const Queue& queue, Buffer<std::int32_t>& key, Buffer<std::int32_t>& value,
+                     std::size_t count, int bits, std::vector<Event>* events) {
+  if (count == 0) return;
+  const std::size_t runs = ceil_div(count, sort_run), digits = runs << sort_bits;
+  const std::size_t items = ceil_div(runs, sort_items) * sort_items;
+  grow(queue, digits_, digits);
+  grow(queue, other_key_, count);
+  grow(queue, other_value_, count);
+  for (int shift = 0; shift < bits; shift += sort_bits) {
+    count_.with(std::int32_t(count), shift, key, digits_);
+    keep(events, count_.enqueue(queue, items, sort_items));
+    scan(queue, digits_, digits, events, false);
+    move_.with(std::int32_t(count), shift, digits_, key, value, other_key_, other_value_);
+    keep(events, move_.enqueue(queue, items, sort_items));
+    std::swap(key, other_key_);
+    std::swap(value, other_value_);
+  }
+}
+
+}  // namespace pelage::cl

@@ -1,0 +1,55 @@
+// The mappings that there are; the first is the default on CPUs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "harness/error.hpp"
+#include "harness/shells/opencl/mapping.hpp"
+#include "harness/shells/opencl/shells.hpp"
+
+namespace pelage::shells {
+namespace {
+
+const MappingKind* const kinds[] = {&tile_mapping, &pixel_mapping, &workgroup_mapping};
+
+const MappingKind& default_kind(const cl::DeviceInfo& device) {
+  return device.gpu ? workgroup_mapping : *kinds[0];
+}
+
+}  // namespace
+
+const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device) {
+  if (name.empty()) return default_kind(device);
+  const auto found =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const auto* kind) { return kind->name == name; });
+  if (found == std::end(kinds))
+    throw InputError(fmt::format("mapping '{}': one of {}", name, fmt::join(mappings(), ", ")));
+  return **found;
+}
+
+}  // namespace pelage::shells
+
+namespace pelage {
+
+const std::vector<std::string>& mappings() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto* kind : shells::kinds) list.emplace_back(kind->name);
+    return list;
+  }();
+  return names;
+}
+
+std::string mappings_help() {
+  std::string text;
+  for (const auto* kind : shells::kinds)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", kind->name, kind->what);
+  return text;
+}
+
+std::string default_mapping(const cl::DeviceInfo& device) {
+  return std::string(shells::default_kind(device).name);
+}
+
+}  // namespace pelage

@@ -1,0 +1,58 @@
+// The pixel mapping: a work-item draws a pixel, one fragment after the other. kernels/rasterize/pixel/.
+#include <fmt/format.h>
+
+#include "harness/shells/opencl/tile_bins.hpp"
+
+namespace pelage::shells {
+namespace {
+
+class PixelMapping : public Mapping {
+ public:
+  PixelMapping(const MappingSetup& setup, std::size_t counters_per_pixel)
+      : bins_(setup.geometry),
+        raster_(setup.device, "rasterize/pixel/pixel.cl", setup.options),
+        draw_(raster_, "pixel_shells"),
+        counters_per_pixel_(counters_per_pixel) {}
+
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, PhaseEvents* events) override {
+    bins_.make(queue, p, b, events);
+  }
+  cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
+    b.set(draw_, p);
+    return draw_.enqueue(queue, {std::size_t(p.width), std::size_t(p.height)});
+  }
+  std::size_t counters(const RasterParams& p) const override {
+    return counters_per_pixel_ * std::size_t(p.width) * std::size_t(p.height);
+  }
+  std::vector<const cl::Program*> programs() const override { return {&raster_}; }
+
+ private:
+  TileBins bins_;
+  cl::Program raster_;
+  cl::Kernel draw_;
+  std::size_t counters_per_pixel_;
+};
+
+}  // namespace
+
+std::unique_ptr<Mapping> tally_mapping(MappingSetup setup, int every) {
+  setup.options += fmt::format(" -D TALLY={}", every);
+  return std::make_unique<PixelMapping>(setup, 3);
+}
+
+const MappingKind pixel_mapping{.name = "pixel",
+                                .what = "a work-item draws a pixel, one fragment after the other",
+                                .kernel = "pixel_shells",
+                                .lanes = [](const cl::DeviceInfo&) { return 1; },
+                                .tuning =
+                                    [](Tuning tuning) {
+                                      // A pixel walks its tile's whole list for every layer: the shorter the
+                                      // better.
+                                      tuning.insert({{"TILE_W", 8}, {"TILE_H", 8}});
+                                      return tuning;
+                                    },
+                                .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
+                                  return std::make_unique<PixelMapping>(setup, 1);
+                                }};
+
+}  // namespace pelage::shells

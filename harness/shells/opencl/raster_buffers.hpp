@@ -1,0 +1,34 @@
+// The buffers of a frame, as every mapping's kernel takes them.
+#pragma once
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "harness/cl/program.hpp"
+#include "kernels/rasterize/params.h"
+
+namespace pelage::shells {
+
+/// kernels/rasterize/buffers.clh names and describes the same buffers in the same order.
+struct RasterBuffers {
+  cl::Buffer<float> layer_table;
+  cl::Buffer<std::int32_t> corner;  ///< four per triangle: its vertices and its reach
+  cl::Buffer<float> screen, box;
+  cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns
+  const cl::Buffer<float>* tip = nullptr;  ///< B of docs/frame.md, 3: three columns
+  cl::Buffer<float> dry;
+  cl::Buffer<std::int32_t> list_start, list;
+  cl::Buffer<float> record, tangent, curl;
+  cl::Buffer<std::int32_t> fur, coat;
+  const cl::Buffer<float>* mask = nullptr;  ///< 4 floats per texel
+  cl::Buffer<glm::vec4> image;
+  cl::Buffer<std::uint32_t> covered;
+
+  /// Sets all of a mapping's kernel arguments; `more` follow the buffers.
+  template <class... More>
+  void set(cl::Kernel& kernel, const RasterParams& params, const More&... more) const {
+    kernel.with(params, layer_table, corner, screen, box, vertex, *tip, dry, list_start, list, record,
+                tangent, curl, fur, coat, *mask, image, covered, more...);
+  }
+};
+
+}  // namespace pelage::shells

@@ -1,0 +1,31 @@
+// Silva's strands in motion.
+#pragma once
+#include "harness/prepare/frame_input.hpp"
+#include "harness/shells/opencl/build_options.hpp"
+#include "harness/shells/opencl/geometry.hpp"
+#include "harness/shells/opencl/phases.hpp"
+#include "kernels/simulate/params.h"
+
+namespace pelage::shells {
+
+/// S Eq. 2 and 3 for all strands.
+class SimulateStage {
+ public:
+  SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
+                const Tuning& tuning = {});
+  void frame(const cl::Queue& queue, int number, PhaseEvents* events);
+  const cl::Buffer<float>& state() const { return state_; }  ///< STATE_COLUMNS columns
+  int stride() const { return params_.stride; }
+  const cl::Program& program() const { return program_; }
+
+ private:
+  cl::Program program_;
+  cl::Kernel step_;
+  SimulateParams params_;
+  DynamicsScene dynamics_;
+  int lanes_;
+  std::size_t local_;  // work-items in a work-group; 0: the driver's choice
+  cl::Buffer<float> gusts_, constants_, state_;
+};
+
+}  // namespace pelage::shells

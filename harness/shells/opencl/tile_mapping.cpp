@@ -1,0 +1,55 @@
+// The tile mapping: a work-item draws a tile, in 16 lanes where the device has them. kernels/rasterize/tile/.
+#include <algorithm>
+
+#include "harness/shells/opencl/tile_bins.hpp"
+
+namespace pelage::shells {
+namespace {
+
+class TileMapping : public Mapping {
+ public:
+  explicit TileMapping(const MappingSetup& setup)
+      : bins_(setup.geometry),
+        raster_(setup.device, "rasterize/tile/tile.cl", setup.options),
+        draw_(raster_, "tile_shells"),
+        lanes_(std::size_t(tile_mapping.lanes(setup.device.info()))) {}
+
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, PhaseEvents* events) override {
+    bins_.make(queue, p, b, events);
+    const std::size_t room = 4 * (b.list.size() + counters(p) * lanes_);
+    if (shown_.size() < room) shown_ = cl::Buffer<std::int32_t>(queue.device(), room);
+  }
+
+  cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
+    b.set(draw_, p, shown_, bins_.next_tile());
+    // Work-items fetch tiles until there are none. Platforms hand work-items to threads by the dozen: more
+    // work-items than threads balance the load.
+    const std::size_t items = 32 * std::size_t(queue.device().info().compute_units);
+    return draw_.enqueue(queue, std::min(counters(p), items), 1);
+  }
+
+  std::size_t counters(const RasterParams& p) const override {
+    return std::size_t(p.tiles_x) * std::size_t(p.tiles_y);
+  }
+  std::vector<const cl::Program*> programs() const override { return {&raster_}; }
+
+ private:
+  TileBins bins_;
+  cl::Program raster_;
+  cl::Kernel draw_;
+  std::size_t lanes_;
+  cl::Buffer<std::int32_t> shown_;  // the triangles that a tile's layer batch draws, as columns
+};
+
+}  // namespace
+
+const MappingKind tile_mapping{.name = "tile",
+                               .what = "a work-item draws a tile, in 16 lanes where the device has them",
+                               .kernel = "tile_shells",
+                               .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
+                               .tuning = [](Tuning tuning) { return tuning; },
+                               .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
+                                 return std::make_unique<TileMapping>(setup);
+                               }};
+
+}  // namespace pelage::shells

@@ -1,0 +1,29 @@
+// The wetness mask.
+#pragma once
+#include <optional>
+
+#include "harness/cl/program.hpp"
+#include "harness/prepare/frame_input.hpp"
+#include "harness/shells/opencl/build_options.hpp"
+
+namespace pelage::shells {
+
+/// Algorithm 1 over the mask. Without droplets the mask is nothing but zeros, and no kernel is built for it.
+class WetStage {
+ public:
+  WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning = {});
+  cl::Event run(const cl::Queue& queue);  ///< makes the mask; the constructor has done so already
+  const cl::Buffer<float>& mask() const { return mask_; }                         ///< 4 floats per texel
+  const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
+  double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm; 0 without droplets
+
+ private:
+  int size_, bucket_;  // texels a side, of the mask and of a bucket
+  std::optional<cl::Program> program_;
+  std::optional<cl::Kernel> kernel_;
+  cl::Buffer<float> droplets_, surface_, mask_;
+  cl::Buffer<std::int32_t> row_, drop_;
+  double mask_ms_ = 0;
+};
+
+}  // namespace pelage::shells

@@ -1,0 +1,101 @@
+// The workgroup mapping, named "group" for users: kernels/rasterize/workgroup/. A work-group owns a tile of 8
+// x 8 pixels, a work-item a pixel. Its bins are lists per tile and layer batch, made by prefix sums and a
+// stable sort.
+#include <fmt/format.h>
+
+#include <bit>
+#include <limits>
+
+#include "harness/cl/radix_sort.hpp"
+#include "harness/error.hpp"
+#include "harness/shells/opencl/mapping.hpp"
+
+namespace pelage::shells {
+namespace {
+
+// Pixels a side of a tile: a triangle's coverage is one 64-bit word.
+constexpr int tile_side = 8;
+constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
+
+class WorkgroupMapping : public Mapping {
+ public:
+  explicit WorkgroupMapping(const MappingSetup& setup)
+      : bins_(setup.device, "rasterize/workgroup/bin.cl", setup.options),
+        count_(bins_, "group_count"),
+        emit_(bins_, "group_emit"),
+        starts_(bins_, "group_starts"),
+        sort_(setup.device),
+        raster_(setup.device, "rasterize/workgroup/workgroup.cl", setup.options),
+        draw_(raster_, "group_shells") {}
+
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, PhaseEvents* events) override {
+    const std::size_t items = std::size_t(p.layer_batches) * std::size_t(p.triangles);
+    if (items > std::size_t(std::numeric_limits<std::int32_t>::max()))
+      throw DeviceError(fmt::format(
+          "{} layer batches of {} triangles: the kernels count below 2^31; more layers to a batch "
+          "(axis GROUP)",
+          p.layer_batches, p.triangles));
+    std::vector<cl::Event> launches;
+    std::vector<cl::Event>* const noted = events ? &launches : nullptr;
+    const auto keep = [&](cl::Event event) {
+      if (events) launches.push_back(std::move(event));
+    };
+    if (offset_.size() < items) offset_ = cl::Buffer<std::int32_t>(queue.device(), items);
+    count_.with(p, b.corner, b.box, offset_);
+    keep(count_.enqueue(queue, items));
+    const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
+    // Beyond, an int cannot hold the end of the sort's last run.
+    if (total > std::numeric_limits<std::int32_t>::max() - 4096)
+      throw DeviceError(
+          "the bins would hold 2^31 triangles or more: draw a smaller picture, or more layers "
+          "to a batch (axis GROUP)");
+    const auto count = std::size_t(total);
+    const std::size_t lists = std::size_t(p.tiles_x) * std::size_t(p.tiles_y) * std::size_t(p.layer_batches);
+    if (b.list_start.size() < lists + 1) b.list_start = cl::Buffer<std::int32_t>(queue.device(), lists + 1);
+    cl::grow(queue, key_, count + 1);
+    cl::grow(queue, b.list, count + 1);
+    emit_.with(p, b.corner, b.box, offset_, key_, b.list);
+    keep(emit_.enqueue(queue, items));
+    sort_.sort(queue, key_, b.list, count, int(std::bit_width(lists - 1)), noted);
+    starts_.with(p, total, key_, b.list_start);
+    keep(starts_.enqueue(queue, count + 1));
+    for (cl::Event& launch : launches) events->emplace_back("bin", std::move(launch));
+  }
+
+  cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
+    b.set(draw_, p);
+    const std::size_t tiles = std::size_t(p.tiles_x) * std::size_t(p.tiles_y);
+    return draw_.enqueue(queue, tiles * work_items, work_items);
+  }
+
+  std::size_t counters(const RasterParams& p) const override {
+    return std::size_t(p.width) * std::size_t(p.height);
+  }
+  std::vector<const cl::Program*> programs() const override { return {&bins_, &sort_.program(), &raster_}; }
+
+ private:
+  cl::Program bins_;
+  cl::Kernel count_, emit_, starts_;
+  cl::RadixSort sort_;
+  cl::Program raster_;
+  cl::Kernel draw_;
+  cl::Buffer<std::int32_t> offset_, key_;
+};
+
+}  // namespace
+
+const MappingKind workgroup_mapping{
+    .name = "group",
+    .what = "a work-group draws a tile, a work-item a pixel, and all of them share its triangles",
+    .kernel = "group_shells",
+    .lanes = [](const cl::DeviceInfo&) { return 1; },
+    .tuning =
+        [](Tuning tuning) {
+          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // fixed in its kernels
+          return tuning;
+        },
+    .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
+      return std::make_unique<WorkgroupMapping>(setup);
+    }};
+
+}  // namespace pelage::shells
