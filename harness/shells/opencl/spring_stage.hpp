@@ -24,6 +24,8 @@ class SpringStage {
   void check(const cl::Queue& queue) const { masses_.check(queue); }
   /// Top less base of every stick, R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
+  /// Velocity of every top, R/s.
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
   double build_ms() const { return program_.build_ms() + masses_.build_ms(); }
 
  private:
