@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {
@@ -73,8 +74,9 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   return result;
 }
 
-bool within(const Agreement& agreement, const AgreementLimits& limits) {
-  return agreement.pixels > 0 && agreement.psnr >= limits.psnr && agreement.p999 <= limits.p999;
+bool within(const Agreement& agreement) {
+  return agreement.pixels > 0 && agreement.psnr >= tolerance::picture_psnr &&
+         agreement.p999 <= tolerance::flip;
 }
 
 std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed) {

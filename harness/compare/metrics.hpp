@@ -22,14 +22,10 @@ struct Agreement {
 /// picture are ignored). Throws InputError when the sizes differ.
 Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows = {});
 
-/// What "the same picture" means here: PSNR at least, 99.9th percentile at most.
-struct AgreementLimits {
-  double psnr = 60.0;
-  double p999 = 2.0 / 255.0;
-};
-
-/// False when no fur pixel was compared: an empty comparison proves nothing.
-bool within(const Agreement& agreement, const AgreementLimits& limits = {});
+/// What "the same picture" means here (harness/compare/tolerances.hpp): PSNR at least
+/// tolerance::picture_psnr, p999 at most tolerance::flip. False when no fur pixel was compared: an empty
+/// comparison proves nothing.
+bool within(const Agreement& agreement);
 
 /// `count` different windows of side x side pixels (fewer when the picture has no more), drawn by `seed` from
 /// the cells of a side x side grid that hold a fur pixel or touch a cell that does, so that fur missing at

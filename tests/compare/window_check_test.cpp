@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"
+#include "harness/compare/tolerances.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -56,15 +57,15 @@ bool passes(const WindowCheck& check) {
 
 TEST(WindowCheck, ThePictureDecidesAboutOneWrongPixel) {
   const WindowCheck check = check_against_reference(*torus().input, 0, spoilt(1, 0.25f), seed);
-  EXPECT_LT(check.sample.psnr, 60.0);
+  EXPECT_LT(check.sample.psnr, tolerance::picture_psnr);
   EXPECT_GT(check.agreement.pixels, 2 * check.sample.pixels);
-  EXPECT_GE(check.agreement.psnr, 60.0);
+  EXPECT_GE(check.agreement.psnr, tolerance::picture_psnr);
   EXPECT_TRUE(passes(check));
 }
 
 TEST(WindowCheck, ManyWrongPixelsFail) {
   const WindowCheck check = check_against_reference(*torus().input, 0, spoilt(16, 0.25f), seed);
-  EXPECT_LT(check.agreement.psnr, 60.0);
+  EXPECT_LT(check.agreement.psnr, tolerance::picture_psnr);
   EXPECT_FALSE(passes(check));
 }
 

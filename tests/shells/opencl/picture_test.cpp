@@ -1,6 +1,7 @@
 // The device's picture is the reference's: two programs written from the same papers, by different hands.
 #include <gtest/gtest.h>
 
+#include "harness/compare/tolerances.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -94,7 +95,8 @@ TEST_P(Mappings, AnyPictureSize) {
     const Picture expected = drawn_by_reference(*sized), drawn = drawn_by_device(sized, GetParam());
     const Agreement agreement = compare(expected, drawn);
     EXPECT_EQ(drawn.pixel.size(), std::size_t(width) * std::size_t(height));
-    EXPECT_LE(agreement.worst, 4.0 / 255) << describe(agreement);  // too few pixels for a percentile
+    EXPECT_LE(agreement.worst, tolerance::few_pixels_difference)
+        << describe(agreement);  // too few pixels for a percentile
   }
 }
 

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/springs/model/layout.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
@@ -81,7 +82,7 @@ TEST(TopologyDevice, OneWorkItemForTheWholeModelDoesWhatManyDo) {
       EXPECT_TRUE(same_bits(one, moved(Whole::always, 7))) << name(kind) << ' ' << name(solver);
       EXPECT_TRUE(same_bits(one, moved(Whole::always, 59))) << "and a single step";
       if (kind == Kind::prisms && solver == Solver::backward_euler) {
-        EXPECT_LT(largest_difference(many, one), 1e-4 * double(fur_length));
+        EXPECT_LT(largest_difference(many, one), tolerance::stick_top * double(fur_length));
       } else {
         EXPECT_TRUE(same_bits(many, one)) << name(kind) << ' ' << name(solver);
       }
@@ -125,7 +126,7 @@ TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
       other.advance(queue(), 7);
       if (kind == Kind::prisms && solver == Solver::backward_euler) {
         EXPECT_LT(largest_difference(one.offsets(queue()), other.offsets(queue())),
-                  1e-4 * double(fur_length));
+                  tolerance::stick_top * double(fur_length));
       } else {
         EXPECT_TRUE(same_bits(one.offsets(queue()), other.offsets(queue())))
             << name(kind) << ' ' << name(solver);
