@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "harness/cl/program.hpp"
 #include "kernels/rasterize/params.h"
 #include "tests/shells/opencl/picture_scenes.hpp"
 
