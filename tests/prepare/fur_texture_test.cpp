@@ -166,10 +166,10 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
   fur.layers = 16;  // coverage is stored as it is
-  fur.strands = 200;
-  fur.undercoat = 100;
+  fur.strands = 1500;
+  fur.undercoat = 500;
   fur.locks = 0;
-  fur.texture = 64;
+  fur.texture = 128;
   const FurTexture t = make_fur_texture(fur);
   const auto side = std::size_t(t.size);
   int tested = 0, uneven = 0;
