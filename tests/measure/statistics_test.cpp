@@ -96,5 +96,11 @@ TEST(Statistics, FlagsOutliersOnly) {
   EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
 }
 
+// The median absolute deviation is 1: the limit is 5 standard deviations, 5 * 1.4826 = 7.41 from the median.
+TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
+  EXPECT_TRUE(outliers(std::vector<double>{3, 9, 9, 9, 10, 11, 11, 11, 17}).empty());
+  EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));
+}
+
 }  // namespace
 }  // namespace pelage

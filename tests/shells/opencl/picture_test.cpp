@@ -84,6 +84,17 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
   }
 }
 
+TEST_P(Mappings, TheEyeInsideTheFur) {
+  // Triangles of the near layers cross the near plane in front of and behind whole ones of the same layer.
+  Scene scene = synthetic::lively_scene();
+  scene.fur.layers = 8;
+  scene.camera.eye = {1.05f, .04f, 0};
+  scene.camera.target = {1, 0, 1};
+  scene.camera.fov = 80;
+  const auto input = std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 30));
+  expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+}
+
 TEST_P(Mappings, AnyPictureSize) {
   for (const auto& [width, height] : {std::pair{1, 1}, {17, 33}, {161, 99}}) {
     FrameInput input = *small_frame("curling");
