@@ -21,10 +21,7 @@
 #include "harness/measure/statistics.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/springs/studies/study.hpp"
-#include "harness/subjects/fewer_layers.hpp"
-#include "harness/subjects/opengl.hpp"
-#include "harness/subjects/shells.hpp"
+#include "harness/subjects/pipelines.hpp"
 #include "harness/tuning/tuning.hpp"
 
 namespace pelage {
@@ -65,8 +62,8 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
-  const std::string usual = "shells/tile";
-  if (which.variant.starts_with(usual)) which.variant.replace(0, usual.size(), "shells/" + which.mapping);
+  if (which.variant.starts_with(default_variant))
+    which.variant.replace(0, default_variant.size(), fmt::format("{}/{}", default_pipeline, which.mapping));
   return which;
 }
 
@@ -162,10 +159,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     progress.finish(told(row));
   };
   const auto note = [&](const std::string& text) { progress.note("  " + text); };
-  const MakeSubject make =
-      springs::with_solvers(with_rivals(with_fewer_layers(shells_on(device, sweep.experiment, tuning, note)),
-                                        sweep.experiment, note),
-                            device, sweep.experiment, note);
+  const MakeSubject make = subjects_on(device, sweep.experiment, tuning, note);
   return run_cases(plan, make, journal, listener);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -49,7 +50,9 @@ void row(std::string_view what, const auto& masses, const auto& springs, const s
 
 void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std::string_view on,
            const Published& published) {
-  const springs::Topology built = springs::build(kind, mesh, any_length, vertices);
+  const springs::Solver& implicit = *std::find_if(std::begin(springs::solvers), std::end(springs::solvers),
+                                                  [](const auto& s) { return s.implicit; });
+  const springs::SpringNetwork built = springs::build(kind, mesh, any_length, vertices);
   const springs::Degrees d = springs::degrees(built);
   const springs::Layout layout = springs::lay_out(built, {});
   const auto kib = [&](springs::Solver solver) {
@@ -59,8 +62,8 @@ void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std
   const std::string paper =
       said == published.end() ? "" : fmt::format("{} / {}", said->second[0], said->second[1]);
   row(fmt::format("{}{}", springs::name(kind), on), built.mass.size(), built.spring.size(),
-      fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::Solver::semi_implicit_euler),
-      kib(springs::Solver::backward_euler), paper);
+      fmt::format("{} / {:.2f} / {}", d.least, d.mean, d.most), kib(springs::default_solver), kib(implicit),
+      paper);
 }
 
 void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
@@ -96,8 +99,8 @@ int run(const TopologyCommand& command) {
   row("strands (Silva et al. 2010)", counts.faces, counts.faces, "1 / 1.00 / 1",
       fmt::format("{:.0f}", double(strands) / 1024), "-");
   if (counts.copies != counts.points)
-    for (const springs::Kind kind : {springs::Kind::sticks, springs::Kind::prisms})
-      print(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
+    for (const springs::Kind& kind : springs::kinds)
+      if (!kind.separable) print(*mesh, kind, springs::Vertices::copies, " on vertex copies", published);
   return 0;
 }
 

@@ -24,7 +24,7 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, 
 }
 
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found) {
-  if (kind == Kind::prisms)
+  if (kind.shared_edges())
     return {{against, "rms", found.rms, tolerance::prisms_rms, false},
             {against, "p99", found.percentile_99, tolerance::prisms_p99, false}};
   return {{against, "worst", found.worst, tolerance::stick_top, false}};

@@ -110,7 +110,7 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
   std::string where = "centroids of the triangles";
   if (has_springs(input.scene.dynamics)) {
-    const springs::Topology topology = springs::topology_of(input);
+    const springs::SpringNetwork topology = springs::topology_of(input);
     const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
     root.assign(topology.mass.begin(), tops);
     rest.assign(tops, topology.mass.end());

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kDefaultVariant = "shells/tile";
-
 /// A string as TOML writes it; JSON's escapes are TOML's.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
@@ -80,7 +78,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   Case result;
   auto set = [&result](const Setting& setting) { result.settings[setting.first] = setting.second; };
   for (const Setting& setting : experiment.scene) set(setting);
-  result.variant = kDefaultVariant;
+  result.variant = default_variant;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const auto& [key, values] = axes[i];
     const std::string& value = values[choice[i]];
@@ -105,13 +103,13 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   result.overrides = recorded(overrides);
 
   const auto variant = experiment.variants.find(result.variant);
-  if (variant == experiment.variants.end() && result.variant != kDefaultVariant)
+  if (variant == experiment.variants.end() && result.variant != default_variant)
     throw InputError(fmt::format("{}: no variant '{}'", experiment.name, result.variant));
   auto part = [&](const std::string& key, std::string_view otherwise) {
     if (variant == experiment.variants.end() || !variant->second.contains(key)) return std::string(otherwise);
     return variant->second.at(key);
   };
-  result.pipeline = part("pipeline", "shells");
+  result.pipeline = part("pipeline", default_pipeline);
   result.mapping = part("mapping", "");
   result.opengl = part("opengl", "");
 

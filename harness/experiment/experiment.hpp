@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct Published {
   Metric figure;
 };
 
+/// What a case runs where the experiment names no variant: this pipeline, with the mapping that suits the
+/// device. Rows of a processor's default mapping have the variant below; report tables leave it unsaid.
+inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
+
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::filesystem::path file;
@@ -56,7 +61,7 @@ struct Experiment {
 
 struct Case {
   std::string name;     ///< unique in the experiment, fit for a file name: "torus-16-800x600"
-  std::string variant;  ///< "shells/tile"
+  std::string variant;  ///< such as default_variant
   std::string pipeline;
   std::string mapping;  ///< of the shells; "": the device's own
   std::string opengl;   ///< how the OpenGL rival is written (docs/rival.md)

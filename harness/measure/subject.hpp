@@ -1,14 +1,20 @@
 // What the harness times: anything that draws frames of a case. The shell pipeline is one; rivals and tests
 // bring others.
 #pragma once
+#include <any>
 #include <functional>
+#include <map>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "harness/cl/device.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/journal/row.hpp"
 #include "harness/measure/sampler.hpp"
+#include "harness/mesh/store.hpp"
 #include "harness/picture/picture.hpp"
 
 namespace pelage {
@@ -38,5 +44,20 @@ class Subject {
 
 /// Prepares a case. Throws DeviceError, Unsupported, InputError.
 using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
+
+/// What the subjects of one sweep are made from.
+struct SubjectContext {
+  cl::Device device;
+  Experiment experiment;
+  std::map<std::string, int> tuning;  ///< of the kernels
+  MeshStore meshes;
+  std::map<std::string, std::any> shared;  ///< results that several cases need, under a key of their maker's
+};
+
+/// A row of the table of what an experiment can time (subjects/pipelines.cpp).
+struct Pipeline {
+  std::string_view name;  ///< as a variant of an experiment writes it
+  std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);
+};
 
 }  // namespace pelage

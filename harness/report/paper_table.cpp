@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "harness/experiment/experiment.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/topology_table.hpp"
@@ -14,9 +15,6 @@
 
 namespace pelage {
 namespace {
-
-/// The variant that goes without saying.
-constexpr std::string_view kUsual = "shells/tile";
 
 /// "16" before "64", "800x600" before "1680x1050": by the number in front.
 bool by_number(const std::string& a, const std::string& b) {
@@ -149,7 +147,7 @@ std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const Model
 std::string text_of(const PaperTable& table) {
   std::string text = fmt::format("{}{}{} on {}\n", table.experiment,
                                  table.reading == "default" ? "" : ", " + table.reading + " reading",
-                                 table.variant == kUsual ? "" : ", " + table.variant, table.device);
+                                 table.variant == default_variant ? "" : ", " + table.variant, table.device);
   for (const PaperTable::Block& block : table.blocks) {
     text += fmt::format("\n{:<12}{:>10}", block.layers + " layers", "");
     for (const std::string& size : table.sizes) text += fmt::format("   {:^29}", size);
@@ -290,7 +288,7 @@ std::string csv_of(const PaperTable& table) {
 std::string file_stem_of(const PaperTable& table, bool several_devices) {
   std::string stem = table.experiment;
   if (table.reading != "default") stem += "-" + table.reading;
-  if (table.variant != kUsual) stem += "-" + table.variant;
+  if (table.variant != default_variant) stem += "-" + table.variant;
   if (several_devices) stem += "@" + table.device + "@" + table.host;
   std::string result;
   for (const char c : stem) result += c == '@' ? '-' : c;

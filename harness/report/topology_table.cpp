@@ -9,12 +9,12 @@
 
 #include "harness/report/csv.hpp"
 #include "harness/report/paper_table.hpp"
+#include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
 namespace {
 
 constexpr const char* axis = "dynamics.topology";
-const std::vector<std::string> usual{"silva", "sticks", "prisms", "separable-sticks", "separable-prisms"};
 
 using Key = std::tuple<std::string, std::string, std::string, std::string>;  // experiment, device, host, case
 using Phases = std::map<Key, std::map<std::string, std::vector<double>>>;
@@ -76,7 +76,7 @@ void compare(TopologyTable& table) {
 
 TopologyTable build(const std::vector<Cell>& cells, const Phases& phases) {
   TopologyTable table{cells.front().experiment, cells.front().device, cells.front().host, {}, {}, {}};
-  for (const std::string& topology : usual)
+  for (const std::string& topology : choices_of(axis))
     if (std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axis(axis) == topology; }))
       table.topologies.push_back(topology);
   for (const Cell& c : cells) {

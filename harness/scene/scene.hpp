@@ -122,8 +122,7 @@ struct PokeScene {
 };
 
 struct DynamicsScene {
-  std::string topology =
-      "silva";  ///< "silva" | "sticks" | "prisms" | "separable-sticks" | "separable-prisms"
+  std::string topology = "silva";              ///< what moves the fur; scene_keys.cpp lists the names
   std::string solver = "semi-implicit-euler";  ///< of a topology; Silva's strand knows this one only
   std::string bend = "paper";                  ///< of a topology's layers: "linear" | "paper" | "tangent"
   float bend_power = 2.0f;                     ///< k of B Eq. 4
@@ -144,7 +143,7 @@ struct DynamicsScene {
 
 /// Whether a mass-spring topology moves the fur, rather than Silva's strand per triangle.
 inline bool has_springs(const DynamicsScene& dynamics) {
-  return dynamics.topology != "silva";
+  return dynamics.topology != DynamicsScene{}.topology;
 }
 
 /// Frames of strand motion that `time` stands for: they pass before the first picture's own frame.
@@ -158,7 +157,7 @@ struct LightScene {
 };
 
 struct ShadingScene {
-  std::string model = "curling";  ///< "curling" (S Eq. 6) | "wet" (W Eq. 2-5) | "lambert" (B)
+  std::string model = "curling";  ///< a name of shading_models.cpp
   float shadow = 1.12f;           ///< K_shadow >= 1
   glm::vec3 specular{0.2f};       ///< K_s
   float exponent = 24.0f;         ///< p

@@ -105,7 +105,7 @@ void check_topology(const Scene& scene, const std::string& source) {
     return;
   }
   const std::string alone = "silva's strand does not know it; give a dynamics.topology such as \"sticks\"";
-  if (d.solver != "semi-implicit-euler") refuse("dynamics.solver", alone);
+  if (d.solver != DynamicsScene{}.solver) refuse("dynamics.solver", alone);
   if (d.tolerance != 0) refuse("dynamics.tolerance", alone);
   if (d.motion.velocity != glm::vec3(0)) refuse("dynamics.motion.velocity", alone);
   if (d.motion.shake != glm::vec3(0)) refuse("dynamics.motion.shake", alone);

@@ -2,10 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "harness/error.hpp"
+#include "harness/scene/shading_models.hpp"
+
 namespace pelage {
 namespace {
 
 constexpr double most_seed = 4294967295.0;
+
+std::vector<std::string_view> shading_names() {
+  std::vector<std::string_view> names;
+  for (const ShadingModel& model : shading_models()) names.push_back(model.name);
+  return names;
+}
 
 }  // namespace
 
@@ -115,7 +124,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.spread", &poke.spread, "N", -1000, 1000, "on each, away from the line through the point along `along`: parts the fur"},
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "of that line"},
 
-      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "S Eq. 6, W Eq. 2-5, or Banisch and Wuethrich's: surface colour, self-shadow and Lambert's law", .choices = {"curling", "wet", "lambert"}},
+      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "S Eq. 6, W Eq. 2-5, or Banisch and Wuethrich's: surface colour, self-shadow and Lambert's law", .choices = shading_names()},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, self-shadow of the curling model"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p of the highlight"},
@@ -197,6 +206,13 @@ std::string describe_range(const Key& key) {
 
 bool is_model_file(std::string_view model) {
   return model.find_first_of("/.") != std::string_view::npos;
+}
+
+std::vector<std::string> choices_of(std::string_view name) {
+  Scene scene;
+  for (const Key& key : scene_keys(scene))
+    if (key.name == name) return {key.choices.begin(), key.choices.end()};
+  throw InputError(fmt::format("no scene key {}", name));
 }
 
 }  // namespace pelage

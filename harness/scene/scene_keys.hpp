@@ -30,6 +30,9 @@ struct Key {
 /// Every key but the two lists, in the order in which they are written. Pointers lead into `scene`.
 std::vector<Key> scene_keys(Scene& scene);
 
+/// The values that a key of names may have, in their order. Throws InputError for no such key.
+std::vector<std::string> choices_of(std::string_view name);
+
 /// Of one entry of [[wetness.droplet]] and of [[shading.light]]; names without the list's own.
 std::vector<Key> droplet_keys(DropletScene& droplet);
 std::vector<Key> light_keys(LightScene& light);

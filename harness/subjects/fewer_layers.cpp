@@ -6,6 +6,7 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/subjects/shells.hpp"
 
 namespace pelage {
 namespace {
@@ -47,23 +48,23 @@ class FewerLayers : public Subject {
 
 }  // namespace
 
-MakeSubject with_fewer_layers(const MakeSubject& shells) {
-  return [=](const Case& which) -> std::unique_ptr<Subject> {
-    if (which.pipeline != "shells+fewer") return shells(which);
-    const auto given = which.settings.find("fur.layers");
-    const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
-    if (layers < 4 || layers % 4 != 0)
-      throw InputError(fmt::format(
-          "{}: fur.layers = {}: shells+fewer draws half and a quarter of them, too: give a multiple of 4",
-          which.name, layers));
-    const auto with = [&](int number) {
-      Case fewer = which;
-      fewer.pipeline = "shells";
-      fewer.settings["fur.layers"] = std::to_string(number);
-      return shells(fewer);
-    };
-    return std::make_unique<FewerLayers>(with(layers), with(layers / 2), with(layers / 4));
+std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which) {
+  const auto given = which.settings.find("fur.layers");
+  const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
+  if (layers < 4 || layers % 4 != 0)
+    throw InputError(
+        fmt::format("{}: fur.layers = {}: {} draws half and a quarter of them, too: give a multiple of 4",
+                    which.name, layers, which.pipeline));
+  const auto with = [&](int number) {
+    Case fewer = which;
+    fewer.settings["fur.layers"] = std::to_string(number);
+    return make(fewer);
   };
+  return std::make_unique<FewerLayers>(with(layers), with(layers / 2), with(layers / 4));
+}
+
+std::unique_ptr<Subject> make_fewer_layers(SubjectContext& context, const Case& which) {
+  return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which);
 }
 
 }  // namespace pelage

@@ -137,30 +137,17 @@ std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Sub
   return std::make_unique<Duel>(std::move(ours), std::move(rival), phase);
 }
 
-MakeSubject with_rivals(const MakeSubject& shells, const Experiment& experiment,
-                        const std::function<void(const std::string&)>& progress) {
-  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
-  const auto opengl = [=](const Case& which) -> std::unique_ptr<Subject> {
-    need_opengl();
-    const OpenGlOptions options = opengl_options(which.opengl);
-    const Scene scene = scene_of(experiment, which);
-    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
-    if (!mesh) {
-      MeshOptions how;
-      how.progress = progress;
-      mesh = load_model(scene.model, how);
-    }
-    return std::make_unique<OpenGlSubject>(prepare(scene, mesh), options,
-                                           std::uint32_t(Hash().text(which.name).value()));
-  };
-  return [=](const Case& which) -> std::unique_ptr<Subject> {
-    if (which.pipeline == "opengl") return opengl(which);
-    if (which.pipeline != "shells+opengl") return shells(which);
-    need_opengl();
-    Case ours = which;
-    ours.pipeline = "shells";
-    return duel(shells(ours), opengl(which), "opengl");
-  };
+std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which) {
+  need_opengl();
+  const OpenGlOptions options = opengl_options(which.opengl);
+  const Scene scene = scene_of(context.experiment, which);
+  return std::make_unique<OpenGlSubject>(prepare(scene, context.meshes.get(scene.model)), options,
+                                         std::uint32_t(Hash().text(which.name).value()));
+}
+
+std::unique_ptr<Subject> make_shells_against_opengl(SubjectContext& context, const Case& which) {
+  need_opengl();
+  return duel(make_shells(context, which), make_opengl(context, which), "opengl");
 }
 
 }  // namespace pelage

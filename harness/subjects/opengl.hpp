@@ -1,17 +1,17 @@
-// Rivals as subjects of the harness: OpenGL alone, and OpenGL against the OpenCL pipeline, frame by frame.
+// The OpenGL baseline as a subject of the harness: alone, and against the OpenCL pipeline, frame by frame.
 #pragma once
-#include <functional>
 #include <string>
 
 #include "harness/measure/subject.hpp"
 
 namespace pelage {
 
-/// Cases whose pipeline is "opengl" (written as the case's `opengl` says) go to the rival, "shells+opengl" to
-/// a duel, all others to `shells`. Meshes stay in memory from case to case; `progress` is told what takes
-/// long. Where there is no OpenGL the first two throw Unsupported.
-MakeSubject with_rivals(const MakeSubject& shells, const Experiment& experiment,
-                        const std::function<void(const std::string&)>& progress);
+/// The OpenGL baseline by itself, written as the case's `opengl` says. Throws Unsupported where there is no
+/// OpenGL.
+std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
+
+/// A duel of the OpenCL pipeline with it.
+std::unique_ptr<Subject> make_shells_against_opengl(SubjectContext& context, const Case& which);
 
 /// Draws a frame of `ours` and then one of the `rival`, again and again. The row is ours, and holds besides:
 /// the rival's times as phase `phase`, the agreement of the two pictures (at least

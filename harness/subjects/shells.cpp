@@ -72,7 +72,7 @@ class ShellsSubject : public Subject {
     if (peak_ > 0) row.metrics["peak_memory"] = {double(peak_), "bytes"};
     row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
     if (has_springs(input_->scene.dynamics)) {
-      const springs::Topology topology = springs::topology_of(*input_);
+      const springs::SpringNetwork topology = springs::topology_of(*input_);
       row.metrics["masses"] = {double(topology.mass.size()), "masses"};
       row.metrics["springs"] = {double(topology.spring.size()), "springs"};
     }
@@ -108,24 +108,12 @@ class ShellsSubject : public Subject {
 
 }  // namespace
 
-MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
-                      const std::map<std::string, int>& tuning,
-                      const std::function<void(const std::string&)>& progress) {
-  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
-  return [=](const Case& which) -> std::unique_ptr<Subject> {
-    if (which.pipeline != "shells")
-      throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
-    const Scene scene = scene_of(experiment, which);
-    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
-    if (!mesh) {
-      MeshOptions options;
-      options.progress = progress;
-      mesh = load_model(scene.model, options);
-    }
-    const ShellOptions options{which.mapping, tuning};
-    reset_peak_memory();
-    return std::make_unique<ShellsSubject>(device, prepare(scene, mesh), options, seed_of(which.name));
-  };
+std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_of(context.experiment, which);
+  const auto mesh = context.meshes.get(scene.model);
+  const ShellOptions options{which.mapping, context.tuning};
+  reset_peak_memory();
+  return std::make_unique<ShellsSubject>(context.device, prepare(scene, mesh), options, seed_of(which.name));
 }
 
 }  // namespace pelage

@@ -1,18 +1,11 @@
 // The shell pipeline as a subject of the harness.
 #pragma once
-#include <map>
-#include <string>
-
-#include "harness/cl/device.hpp"
 #include "harness/measure/subject.hpp"
-#include "harness/prepare/frame_input.hpp"
 
 namespace pelage {
 
-/// Makes cases of `experiment` on `device`. Meshes stay in memory from case to case. `tuning` is passed on to
-/// the kernels; `progress` is told what takes long.
-MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
-                      const std::map<std::string, int>& tuning,
-                      const std::function<void(const std::string&)>& progress);
+/// The case's scene on the context's device by the case's mapping; every timed frame is compared with the
+/// reference.
+std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which);
 
 }  // namespace pelage

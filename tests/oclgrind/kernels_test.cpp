@@ -128,7 +128,7 @@ TEST(DISABLED_Tiny, Topologies) {
 // So small a model is one work-item's: here it is cut.
 TEST(DISABLED_Tiny, PrismsInManyLaunches) {
   const cl::Queue queue(device());
-  const springs::Topology topology = springs::topology_of(*tiny("prisms", "rk4", 1));
+  const springs::SpringNetwork topology = springs::topology_of(*tiny("prisms", "rk4", 1));
   for (const springs::Solver solver : springs::solvers) {
     springs::Dynamics dynamics;
     dynamics.solver = solver;

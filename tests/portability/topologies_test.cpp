@@ -49,7 +49,7 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
             "");
   double worst = 0;
   for (const Solver solver : solvers) {
-    const Topology topology = build(kind, sphere(1), fur_length);
+    const SpringNetwork topology = build(kind, sphere(1), fur_length);
     const Dynamics dynamics = lively(solver);
     reference::State state = reference::rest(topology);
     const auto rest = reference::offsets(topology, state);

@@ -11,7 +11,6 @@ namespace {
 /// A frame takes its layers in ms; the pictures of `bad` layers fail.
 MakeSubject as_many_ms_as_layers(int bad) {
   return [bad](const Case& which) -> std::unique_ptr<Subject> {
-    EXPECT_EQ(which.pipeline, "shells");
     const int layers = std::stoi(which.settings.at("fur.layers"));
     return std::make_unique<test::FakeSubject>(double(layers), layers == bad ? 40.0 : 80.0);
   };
@@ -21,7 +20,8 @@ Row row_of(int layers, int bad = 0) {
   RunPlan plan = test::fake_plan(1);
   plan.cases[0].pipeline = "shells+fewer";
   plan.cases[0].settings["fur.layers"] = std::to_string(layers);
-  return run_case(plan, plan.cases[0], {0, 6, 10, 0.5, 1}, with_fewer_layers(as_many_ms_as_layers(bad)));
+  return run_case(plan, plan.cases[0], {0, 6, 10, 0.5, 1},
+                  [&](const Case& which) { return fewer_layers(as_many_ms_as_layers(bad), which); });
 }
 
 TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {

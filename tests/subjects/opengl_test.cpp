@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -10,6 +11,7 @@
 #include "harness/measure/runner.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "harness/subjects/pipelines.hpp"
 
 namespace pelage {
 namespace {
@@ -76,19 +78,31 @@ TEST(Duel, AnotherPictureHasNoTime) {
   EXPECT_TRUE(row.samples.empty());
 }
 
-TEST(Rivals, OtherPipelinesAreNotTheirs) {
-  const MakeSubject make = with_rivals(
-      [](const Case& which) -> std::unique_ptr<Subject> { throw Unsupported("asked for " + which.pipeline); },
-      {}, {});
+TEST(Pipelines, AnUnknownOneIsUnsupported) {
   Case which;
-  which.pipeline = "shells";
-  // The message tells this refusal from that of OpenGL without a driver.
+  which.pipeline = "no-such-pipeline";
   try {
-    make(which);
-    ADD_FAILURE() << "nobody was asked";
+    subjects_on(cl::choose_device(""), {}, {}, {})(which);
+    ADD_FAILURE() << "a subject was made";
   } catch (const Unsupported& refusal) {
-    EXPECT_STREQ(refusal.what(), "asked for shells");
+    EXPECT_STREQ(refusal.what(), "no pipeline 'no-such-pipeline' in this build");
   }
+}
+
+// Every pipeline that a shipped experiment names is in the table.
+TEST(Pipelines, OfTheExperimentsAreThere) {
+  std::set<std::string> known;
+  for (const Pipeline& pipeline : pipelines()) EXPECT_TRUE(known.insert(std::string(pipeline.name)).second);
+  std::set<std::string> named;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments")) {
+    if (entry.path().filename() == "models.toml") continue;
+    const Experiment experiment = read_experiment(entry.path());
+    for (const Case& which : cases_of(experiment, preset_of(experiment, "quick")))
+      named.insert(which.pipeline);
+  }
+  EXPECT_TRUE(std::includes(known.begin(), known.end(), named.begin(), named.end()));
+  EXPECT_GE(named.size(), 5u);
 }
 
 // In every cell the rivals meet on Table 1's own scene.

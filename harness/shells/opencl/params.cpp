@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harness/scene/shading_models.hpp"
+
 namespace pelage::shells {
 namespace {
 
@@ -97,9 +99,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.footprint = camera.pixel * scene.fur.tile * float(input.fur.size) * std::exp2(scene.fur.lod_bias);
   p.substeps = scene.fur.substeps;
   p.coat_size = input.coat.size;
-  // The wet model's diffuse term and occlusion, dry and without anything of ours, are the model of B.
-  const bool lambert = scene.shading.model == "lambert";
-  p.wet_model = lambert || scene.shading.model == "wet";
+  const ShadingModel& model = shading_model(scene.shading.model);
+  p.wet_model = model.surface_light;
   p.shadow = scene.shading.shadow;
   copy(scene.shading.specular, p.specular, 3);
   p.exponent = scene.shading.exponent;
@@ -116,7 +117,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
     p.intensity[i] = scene.shading.lights[i].intensity;
   }
-  if (lambert) {
+  // The wet model's diffuse term and occlusion, dry and without our additions, are the model of B.
+  if (model.plain) {
     copy(glm::vec3(0.0f), p.specular, 3);
     p.wrap = 0;
     p.darkening = 0;

@@ -7,7 +7,7 @@ namespace pelage::shells {
 namespace {
 
 springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, int lanes) {
-  const springs::Topology topology = springs::topology_of(input);
+  const springs::SpringNetwork topology = springs::topology_of(input);
   springs::MassSpringOptions options;
   options.lanes = lanes;
   springs::MassSprings masses(queue, topology, springs::dynamics_of(input.scene.dynamics), options);

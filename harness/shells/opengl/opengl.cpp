@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "harness/error.hpp"
+#include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/context.hpp"
 #include "harness/shells/opengl/objects.hpp"
 #include "harness/shells/opengl/program.hpp"
@@ -40,8 +41,10 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (has_springs(input.scene.dynamics))
     throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl moves silva's strands only",
                                  input.scene.dynamics.topology));
-  if (input.scene.shading.model == "lambert")
-    throw InputError("shading.model = lambert: --pipeline opengl draws the curling and the wet model only");
+  if (shading_model(input.scene.shading.model).plain)
+    throw InputError(
+        fmt::format("shading.model = {}: --pipeline opengl draws the papers' curling and wet models only",
+                    input.scene.shading.model));
   if (input.scene.fur.substeps > 1)
     throw InputError(
         fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "

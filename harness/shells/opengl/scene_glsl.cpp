@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {
@@ -91,7 +92,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(wet, "CLUMPS");
   define(scene.clump.scale == "literal", "LITERAL_CLUMPS");
   define(scene.clump.cells == "separate", "SEPARATE_CELLS");
-  define(scene.shading.model == "wet", "WET_MODEL");
+  define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
   return text;
 }
 
@@ -107,8 +108,9 @@ std::vector<glm::vec4> layer_table(const Scene& scene) {
     const double h = (1.0 + double(n)) / layers;
     const glm::dvec2 bend = bezier_at(h, fur.layer_spacing);
     const double rate = (1.0 - w) * h + w * (1.0 + std::log(h) / std::log(layers));  // f(h)
-    const double gamma = scene.shading.model == "wet" ? 1.0 + double(scene.shading.occlusion) * (h - 1.0)
-                                                      : (shadow - 1.0 + h) / shadow;
+    const double gamma = shading_model(scene.shading.model).surface_light
+                             ? 1.0 + double(scene.shading.occlusion) * (h - 1.0)
+                             : (shadow - 1.0 + h) / shadow;
     rows.emplace_back(bend.x, bend.y, h * std::cos(omega * h), h * std::sin(omega * h));
     rows.emplace_back(bend.x - bend_below.x, bend.y - bend_below.y, 0.0, 0.0);
     rows.emplace_back(rate, rate - rate_below, gamma, double(n));

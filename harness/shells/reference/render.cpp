@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 
 #include "harness/error.hpp"
+#include "harness/scene/shading_models.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -199,16 +200,17 @@ class Painter {
     });
     if (!(fur.coverage > 0.0)) return;
 
-    const bool wet = scene.shading.model == "wet";
+    const ShadingModel& model = shading_model(scene.shading.model);
+    const bool wet = model.surface_light && !model.plain;
     const glm::dvec3 along =
         wet ? wet_tangent(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d)
             : unit(step);
     const Fragment fragment{
         sample_coat(input_.coat, where + clump.d) * fur.shade,   along,        normal, eye,
         layer_height(layer_, scene.fur.layers, options_.mutant), clump.wetness};
-    const glm::dvec3 colour = wet                                ? wet_colour(scene.shading, fragment)
-                              : scene.shading.model == "lambert" ? plain_colour(scene.shading, fragment)
-                                                                 : curling_colour(scene.shading, fragment);
+    const glm::dvec3 colour = wet           ? wet_colour(scene.shading, fragment)
+                              : model.plain ? plain_colour(scene.shading, fragment)
+                                            : curling_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
   }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "harness/scene/shading_models.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
@@ -82,9 +83,10 @@ glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& f) {
 }
 
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
-  if (shading.model == "lambert") return plain_colour(shading, f);
+  const ShadingModel& model = shading_model(shading.model);
+  if (model.plain) return plain_colour(shading, f);
   const double shadow =
-      shading.model == "wet" ? wet_shadow(shading, 0.0, f.wetness) : curling_shadow(shading, 0.0);
+      model.surface_light ? wet_shadow(shading, 0.0, f.wetness) : curling_shadow(shading, 0.0);
   return shadow * lambert(shading, f);
 }
 

@@ -13,7 +13,7 @@
 namespace pelage::springs {
 namespace {
 
-double phase_at(const Topology& topology, const Wind& wind, std::size_t stick) {
+double phase_at(const SpringNetwork& topology, const Wind& wind, std::size_t stick) {
   const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
   return 2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[stick]), along) / double(wind.wavelength);
 }
@@ -24,11 +24,11 @@ using Columns = std::array<std::vector<T>, 3>;
 template <class T>
 class SerialRival : public SolverRival {
  public:
-  SerialRival(const Topology& topology, const Dynamics& dynamics, const Loops<T>& loops)
+  SerialRival(const SpringNetwork& topology, const Dynamics& dynamics, const Loops<T>& loops)
       : kind_(topology.kind), course_{dynamics.solver, params(dynamics, topology.length)}, loops_(loops) {
     const std::size_t sticks = topology.sticks(), triangles = topology.corner.size();
     for (std::size_t i = 0; i < sticks; ++i)
-      place_.push_back(kind_ == Kind::separable_prisms ? i % 3 * triangles + i / 3 : i);
+      place_.push_back(kind_.own_edges() ? i % 3 * triangles + i / 3 : i);
     for (Columns<T>* columns : {&root_, &normal_, &q_, &v_})
       for (std::vector<T>& column : *columns) column.resize(sticks);
     phase_cos_.resize(sticks), phase_sin_.resize(sticks);
@@ -40,14 +40,14 @@ class SerialRival : public SolverRival {
     }
     rest_.resize(topology.edges().size());
     for (std::size_t e = 0; e < rest_.size(); ++e)
-      rest_[kind_ == Kind::separable_prisms ? e % 3 * triangles + e / 3 : e] = T(topology.rest[sticks + e]);
-    if (kind_ == Kind::prisms) {
+      rest_[kind_.own_edges() ? e % 3 * triangles + e / 3 : e] = T(topology.rest[sticks + e]);
+    if (kind_.shared_edges()) {
       for (const glm::uvec2 edge : topology.edges()) {
         from_.push_back(int(edge.x) - int(sticks));
         to_.push_back(int(edge.y) - int(sticks));
       }
       for (std::vector<T>& column : force_) column.resize(sticks);
-      for (std::vector<T>& column : work_) column.resize(dynamics.solver == Solver::rk4 ? sticks : 0);
+      for (std::vector<T>& column : work_) column.resize(dynamics.solver.multistage() ? sticks : 0);
     }
   }
 
@@ -59,9 +59,9 @@ class SerialRival : public SolverRival {
     course_.moments = moments.data();
     course_.steps = steps;
     const Arrays<T> a = arrays();
-    if (kind_ == Kind::prisms)
+    if (kind_.shared_edges())
       loops_.prisms(a, course_);
-    else if (kind_ == Kind::separable_prisms)
+    else if (kind_.own_edges())
       loops_.triangles(a, course_);
     else
       loops_.sticks(a, course_);
@@ -106,7 +106,7 @@ class SerialRival : public SolverRival {
 template <class T>
 class EigenRival : public SolverRival {
  public:
-  EigenRival(const Topology& topology, const Dynamics& dynamics, EigenWay way, int threads)
+  EigenRival(const SpringNetwork& topology, const Dynamics& dynamics, EigenWay way, int threads)
       : sticks_(topology.sticks()), params_(params(dynamics, topology.length)) {
     std::vector<T> root, normal, phase, rest;
     std::vector<int> ends;
@@ -155,7 +155,7 @@ class EigenRival : public SolverRival {
 };
 
 template <class T>
-void add_eigen(std::vector<NamedRival>& rivals, const Topology& topology, const Dynamics& dynamics,
+void add_eigen(std::vector<NamedRival>& rivals, const SpringNetwork& topology, const Dynamics& dynamics,
                EigenWay way, const char* what, bool threaded) {
   for (int threads = 1; threads <= (threaded ? 2 : 1); ++threads)
     rivals.push_back(
@@ -165,29 +165,29 @@ void add_eigen(std::vector<NamedRival>& rivals, const Topology& topology, const 
 
 }  // namespace
 
-std::unique_ptr<SolverRival> serial_in_double(const Topology& topology, const Dynamics& dynamics) {
+std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics) {
   return std::make_unique<SerialRival<double>>(topology, dynamics, plain_loops(0.0));
 }
 
-std::vector<NamedRival> solver_rivals(const Topology& topology, const Dynamics& dynamics,
+std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct) {
   std::vector<NamedRival> rivals;
   const bool fast = fast_loops_run_here();
   const auto serial = [&]<class T>(const char* name, const Loops<T>& loops) {
     rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops)});
   };
-  if (dynamics.solver != Solver::backward_euler) {
+  if (!dynamics.solver.implicit) {
     serial("serial-o3", plain_loops(0.0f));
     if (fast) serial("serial-fast", fast_loops(0.0f));
     return rivals;
   }
-  if (!has_prisms(topology.kind)) {
+  if (!topology.kind.edges) {
     serial("serial-o3-double", plain_loops(0.0));
     if (fast) serial("serial-fast-double", fast_loops(0.0)), serial("serial-fast", fast_loops(0.0f));
     return rivals;
   }
   if (!fast) return rivals;
-  if (topology.kind == Kind::separable_prisms) {
+  if (topology.kind.own_edges()) {
     add_eigen<double>(rivals, topology, dynamics, EigenWay::blocks, "llt", true);
     add_eigen<float>(rivals, topology, dynamics, EigenWay::blocks, "llt", true);
     return rivals;

@@ -36,10 +36,10 @@ struct NamedRival {
 /// Everything that solves the same equations as `dynamics.solver` does on `topology`, by name. A sparse
 /// direct factorization, which takes seconds and gigabytes on large systems, only below `most_direct` sticks.
 /// The native ones are left out where this processor lacks what the building one had.
-std::vector<NamedRival> solver_rivals(const Topology& topology, const Dynamics& dynamics,
+std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 
 /// The serial loops in double; not backward Euler on prisms.
-std::unique_ptr<SolverRival> serial_in_double(const Topology& topology, const Dynamics& dynamics);
+std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics);
 
 }  // namespace pelage::springs

@@ -3,6 +3,12 @@
 
 constexpr int tile = 256;
 
+// A Solver's properties as a template argument.
+struct Scheme {
+  bool implicit = false, in_turn = false;
+  int stages = 1;
+};
+
 template <class T>
 PELAGE_INLINE V<T> at(T* const column[3], int i) {
   return {column[0][i], column[1][i], column[2][i]};
@@ -48,20 +54,20 @@ PELAGE_INLINE void forces(const Constants<T>& p, const Outside<T>& t, const Grou
   }
 }
 
-template <class T, int N, Solver solver>
+template <class T, int N, Scheme scheme>
 PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, const Ground<T, N>& g,
                                   const Block<T, N>& a) {
   const T h = p.step;
   V<T> f[N];
   Block<T, N> b = a;
-  if constexpr (solver == Solver::explicit_euler || solver == Solver::semi_implicit_euler) {
+  if constexpr (!scheme.implicit && scheme.stages == 1) {
     forces<T, N>(p, t[0], g, a, f);
 #pragma GCC unroll 3
     for (int c = 0; c < N; ++c) {
       b.v[c] = a.v[c] + (h * p.inverse_mass) * f[c];
-      b.q[c] = a.q[c] + h * (solver == Solver::explicit_euler ? a.v[c] : b.v[c]);
+      b.q[c] = a.q[c] + h * (scheme.in_turn ? b.v[c] : a.v[c]);
     }
-  } else if constexpr (solver == Solver::rk4) {
+  } else if constexpr (scheme.stages == 4) {
     Block<T, N> stage = a;
 #pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) {
@@ -88,7 +94,7 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
   return b;
 }
 
-template <class T, int N, Solver solver, bool moving>
+template <class T, int N, Scheme scheme, bool moving>
 void through_blocks(const Arrays<T>& given, const Course& course) {
   const Arrays<T> a = given;
   Constants<T> p = constants<T>(course.params);
@@ -110,7 +116,7 @@ void through_blocks(const Arrays<T>& given, const Course& course) {
           b.q[c] = at(a.q, c * blocks + k);
           b.v[c] = at(a.v, c * blocks + k);
         }
-        b = stepped<T, N, solver>(p, t, g, b);
+        b = stepped<T, N, scheme>(p, t, g, b);
 #pragma GCC unroll 3
         for (int c = 0; c < N; ++c) {
           put(a.q, c * blocks + k, b.q[c]);
@@ -156,9 +162,9 @@ void through_prisms(const Arrays<T>& a, const Course& course) {
   const T h = p.step;
   for (int i = 0; i < course.steps; ++i) {
     const Moment* t = course.moments + 2 * i;
-    if (course.solver != Solver::rk4) {
+    if (!course.solver.multistage()) {
       all_forces<T, moving>(a, p, t[0], a.q, a.v);
-      const bool in_turn = course.solver == Solver::semi_implicit_euler;
+      const bool in_turn = course.solver.in_turn;
 #pragma GCC unroll 3
       for (int c = 0; c < 3; ++c) {
         T *q = a.q[c], *v = a.v[c];
@@ -200,16 +206,12 @@ void through_prisms(const Arrays<T>& a, const Course& course) {
 
 template <class T, int N, bool moving>
 void blocks_by(const Arrays<T>& a, const Course& course) {
-  switch (course.solver) {
-    case Solver::explicit_euler:
-      return through_blocks<T, N, Solver::explicit_euler, moving>(a, course);
-    case Solver::semi_implicit_euler:
-      return through_blocks<T, N, Solver::semi_implicit_euler, moving>(a, course);
-    case Solver::rk4:
-      return through_blocks<T, N, Solver::rk4, moving>(a, course);
-    case Solver::backward_euler:
-      if constexpr (N == 1) return through_blocks<T, N, Solver::backward_euler, moving>(a, course);
-  }
+  const Solver& solver = course.solver;
+  if (solver.multistage()) return through_blocks<T, N, Scheme{.stages = 4}, moving>(a, course);
+  if (!solver.implicit)
+    return solver.in_turn ? through_blocks<T, N, Scheme{.in_turn = true}, moving>(a, course)
+                          : through_blocks<T, N, Scheme{}, moving>(a, course);
+  if constexpr (N == 1) through_blocks<T, N, Scheme{.implicit = true}, moving>(a, course);
 }
 
 template <class T>

@@ -33,7 +33,7 @@ struct Item {
 
 class Panel {
  public:
-  Panel(const Topology& topology, const Mesh& mesh) : topology_(topology), place_(topology.mass.size()) {
+  Panel(const SpringNetwork& topology, const Mesh& mesh) : topology_(topology), place_(topology.mass.size()) {
     for (std::size_t i = 0; i < place_.size(); ++i) place_[i] = seen(glm::dvec3(topology.mass[i]));
     if (separable(topology.kind)) pull_in();
     for (const glm::dvec3& p : place_) low_ = glm::min(low_, p), high_ = glm::max(high_, p);
@@ -108,7 +108,7 @@ class Panel {
         {place_[i].z, fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.2\"/>\n", p.x, p.y)});
   }
 
-  const Topology& topology_;
+  const SpringNetwork& topology_;
   std::vector<glm::dvec3> place_;  // of the masses, as seen
   glm::dvec3 low_{std::numeric_limits<double>::max()}, high_{std::numeric_limits<double>::lowest()};
   double scale_ = 1;
@@ -131,7 +131,7 @@ std::string drawing_of(const Mesh& mesh, float length) {
       "</style>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       2 * panel, 2 * row);
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
-    const Topology topology = build(kinds[i], mesh, length);
+    const SpringNetwork topology = build(kinds[i], mesh, length);
     const std::size_t line = i / 2;
     svg += Panel(topology, mesh).svg(double(i % 2) * panel, double(line) * row);
   }

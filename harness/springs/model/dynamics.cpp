@@ -1,6 +1,7 @@
 #include "harness/springs/model/dynamics.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -70,25 +71,13 @@ Moment moment(const Dynamics& d, double time) {
 
 }  // namespace
 
-std::string_view name(Solver solver) {
-  switch (solver) {
-    case Solver::explicit_euler:
-      return "explicit-euler";
-    case Solver::backward_euler:
-      return "backward-euler";
-    case Solver::semi_implicit_euler:
-      return "semi-implicit-euler";
-    case Solver::rk4:
-      break;
-  }
-  return "rk4";
-}
-
 Solver solver_of(const std::string& wanted) {
-  for (const Solver solver : solvers)
-    if (name(solver) == wanted) return solver;
-  throw InputError(
-      fmt::format("solver {}: none of explicit-euler, backward-euler, semi-implicit-euler, rk4", wanted));
+  std::vector<std::string_view> names;
+  for (const Solver& solver : solvers) {
+    if (solver.name == wanted) return solver;
+    names.push_back(solver.name);
+  }
+  throw InputError(fmt::format("solver {}: none of {}", wanted, fmt::join(names, ", ")));
 }
 
 void check(const Dynamics& d) {

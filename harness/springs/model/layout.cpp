@@ -16,7 +16,7 @@ struct Neighbour {
   float rest;
 };
 
-std::vector<std::vector<Neighbour>> neighbours(const Topology& topology) {
+std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
   std::vector<std::vector<Neighbour>> found(topology.sticks());
   const auto shift = std::uint32_t(topology.sticks());
   for (std::size_t k = topology.sticks(); k < topology.spring.size(); ++k) {
@@ -65,19 +65,19 @@ void set3(std::vector<float>& table, std::size_t place, std::size_t columns, std
 
 }  // namespace
 
-Layout lay_out(const Topology& topology, const Wind& wind) {
+Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
   Layout layout;
   const std::size_t sticks = topology.sticks();
-  layout.corners = topology.kind == Kind::separable_prisms ? 3 : 1;
+  layout.corners = topology.kind.own_edges() ? 3 : 1;
   layout.place.resize(sticks);
   std::iota(layout.place.begin(), layout.place.end(), 0u);
   std::size_t together = std::size_t{4} * slice;
   std::vector<std::vector<Neighbour>> around;
-  if (topology.kind == Kind::prisms) {
+  if (topology.kind.shared_edges()) {
     together = slice;
     around = neighbours(topology);
     layout.place = sorted_places(around);
-  } else if (topology.kind == Kind::separable_prisms) {
+  } else if (topology.kind.own_edges()) {
     together = std::size_t{3} * slice;
     for (std::uint32_t i = 0; i < sticks; ++i)
       layout.place[i] = (i / 3 / slice * 3 + i % 3) * slice + i / 3 % slice;
@@ -99,8 +99,8 @@ Layout lay_out(const Topology& topology, const Wind& wind) {
   for (std::size_t i = 0; i < sticks; ++i)
     stand(layout.place[i], topology.mass[i], topology.normal[i],
           2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[i]), along) / double(wind.wavelength));
-  if (topology.kind == Kind::prisms) lay_out_springs(around, layout);
-  if (topology.kind == Kind::separable_prisms) {
+  if (topology.kind.shared_edges()) lay_out_springs(around, layout);
+  if (topology.kind.own_edges()) {
     layout.sides.assign(places, 0);
     for (std::size_t e = 0; e < topology.edges().size(); ++e)
       layout.sides[column_of(e / 3, 3, e % 3)] = topology.rest[sticks + e];
@@ -115,18 +115,13 @@ std::size_t memory(const Layout& layout, Solver solver) {
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
   columns += 1 + 4;  // speeds and tips are rows of four
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
-  switch (solver) {
-    case Solver::explicit_euler:
-    case Solver::semi_implicit_euler:
-      columns += 8;  // the next tips and speeds
-      break;
-    case Solver::rk4:
-      columns += 16 + 9;  // those of two stages; the stage's offset and the weighted rates
-      break;
-    case Solver::backward_euler:
-      columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
-      values += 3 * layout.neighbour.size();
-      break;
+  if (solver.implicit) {
+    columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
+    values += 3 * layout.neighbour.size();
+  } else {
+    columns += 8;  // the next tips and speeds
+    if (solver.multistage())
+      columns += 8 + 9;  // those of two stages; the stage's offset and the weighted rates
   }
   return 4 * (columns * layout.places() + values);
 }

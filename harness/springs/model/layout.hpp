@@ -35,7 +35,7 @@ constexpr std::size_t column_of(std::size_t place, std::size_t columns, std::siz
   return (place / 16 * columns + column) * 16 + place % 16;
 }
 
-Layout lay_out(const Topology& topology, const Wind& wind);
+Layout lay_out(const SpringNetwork& topology, const Wind& wind);
 
 /// Bytes of device memory that `solver` moves the topology in, but for the tables of a launch (moments, sums
 /// of conjugate gradients): a few kilobytes.

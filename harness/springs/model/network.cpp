@@ -1,6 +1,7 @@
 #include "harness/springs/model/network.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ std::vector<glm::uvec2> unique_edges(const Corners& corners) {
 }
 
 std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
-  if (!has_prisms(kind)) return {};
+  if (!kind.edges) return {};
   if (!separable(kind)) return unique_edges(corners);
   std::vector<glm::uvec2> edges;
   edges.reserve(3 * corners.size());
@@ -40,40 +41,28 @@ std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
   return edges;
 }
 
-glm::dvec3 rest_top(const Topology& topology, std::uint32_t stick) {
+glm::dvec3 rest_top(const SpringNetwork& topology, std::uint32_t stick) {
   return glm::dvec3(topology.mass[stick]) + glm::dvec3(topology.length * topology.normal[stick]);
 }
 
 }  // namespace
 
-std::string_view name(Kind kind) {
-  switch (kind) {
-    case Kind::sticks:
-      return "sticks";
-    case Kind::prisms:
-      return "prisms";
-    case Kind::separable_sticks:
-      return "separable-sticks";
-    case Kind::separable_prisms:
-      break;
-  }
-  return "separable-prisms";
-}
-
 Kind kind_of(const std::string& wanted) {
-  for (const Kind kind : kinds)
-    if (name(kind) == wanted) return kind;
-  throw InputError(
-      fmt::format("topology {}: none of sticks, prisms, separable-sticks, separable-prisms", wanted));
+  std::vector<std::string_view> names;
+  for (const Kind& kind : kinds) {
+    if (kind.name == wanted) return kind;
+    names.push_back(kind.name);
+  }
+  throw InputError(fmt::format("topology {}: none of {}", wanted, fmt::join(names, ", ")));
 }
 
-Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
+SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
   if (mesh.triangle.empty()) throw InputError(fmt::format("{}: no triangle to stand a stick on", mesh.name));
   if (!(length > 0) || !std::isfinite(length))
     throw InputError(fmt::format("topology: a fur length of {} R; it has to be finite and above 0", length));
   const Skin skin = weld(mesh);
 
-  Topology topology;
+  SpringNetwork topology;
   topology.kind = kind;
   Corners corners;
   if (separable(kind)) {
@@ -131,7 +120,7 @@ std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 d
   return found;
 }
 
-std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec3 force) {
+std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
   if (face >= topology.corner.size())
     throw InputError(fmt::format("poke: triangle {} of {}", face, topology.corner.size()));
   for (int c = 0; c < 3; ++c)
@@ -143,7 +132,7 @@ std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec
   return push;
 }
 
-Degrees degrees(const Topology& topology) {
+Degrees degrees(const SpringNetwork& topology) {
   std::vector<int> count(topology.mass.size(), 0);
   for (const glm::uvec2 spring : topology.spring) ++count[spring.x], ++count[spring.y];
   const auto tops = std::span(count).subspan(topology.sticks());

@@ -13,25 +13,34 @@
 
 namespace pelage::springs {
 
-enum class Kind {
-  sticks,            ///< at each vertex a mass on the skin, one on the outermost layer, a spring between them
-  prisms,            ///< and springs along the outermost layer's edges
-  separable_sticks,  ///< sticks at every triangle's own three corners: layers part between triangles
-  separable_prisms   ///< and springs along every triangle's own three edges
+/// A topology, as the properties that tell the four apart. Code asks for a property, never for a name.
+struct Kind {
+  std::string_view name;  ///< as users write it
+  bool separable;  ///< sticks stand at every triangle's own three corners: layers part between triangles
+  bool edges;      ///< springs also run along the outermost layer's edges
+
+  constexpr bool operator==(const Kind& other) const { return name == other.name; }
+  bool shared_edges() const { return edges && !separable; }  ///< a top hangs on its neighbours' tops
+  bool own_edges() const { return edges && separable; }  ///< only the three tops of a triangle hang together
+
+  static const Kind sticks, prisms, separable_sticks, separable_prisms;
 };
+inline constexpr Kind Kind::sticks{"sticks", false, false};
+inline constexpr Kind Kind::prisms{"prisms", false, true};
+inline constexpr Kind Kind::separable_sticks{"separable-sticks", true, false};
+inline constexpr Kind Kind::separable_prisms{"separable-prisms", true, true};
 
 inline constexpr Kind kinds[] = {Kind::sticks, Kind::prisms, Kind::separable_sticks, Kind::separable_prisms};
 
-/// "sticks", "prisms", "separable-sticks", "separable-prisms".
-std::string_view name(Kind kind);
-/// Throws InputError naming the four.
+/// The topology's name.
+inline std::string_view name(const Kind& kind) {
+  return kind.name;
+}
+/// Throws InputError naming those there are.
 Kind kind_of(const std::string& name);
 
-constexpr bool separable(Kind kind) {
-  return kind == Kind::separable_sticks || kind == Kind::separable_prisms;
-}
-constexpr bool has_prisms(Kind kind) {
-  return kind == Kind::prisms || kind == Kind::separable_prisms;
+constexpr bool separable(const Kind& kind) {
+  return kind.separable;
 }
 
 /// What a vertex of the paper is. On surface points a shared topology is one piece; on vertex copies, which
@@ -42,8 +51,8 @@ enum class Vertices { points, copies };
 /// Stick i runs from mass i, fixed to the skin, to mass i + sticks(), on the outermost layer. The first
 /// sticks() springs are the sticks; the others lie between tops, each once. Stick 3f + c of a separable
 /// topology stands on corner c of triangle f, and its springs between tops are (c, c + 1) in that order.
-struct Topology {
-  Kind kind = Kind::sticks;
+struct SpringNetwork {
+  Kind kind = kinds[0];
   std::vector<glm::vec3> mass;      ///< M, rest positions, R
   std::vector<glm::vec3> normal;    ///< M / 2, unit: the direction in which the stick rests
   std::vector<std::uint32_t> copy;  ///< M / 2, the vertex copy of the mesh that the stick stands on
@@ -61,20 +70,20 @@ struct Topology {
 /// sticks at a surface point rest in the same place, so that separable layers are closed at rest. Edges whose
 /// ends are one point carry no spring in a shared topology. Throws InputError for a mesh without a triangle
 /// and for a length that is not above 0.
-Topology build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
+SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
 
 /// The triangle of `mesh` that the ray from `origin` along `direction` (R) meets first, from either side;
 /// empty when it meets none.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction);
 
 /// A local poke: `force` (N) on each of the sticks at the corners of triangle `face`, none on the others.
-std::vector<glm::vec3> poke(const Topology& topology, std::size_t face, glm::vec3 force);
+std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force);
 
 /// How many springs hang on each top.
 struct Degrees {
   int least = 0, most = 0;
   double mean = 0;
 };
-Degrees degrees(const Topology& topology);
+Degrees degrees(const SpringNetwork& topology);
 
 }  // namespace pelage::springs

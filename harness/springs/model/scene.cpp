@@ -51,11 +51,11 @@ Dynamics dynamics_of(const DynamicsScene& scene) {
   return d;
 }
 
-Topology topology_of(const FrameInput& input) {
+SpringNetwork topology_of(const FrameInput& input) {
   return build(kind_of(input.scene.dynamics.topology), *input.mesh, input.scene.fur.length);
 }
 
-std::vector<glm::vec3> pushes(const Topology& topology, const Mesh& mesh, const PokeScene& poke) {
+std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke) {
   const bool ray = poke.ray != glm::vec3(0);
   if (poke.radius == 0 && !ray) return {};
   const Aim aim = ray ? aimed(mesh, poke) : Aim{glm::dvec3(poke.point), mesh.triangle.size()};

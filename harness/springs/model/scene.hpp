@@ -14,9 +14,9 @@ namespace pelage::springs {
 Dynamics dynamics_of(const DynamicsScene& scene);
 
 /// Sticks over surface points; those of a separable topology over every triangle's own corners.
-Topology topology_of(const FrameInput& input);
+SpringNetwork topology_of(const FrameInput& input);
 
 /// The scene's poke, N per stick; empty where there is none.
-std::vector<glm::vec3> pushes(const Topology& topology, const Mesh& mesh, const PokeScene& poke);
+std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke);
 
 }  // namespace pelage::springs

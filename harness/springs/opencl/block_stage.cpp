@@ -7,24 +7,17 @@
 namespace pelage::springs {
 namespace {
 
-const char* frame_kernel(Solver solver) {
-  switch (solver) {
-    case Solver::explicit_euler:
-      return "explicit_euler_frame";
-    case Solver::backward_euler:
-      return "backward_euler_frame";
-    case Solver::semi_implicit_euler:
-      return "semi_implicit_euler_frame";
-    case Solver::rk4:
-      break;
-  }
-  return "rk4_frame";
+// "rk4_frame" and so on: kernels/springs/blocks.cl has one per solver.
+std::string frame_kernel(const Solver& solver) {
+  std::string name(solver.name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name + "_frame";
 }
 
 // An Euler step of a stick is a short chain of dependent operations: two slices at a time keep a vector unit
 // busy. The longer schemes run out of registers.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
-  const bool brief = solver == Solver::explicit_euler || solver == Solver::semi_implicit_euler;
+  const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
 }
 
@@ -35,8 +28,8 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
   // llvmpipe leaves a work-item's loops after 65535 turns, and says nothing.
   if (!device.cpu || device.platform == "rusticl") return false;
-  if (kind != Kind::prisms) return sticks <= 2048;
-  return sticks <= (solver == Solver::backward_euler ? 4096u : 2048u);
+  if (!kind.shared_edges()) return sticks <= 2048;
+  return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
 // A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a

@@ -71,14 +71,14 @@ struct MassSprings::State {
   }
 };
 
-MassSprings::MassSprings(const cl::Queue& queue, const Topology& topology, const Dynamics& dynamics,
+MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                          const MassSpringOptions& options) {
   springs::check(dynamics);
   if (options.lanes != 0 && options.lanes != 1 && options.lanes != 16)
     throw InputError(fmt::format("lanes: {}; 1 or 16", options.lanes));
   const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
   Layout layout = lay_out(topology, dynamics.wind);
-  const bool prisms = topology.kind == Kind::prisms;
+  const bool prisms = topology.kind.shared_edges();
   const std::size_t places = layout.places();
   const auto uploaded = [&](const std::vector<float>& values) {
     return cl::Buffer<float>(queue, std::span<const float>(values));

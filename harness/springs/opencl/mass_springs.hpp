@@ -38,7 +38,7 @@ struct LinearSolves {
 class MassSprings {
  public:
   /// At rest. Throws InputError where check(dynamics) does.
-  MassSprings(const cl::Queue& queue, const Topology& topology, const Dynamics& dynamics,
+  MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
   ~MassSprings();
   MassSprings(MassSprings&&) noexcept;

@@ -14,23 +14,17 @@ enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // what gradients_whole
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
 
-const char* file_of(Solver solver) {
-  return solver == Solver::backward_euler ? "springs/gradients.cl" : "springs/prisms.cl";
+const char* file_of(const Solver& solver) {
+  return solver.implicit ? "springs/gradients.cl" : "springs/prisms.cl";
 }
 
-std::vector<const char*> kernels_of(Solver solver, bool whole) {
-  switch (solver) {
-    case Solver::explicit_euler:
-    case Solver::semi_implicit_euler:
-      if (whole) return {"prism_euler", "prism_euler_whole"};
-      return {"prism_euler"};
-    case Solver::rk4:
-      return {whole ? "prism_rk4_whole" : "prism_rk4"};
-    case Solver::backward_euler:
-      break;
-  }
-  if (whole) return {"gradients_whole"};
-  return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
+std::vector<const char*> kernels_of(const Solver& solver, bool whole) {
+  if (solver.implicit && whole) return {"gradients_whole"};
+  if (solver.implicit)
+    return {"gradients_set_up", "gradients_product", "gradients_advance", "gradients_turn", "gradients_move"};
+  if (solver.multistage()) return {whole ? "prism_rk4_whole" : "prism_rk4"};
+  if (whole) return {"prism_euler", "prism_euler_whole"};
+  return {"prism_euler"};
 }
 
 int ceiling(int a, int b) {
@@ -81,7 +75,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
     return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
   };
   tip_ = cl::Buffer<float>(queue, std::span<const float>(tips(layout, layout.offset)));
-  if (solver_ == Solver::backward_euler) {
+  if (solver_.implicit) {
     diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
     along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
@@ -90,7 +84,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
     solved_ = cl::Buffer<float>(queue.device(), SOLVED);
   } else {
     other_tip_ = floats(4), other_speed_ = floats(4);
-    if (solver_ == Solver::rk4)
+    if (solver_.multistage())
       spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
       sum_speed_ = floats(3);
   }
@@ -111,18 +105,18 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
                          std::vector<cl::Event>* launches) {
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
-  params.blocks_per_item = solver_ == Solver::backward_euler ? per_chunk_ : per_item_;
+  params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
   // A single Euler step is one launch either way, and then two cores fetch what the host has written sooner.
-  const bool one_launch = solver_ != Solver::backward_euler && solver_ != Solver::rk4 && params.substeps == 1;
+  const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);
     launches_ = nullptr;
     return;
   }
   for (int i = 0; i < params.substeps; ++i) {
-    if (solver_ == Solver::rk4)
+    if (solver_.multistage())
       rk4(queue, params, buffers, i);
-    else if (solver_ == Solver::backward_euler)
+    else if (solver_.implicit)
       backward_euler(queue, params, buffers, i);
     else
       euler(queue, params, buffers, i);
@@ -131,16 +125,16 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
 }
 
 void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
-  if (solver_ == Solver::backward_euler) return whole_gradients(queue, params, b);
+  if (solver_.implicit) return whole_gradients(queue, params, b);
   cl::Kernel& kernel = kernels_.back();
-  if (solver_ == Solver::rk4) {
+  if (solver_.multistage()) {
     kernel.with(params, b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset,
                 other_tip_, other_speed_, spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_,
                 b.diverged_at, b.first);
     return launch(queue, kernel, 1);
   }
-  kernel.with(params, int(solver_ == Solver::semi_implicit_euler), b.moments, b.sites, b.push, start_,
-              neighbour_, rest_, tip_, b.speed, b.offset, other_tip_, other_speed_, b.diverged_at, b.first);
+  kernel.with(params, int(solver_.in_turn), b.moments, b.sites, b.push, start_, neighbour_, rest_, tip_,
+              b.speed, b.offset, other_tip_, other_speed_, b.diverged_at, b.first);
   launch(queue, kernel, 1);
   if (params.substeps % 2 == 0) return;
   std::swap(tip_, other_tip_);
@@ -161,7 +155,7 @@ void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& p
 }
 
 void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  const int in_turn = solver_ == Solver::semi_implicit_euler;
+  const int in_turn = solver_.in_turn;
   kernels_[0].with(params, in_turn, params.first_moment + 2 * substep, params.first_step + substep, b.moments,
                    b.sites, b.push, start_, neighbour_, rest_, tip_, b.speed, b.offset, other_tip_,
                    other_speed_, b.diverged_at, b.first);

@@ -127,7 +127,7 @@ struct Equations {
 };
 
 Equations backward_equations(const System& system, const State& y, double t, double h) {
-  const Topology& topology = system.topology;
+  const SpringNetwork& topology = system.topology;
   const std::size_t sticks = topology.sticks();
   const auto size = Eigen::Index(3 * sticks);
   const Vectors f = forces(system, y, t + h);
@@ -174,7 +174,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
 }
 
 State backward_euler(const System& system, const State& y, double t, double h) {
-  const Topology& topology = system.topology;
+  const SpringNetwork& topology = system.topology;
   const Equations equations = backward_equations(system, y, t, h);
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(equations.matrix);
   if (factors.info() != Eigen::Success) throw std::runtime_error("backward Euler: the matrix has no factors");
@@ -189,7 +189,7 @@ State backward_euler(const System& system, const State& y, double t, double h) {
 
 }  // namespace
 
-State rest(const Topology& topology) {
+State rest(const SpringNetwork& topology) {
   State state;
   state.velocity.assign(topology.mass.size(), glm::dvec3(0));
   for (std::size_t i = 0; i < topology.sticks(); ++i) state.position.push_back(glm::dvec3(topology.mass[i]));
@@ -199,7 +199,7 @@ State rest(const Topology& topology) {
 }
 
 Vectors forces(const System& system, const State& state, double time) {
-  const Topology& topology = system.topology;
+  const SpringNetwork& topology = system.topology;
   const Dynamics& d = system.dynamics;
   const Pose at = pose(d.motion, time);
   Vectors force;
@@ -224,17 +224,10 @@ Vectors forces(const System& system, const State& state, double time) {
 
 State step(const System& system, const State& state, long number) {
   const double h = double(system.dynamics.step), t = double(number) * h;
-  switch (system.dynamics.solver) {
-    case Solver::explicit_euler:
-      return explicit_euler(system, state, t, h);
-    case Solver::backward_euler:
-      return backward_euler(system, state, t, h);
-    case Solver::semi_implicit_euler:
-      return semi_implicit_euler(system, state, t, h);
-    case Solver::rk4:
-      break;
-  }
-  return rk4(system, state, t, h);
+  const Solver& solver = system.dynamics.solver;
+  if (solver.implicit) return backward_euler(system, state, t, h);
+  if (solver.multistage()) return rk4(system, state, t, h);
+  return solver.in_turn ? semi_implicit_euler(system, state, t, h) : explicit_euler(system, state, t, h);
 }
 
 double residual(const System& system, const State& state, long number, const Vectors& change) {
@@ -257,7 +250,7 @@ double energy(const System& system, const State& state) {
   return sum;
 }
 
-Vectors offsets(const Topology& topology, const State& state) {
+Vectors offsets(const SpringNetwork& topology, const State& state) {
   Vectors q;
   for (std::size_t i = 0; i < topology.sticks(); ++i)
     q.push_back(state.position[topology.top(i)] - state.position[i]);

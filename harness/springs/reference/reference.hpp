@@ -16,14 +16,14 @@ struct State {
 
 /// A topology in the hands of its forces.
 struct System {
-  const Topology& topology;
+  const SpringNetwork& topology;
   const Dynamics& dynamics;
   std::vector<glm::dvec3> push =
       {};  ///< local force on each stick's top, N, in the object's frame; empty: none
 };
 
 /// Every stick along its normal, nothing moves.
-State rest(const Topology& topology);
+State rest(const SpringNetwork& topology);
 
 /// F(t, p, v) of Eq. 1 on every mass, N; time in s. Forces on the fixed masses of the skin are reported too.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
@@ -39,6 +39,6 @@ double residual(const System& system, const State& state, long number, const std
 double energy(const System& system, const State& state);
 
 /// Offset of each top from its base, R: the kernels' q.
-std::vector<glm::dvec3> offsets(const Topology& topology, const State& state);
+std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference

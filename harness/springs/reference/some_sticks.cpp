@@ -16,8 +16,8 @@ namespace {
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
 // Those sticks (ascending), and the springs between them.
-springs::Topology part_of(const Topology& whole, const std::vector<std::uint32_t>& sticks) {
-  Topology part;
+springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std::uint32_t>& sticks) {
+  SpringNetwork part;
   part.kind = whole.kind;
   part.length = whole.length;
   const auto count = std::uint32_t(sticks.size());
@@ -41,10 +41,10 @@ springs::Topology part_of(const Topology& whole, const std::vector<std::uint32_t
   return part;
 }
 
-std::vector<std::uint32_t> spread(const Topology& topology, std::size_t count) {
+std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t count) {
   std::vector<std::uint32_t> found;
   const std::size_t all = topology.sticks();
-  if (topology.kind == Kind::prisms || count >= all) {
+  if (topology.kind.shared_edges() || count >= all) {
     found.resize(all);
     std::iota(found.begin(), found.end(), 0u);
     return found;
@@ -58,8 +58,8 @@ std::vector<std::uint32_t> spread(const Topology& topology, std::size_t count) {
   return found;
 }
 
-reference::State moved(const Topology& topology, const DynamicsScene& scene, std::vector<glm::dvec3> push,
-                       int frames) {
+reference::State moved(const SpringNetwork& topology, const DynamicsScene& scene,
+                       std::vector<glm::dvec3> push, int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
         "dynamics.tolerance = {}: the reference takes `substeps` steps a frame, and so does what is held "
@@ -76,13 +76,13 @@ reference::State moved(const Topology& topology, const DynamicsScene& scene, std
 }  // namespace
 
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
-  const Topology topology = topology_of(input);
+  const SpringNetwork topology = topology_of(input);
   const std::vector<glm::vec3> push = pushes(topology, *input.mesh, input.scene.dynamics.poke);
   SomeSticks some{spread(topology, count), {}, {}};
   std::vector<glm::dvec3> own;
   if (!push.empty())
     for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
-  const Topology part = part_of(topology, some.stick);
+  const SpringNetwork part = part_of(topology, some.stick);
   const reference::State state = moved(part, input.scene.dynamics, std::move(own), frames);
   some.offset = reference::offsets(part, state);
   for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);

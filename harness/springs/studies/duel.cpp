@@ -95,7 +95,7 @@ class Duel : public Subject {
       for (const Check& one : agreement_checks(kind, against, spread(ours, theirs, length)))
         checks.push_back(one);
     };
-    if (setting_.dynamics.solver != Solver::backward_euler || setting_.topology.sticks() <= most_factored)
+    if (!setting_.dynamics.solver.implicit || setting_.topology.sticks() <= most_factored)
       held("reference", reference_offsets());
     for (const auto& [name, rival] : rivals_) held(name, rival->state().offset);
     if (checks.empty() && substeps_ == 1) checks = step_checks(ours);
@@ -103,7 +103,7 @@ class Duel : public Subject {
   }
 
   void describe(Row& row) override {
-    const Topology& topology = setting_.topology;
+    const SpringNetwork& topology = setting_.topology;
     row.build_ms = masses_.program().build_ms();
     row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
     row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
@@ -139,7 +139,7 @@ class Duel : public Subject {
 
  private:
   reference::State start() const {
-    const Topology& topology = setting_.topology;
+    const SpringNetwork& topology = setting_.topology;
     reference::State state = reference::rest(topology);
     for (std::size_t i = 0; i < topology.sticks(); ++i) {
       state.position[topology.top(i)] = state.position[i] + glm::dvec3(setting_.start.offset[i]);
@@ -167,7 +167,7 @@ class Duel : public Subject {
   }
 
   std::vector<glm::vec3> reference_offsets() const {
-    const Topology& topology = setting_.topology;
+    const SpringNetwork& topology = setting_.topology;
     reference::State state = start();
     const reference::System system{topology, setting_.dynamics};
     for (int i = 0; i < substeps_; ++i) state = reference::step(system, state, setting_.steps + i);

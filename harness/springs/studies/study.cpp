@@ -18,7 +18,7 @@
 namespace pelage::springs {
 namespace {
 
-Motions rest(const Topology& topology) {
+Motions rest(const SpringNetwork& topology) {
   Motions state;
   for (const glm::vec3& n : topology.normal) state.offset.push_back(topology.length * n);
   state.speed.assign(topology.sticks(), glm::vec3(0));
@@ -175,7 +175,7 @@ class EnergyStudy : public Study {
 
  private:
   double energy(const MassSprings& masses) const {
-    const Topology& topology = setting_.topology;
+    const SpringNetwork& topology = setting_.topology;
     const auto offsets = masses.offsets(queue_), speeds = masses.speeds(queue_);
     reference::State state = reference::rest(topology);
     for (std::size_t i = 0; i < topology.sticks(); ++i) {
@@ -189,9 +189,9 @@ class EnergyStudy : public Study {
 
 }  // namespace
 
-Motions exact_second(const Topology& topology, const Dynamics& dynamics, float step) {
+Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step) {
   Dynamics fine = dynamics;
-  fine.solver = Solver::rk4;
+  fine.solver = highest_order;
   fine.step = step;
   const long steps = std::lround(1 / double(step));
   const auto run = serial_in_double(topology, fine);
@@ -213,52 +213,62 @@ std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting
   return std::make_unique<EnergyStudy>(device, std::move(setting));
 }
 
-MakeSubject with_solvers(const MakeSubject& others, const cl::Device& device, const Experiment& experiment,
-                         const std::function<void(const std::string&)>& progress) {
-  struct Kept {
-    std::map<std::string, std::shared_ptr<const Mesh>> meshes;
-    std::map<std::string, Motions> exact;
-  };
-  const auto kept = std::make_shared<Kept>();
-  return [=](const Case& which) -> std::unique_ptr<Subject> {
-    if (!which.pipeline.starts_with("springs")) return others(which);
-    const Scene scene = scene_of(experiment, which);
-    if (!has_springs(scene.dynamics))
-      throw InputError(
-          fmt::format("{}: dynamics.topology is {}; the solvers need one of the four of docs/topology.md",
-                      which.name, scene.dynamics.topology));
-    std::shared_ptr<const Mesh>& mesh = kept->meshes[scene.model];
-    if (!mesh) {
-      MeshOptions options;
-      options.progress = progress;
-      mesh = load_model(scene.model, options);
-    }
-    Setting setting{build(kind_of(scene.dynamics.topology), *mesh, scene.fur.length),
-                    springs::dynamics_of(scene.dynamics),
-                    {},
-                    0};
-    if (which.pipeline == "springs-limit") return solver_limit(device, std::move(setting));
-    if (which.pipeline == "springs-energy") return solver_energy(device, std::move(setting));
-    if (which.pipeline == "springs-error") {
-      Scene any = scene;  // all cases that differ by step and solver only have one exact state
-      any.dynamics.step = 1, any.dynamics.substeps = 1, any.dynamics.solver = "rk4";
-      Motions& exact = kept->exact[scene_hash(any)];
-      if (exact.offset.empty()) exact = exact_second(setting.topology, setting.dynamics, 1e-4f);
-      return solver_error(device, std::move(setting), exact);
-    }
-    if (which.pipeline != "springs" && which.pipeline != "springs+rivals")
-      throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
-    setting.start = rest(setting.topology);
-    if (scene.dynamics.time > 0) {
-      const cl::Queue queue(device);
-      MassSprings before(queue, setting.topology, setting.dynamics);
-      simulate(queue, before, setting.dynamics, double(scene.dynamics.time));
-      setting.start = {before.offsets(queue), before.speeds(queue)};
-      setting.steps = before.steps();
-    }
-    return solver_duel(device, std::move(setting), scene.dynamics.substeps,
-                       which.pipeline == "springs+rivals");
-  };
+namespace {
+
+Scene scene_with_springs(const SubjectContext& context, const Case& which) {
+  Scene scene = scene_of(context.experiment, which);
+  if (!has_springs(scene.dynamics))
+    throw InputError(
+        fmt::format("{}: dynamics.topology is {}; the solvers need one of the four of docs/topology.md",
+                    which.name, scene.dynamics.topology));
+  return scene;
+}
+
+// At rest, before the scene's `time`.
+Setting setting_of(SubjectContext& context, const Scene& scene) {
+  const auto mesh = context.meshes.get(scene.model);
+  return {
+      build(kind_of(scene.dynamics.topology), *mesh, scene.fur.length), dynamics_of(scene.dynamics), {}, 0};
+}
+
+std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case& which, bool baselines) {
+  const Scene scene = scene_with_springs(context, which);
+  Setting setting = setting_of(context, scene);
+  setting.start = rest(setting.topology);
+  if (scene.dynamics.time > 0) {
+    const cl::Queue queue(context.device);
+    MassSprings before(queue, setting.topology, setting.dynamics);
+    simulate(queue, before, setting.dynamics, double(scene.dynamics.time));
+    setting.start = {before.offsets(queue), before.speeds(queue)};
+    setting.steps = before.steps();
+  }
+  return solver_duel(context.device, std::move(setting), scene.dynamics.substeps, baselines);
+}
+
+}  // namespace
+
+std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which) {
+  return solver_after_start(context, which, false);
+}
+std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which) {
+  return solver_after_start(context, which, true);
+}
+std::unique_ptr<Subject> make_solver_limit(SubjectContext& context, const Case& which) {
+  return solver_limit(context.device, setting_of(context, scene_with_springs(context, which)));
+}
+std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case& which) {
+  return solver_energy(context.device, setting_of(context, scene_with_springs(context, which)));
+}
+std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
+  const Scene scene = scene_with_springs(context, which);
+  Setting setting = setting_of(context, scene);
+  Scene any = scene;  // all cases that differ by step and solver only have one exact state
+  any.dynamics.step = 1;
+  any.dynamics.substeps = 1;
+  any.dynamics.solver = highest_order.name;
+  std::any& exact = context.shared["exact second of " + scene_hash(any)];
+  if (!exact.has_value()) exact = exact_second(setting.topology, setting.dynamics, 1e-4f);
+  return solver_error(context.device, std::move(setting), std::any_cast<const Motions&>(exact));
 }
 
 }  // namespace pelage::springs

@@ -15,17 +15,19 @@ namespace pelage::springs {
 
 /// What moves in a case, and from which state: `time` s of its scene's dynamics have passed, by the device.
 struct Setting {
-  Topology topology;
+  SpringNetwork topology;
   Dynamics dynamics;
   Motions start;
   long steps = 0;  ///< done by then
 };
 
-/// Cases whose pipeline is "springs", "springs+rivals", "springs-error", "springs-limit" or "springs-energy"
-/// (docs/topology.md, Experiments) go to a subject of this room, all others to `others`. A case whose scene
-/// names no topology throws InputError; a mass that is lost throws OutOfBounds.
-MakeSubject with_solvers(const MakeSubject& others, const cl::Device& device, const Experiment& experiment,
-                         const std::function<void(const std::string&)>& progress);
+/// The studies of docs/topology.md, Experiments, of the case's scene. They throw InputError where the scene
+/// names no topology, and OutOfBounds where a mass is lost.
+std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);
+std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which);
+std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which);
+std::unique_ptr<Subject> make_solver_limit(SubjectContext& context, const Case& which);
+std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case& which);
 
 /// A frame's substeps on the device and by every rival, one after the other, all from the setting's state.
 std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
@@ -35,7 +37,7 @@ std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, 
 std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
 
 /// The state after a second from rest, in double, by RK4 with `step`.
-Motions exact_second(const Topology& topology, const Dynamics& dynamics, float step);
+Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
 /// The longest step with which two seconds from rest leave every stick shorter than twice its length: metric
 /// "longest_step_ms".

@@ -126,7 +126,7 @@ TEST(SpringStage, APokePushesTheTrianglesInReachAndNoOther) {
   FrameInput input = small_input("separable-sticks");
   input.scene.dynamics.poke = {
       .point = {0.7f, 0, 0}, .radius = 0.35f, .force = {0, 0.02f, 0}, .spread = 0.01f, .along = {0, 0, 1}};
-  const springs::Topology topology = springs::topology_of(input);
+  const springs::SpringNetwork topology = springs::topology_of(input);
   const auto force = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
   ASSERT_EQ(force.size(), 3 * input.mesh->triangle.size());
   std::size_t poked = 0;
@@ -152,7 +152,7 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   FrameInput input = small_input("separable-sticks");
   PokeScene& poke = input.scene.dynamics.poke;
   poke = {.point = {3, 0.1f, 0.05f}, .ray = {-2, 0, 0}, .force = {0, 0.02f, 0}};
-  const springs::Topology topology = springs::topology_of(input);
+  const springs::SpringNetwork topology = springs::topology_of(input);
   const auto poked = [&] {
     std::vector<std::size_t> found;
     const auto force = springs::pushes(topology, *input.mesh, poke);

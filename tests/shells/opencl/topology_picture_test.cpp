@@ -32,7 +32,7 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
 
 /// The sticks after the frames of these pictures, in double.
 std::vector<glm::dvec3> sticks_of(const FrameInput& input) {
-  const springs::Topology topology = springs::topology_of(input);
+  const springs::SpringNetwork topology = springs::topology_of(input);
   const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics);
   const std::vector<glm::vec3> push = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
   const springs::reference::System system{topology, dynamics, {push.begin(), push.end()}};

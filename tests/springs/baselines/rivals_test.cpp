@@ -39,7 +39,7 @@ TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
       if (!turning) dynamics.motion = {};
       dynamics.residual = 1e-6f;
       const int steps = int(std::lround((turning ? 0.25 : 1) / double(dynamics.step)));
-      const Topology topology = build(GetParam().kind, mesh, fur_length);
+      const SpringNetwork topology = build(GetParam().kind, mesh, fur_length);
       const reference::System system{topology, dynamics};
       reference::State expected = reference::rest(topology);
       Motions start;

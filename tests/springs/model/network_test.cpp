@@ -19,7 +19,7 @@ using test::square;
 
 constexpr float length = 0.05f;
 
-void expect_counts(const Topology& topology, std::size_t masses, std::size_t springs) {
+void expect_counts(const SpringNetwork& topology, std::size_t masses, std::size_t springs) {
   EXPECT_EQ(topology.mass.size(), masses) << name(topology.kind);
   EXPECT_EQ(topology.spring.size(), springs) << name(topology.kind);
   EXPECT_EQ(topology.copy.size(), topology.sticks()) << name(topology.kind);
@@ -66,7 +66,7 @@ TEST(Topology, ThePapersElephantHas6888MassesAndSpringsOnSeparablePrisms) {
 TEST(Topology, SticksStandOnTheSkinAndReachTheLayer) {
   const Mesh mesh = cut_in_two(sphere(1));
   for (const Kind kind : kinds) {
-    const Topology topology = build(kind, mesh, length);
+    const SpringNetwork topology = build(kind, mesh, length);
     for (std::size_t i = 0; i < topology.sticks(); ++i) {
       EXPECT_EQ(topology.mass[i], mesh.position[topology.copy[i]]);
       EXPECT_NEAR(glm::length(topology.mass[topology.top(i)] - topology.mass[i]), length, 1e-6);
@@ -84,8 +84,8 @@ TEST(Topology, SticksStandOnTheSkinAndReachTheLayer) {
 
 TEST(Topology, SeparableOnesAreClosedAtRestAndOneIslandPerTriangle) {
   const Mesh mesh = sphere(1);
-  const Topology apart = build(Kind::separable_prisms, mesh, length),
-                 whole = build(Kind::prisms, mesh, length);
+  const SpringNetwork apart = build(Kind::separable_prisms, mesh, length),
+                      whole = build(Kind::prisms, mesh, length);
   for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
     for (std::size_t c = 0; c < 3; ++c)
       EXPECT_EQ(apart.mass[apart.top(3 * f + c)], whole.mass[whole.top(mesh.triangle[f][int(c)])]);
@@ -98,10 +98,10 @@ TEST(Topology, SeparableOnesAreClosedAtRestAndOneIslandPerTriangle) {
 
 TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
   const Mesh mesh = cut_in_two(sphere(1));
-  const Topology points = build(Kind::prisms, mesh, length, Vertices::points),
-                 copies = build(Kind::prisms, mesh, length, Vertices::copies);
+  const SpringNetwork points = build(Kind::prisms, mesh, length, Vertices::points),
+                      copies = build(Kind::prisms, mesh, length, Vertices::copies);
   // Reach across springs from one top.
-  const auto reached = [](const Topology& topology) {
+  const auto reached = [](const SpringNetwork& topology) {
     std::set<std::uint32_t> seen{topology.edges()[0].x};
     for (std::size_t before = 0; before != seen.size();) {
       before = seen.size();

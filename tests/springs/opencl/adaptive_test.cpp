@@ -20,7 +20,7 @@ using namespace test;
 
 constexpr float span = 1.0f / 60;
 
-std::vector<glm::dvec3> truth(const Topology& topology, Dynamics dynamics, int frames) {
+std::vector<glm::dvec3> truth(const SpringNetwork& topology, Dynamics dynamics, int frames) {
   dynamics.solver = Solver::rk4;
   dynamics.step = span / 64;
   const reference::System system{topology, dynamics};
@@ -30,7 +30,7 @@ std::vector<glm::dvec3> truth(const Topology& topology, Dynamics dynamics, int f
 }
 
 TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
-  const Topology topology = build(Kind::sticks, square(2), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, square(2), fur_length);
   for (const Solver solver : solvers) {
     Dynamics d = lively(solver);
     const auto fine = truth(topology, d, 30);
@@ -56,7 +56,7 @@ TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
 }
 
 TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
-  const Topology topology = build(Kind::separable_prisms, square(1), fur_length);
+  const SpringNetwork topology = build(Kind::separable_prisms, square(1), fur_length);
   const auto last = [&](const Dynamics& d) {
     MassSprings masses(queue(), topology, d);
     AdaptiveSteps steps(span, 4, 1e-2f);
@@ -74,7 +74,7 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
 
 // The tolerance holds for 99 tops in 100: 5 of 162 that move ask for steps, one does not.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
-  const Topology topology = build(Kind::sticks, sphere(2), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);
   const auto first = [&](std::size_t poked) {
     MassSprings masses(queue(), topology, still(Solver::explicit_euler));
@@ -89,7 +89,7 @@ TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
 }
 
 TEST(AdaptiveSteps, SayWhenTheMostAreTooFew) {
-  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   MassSprings masses(queue(), topology, lively(Solver::explicit_euler));
   EXPECT_THROW(AdaptiveSteps(span, 1, 1e-7f, 64).advance(queue(), masses), InputError);
   Dynamics stiff = lively(Solver::explicit_euler);

@@ -27,7 +27,7 @@ std::string kind_name(const testing::TestParamInfo<Kind>& given) {
 // The error at 0.05 s against a run of 2048 steps of RK4, over falling dt: each halving divides it by
 // 2^order.
 TEST_P(PropertiesOf, OrdersOfConvergence) {
-  const Topology topology = build(GetParam(), square(1), fur_length);
+  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   const auto offsets_after = [&](Solver solver, int steps) {
     Dynamics d = lively(solver);
     d.step = 0.0625f / float(steps);  // exact
@@ -48,7 +48,7 @@ TEST_P(PropertiesOf, OrdersOfConvergence) {
 }
 
 TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
-  const Topology topology = build(GetParam(), sphere(1), fur_length);
+  const SpringNetwork topology = build(GetParam(), sphere(1), fur_length);
   const auto rest = reference::offsets(topology, reference::rest(topology));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
@@ -67,7 +67,7 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
 // Without Eq. 5, damping and drag the springs are conservative, and semi-implicit Euler, which is symplectic,
 // keeps the energy within a band for ever.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
-  const Topology topology = build(GetParam(), square(1), fur_length);
+  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
   d.step = 1e-3f;
@@ -102,7 +102,7 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
 
 // Backward Euler may only lose energy there.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
-  const Topology topology = build(GetParam(), square(2), fur_length);
+  const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   Dynamics d = still(Solver::backward_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
   d.step = 1.0f / 60;
@@ -132,7 +132,7 @@ TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
 
 // A stick leant over and let go comes back by Eq. 5 alone, each swing smaller than the one before.
 TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
-  const Topology topology = build(GetParam(), square(1), fur_length);
+  const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
   d.step = 1e-3f;
   d.drag = 0.002f;
@@ -163,7 +163,7 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
 // "Grass does therefore not flip to the wrong side": the load that would pull the fur through the skin is
 // less than w, and no top goes below the plane of its root; without Eq. 5 they hang down.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
-  const Topology topology = build(GetParam(), square(2), fur_length);
+  const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {
     Dynamics d = still(Solver::semi_implicit_euler);
     d.drag = 0.004f;
@@ -186,7 +186,7 @@ TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
 INSTANTIATE_TEST_SUITE_P(Topologies, PropertiesOf, testing::ValuesIn(kinds), kind_name);
 
 TEST(Equation5, IsZeroAtRestAndGrowsWithTheAngle) {
-  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.stiffness = d.damping = 0;
   const reference::System system{topology, d};

@@ -2,7 +2,7 @@
 
 namespace pelage::springs::test {
 
-Shim::Shim(const Topology& topology, const Dynamics& dynamics)
+Shim::Shim(const SpringNetwork& topology, const Dynamics& dynamics)
     : dynamics_(dynamics), kind_(topology.kind), layout_(lay_out(topology, dynamics.wind)) {
   memory_.params = params(dynamics, topology.length);
   memory_.params.sticks = int(topology.sticks());

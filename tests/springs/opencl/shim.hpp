@@ -39,7 +39,7 @@ int gradients_whole(Memory& memory, double residual);
 
 class Shim {
  public:
-  Shim(const Topology& topology, const Dynamics& dynamics);
+  Shim(const SpringNetwork& topology, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
   void advance(int substeps, bool whole = false);  ///< whole: one work-item for all, shared prisms only
   std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset, false); }

@@ -46,7 +46,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
   const Dynamics dynamics = lively(GetParam().solver);
   const int steps = int(std::lround(1 / dynamics.step));
   for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // 5, 13 and 42 points; 4, 16 and 80 triangles
-    const Topology topology = build(GetParam().kind, mesh, fur_length);
+    const SpringNetwork topology = build(GetParam().kind, mesh, fur_length);
     reference::System system{topology, dynamics};
     system.push.assign(topology.sticks(), glm::dvec3(0));
     const std::vector<glm::vec3> force = poke(topology, 1, {0.004f, -0.01f, 0.006f});
@@ -103,7 +103,7 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
     for (const Solver solver : solvers) {
       const Dynamics dynamics = lively(solver);
       const int steps = int(std::lround(1 / dynamics.step));
-      const Topology topology = build(kind, *mesh, fur_length);
+      const SpringNetwork topology = build(kind, *mesh, fur_length);
       const auto offsets = reference::offsets(topology, run({topology, dynamics}, steps));
       MassSprings device(queue(), topology, dynamics);
       device.advance(queue(), steps);
@@ -124,7 +124,7 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
 // |b - A x| / |b| in double, after one step with springs of that stiffness between tops. From rest the change
 // of the velocities is the velocities, so that nothing is rounded between the solver and this.
 double residual_left(const Mesh& mesh, float stiffness, float step, float asked, Whole whole) {
-  const Topology topology = build(Kind::prisms, mesh, fur_length);
+  const SpringNetwork topology = build(Kind::prisms, mesh, fur_length);
   Dynamics dynamics = lively(Solver::backward_euler);
   dynamics.residual = asked;
   dynamics.edge_stiffness = stiffness;

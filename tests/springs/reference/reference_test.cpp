@@ -35,7 +35,7 @@ Pose pose(const Motion& m, double t) {
 // Newton's law in the world itself: the skin's masses are carried along, tops feel springs to them, weight,
 // wind, drag and Eq. 5, and no force of any frame. Stoermer and Verlet's scheme with velocities from the last
 // half step.
-std::vector<glm::dvec3> offsets_by_the_world(const Topology& topology, const Dynamics& d, double until,
+std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, const Dynamics& d, double until,
                                              int steps) {
   const double h = until / steps, tau = 2 * std::numbers::pi;
   const std::size_t sticks = topology.sticks();
@@ -105,7 +105,7 @@ std::vector<glm::dvec3> offsets_by_the_world(const Topology& topology, const Dyn
 
 TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
   for (const Kind kind : kinds) {
-    const Topology topology = build(kind, square(1), fur_length);
+    const SpringNetwork topology = build(kind, square(1), fur_length);
     Dynamics d = lively(Solver::rk4);
     d.step = 1e-3f;
     const double until = 400 * double(d.step);
@@ -125,7 +125,7 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
 
 // A stick pulled along itself is the damped oscillator m x'' + c x' + k x = 0.
 TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
-  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::rk4);
   d.step = 1e-4f;
   reference::State state = reference::rest(topology);
@@ -143,7 +143,7 @@ TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
 
 // The linearised step is exact for a straight pull: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
 TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
-  const Topology topology = build(Kind::sticks, square(1), fur_length);
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);
   d.step = 1.0f / 60;
   reference::State state = reference::rest(topology);
@@ -160,7 +160,7 @@ TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
 
 // Action and reaction: the springs' forces sum to nothing over all masses, also those of the skin.
 TEST(ReferenceTopology, SpringsPushBothEnds) {
-  const Topology topology = build(Kind::prisms, sphere(1), fur_length);
+  const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = 0;
   reference::State state = reference::rest(topology);
@@ -178,7 +178,7 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
 
 // F = -dE/dp of the springs, by finite differences.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
-  const Topology topology = build(Kind::prisms, square(2), fur_length);
+  const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
   reference::State state = reference::rest(topology);

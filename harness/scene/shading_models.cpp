@@ -1,0 +1,31 @@
+#include "harness/scene/shading_models.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr ShadingModel models[] = {
+    {"curling", "S Eq. 6", false, false},
+    {"wet", "W Eq. 2-5", true, false},
+    {"lambert", "Banisch and Wuethrich's: surface colour, self-shadow and Lambert's law", true, true},
+};
+
+}  // namespace
+
+std::span<const ShadingModel> shading_models() {
+  return models;
+}
+
+const ShadingModel& shading_model(const std::string& name) {
+  std::string names;
+  for (const ShadingModel& model : models) {
+    if (model.name == name) return model;
+    names += (names.empty() ? "" : ", ") + std::string(model.name);
+  }
+  throw InputError(fmt::format("shading.model '{}': one of {}", name, names));
+}
+
+}  // namespace pelage

@@ -1,0 +1,43 @@
+#include "harness/subjects/pipelines.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/springs/studies/study.hpp"
+#include "harness/subjects/fewer_layers.hpp"
+#include "harness/subjects/opengl.hpp"
+#include "harness/subjects/shells.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr Pipeline table[] = {
+    {"shells", make_shells},
+    {"shells+fewer", make_fewer_layers},
+    {"opengl", make_opengl},
+    {"shells+opengl", make_shells_against_opengl},
+    {"springs", springs::make_solver},
+    {"springs+rivals", springs::make_solver_against_baselines},
+    {"springs-error", springs::make_solver_error},
+    {"springs-limit", springs::make_solver_limit},
+    {"springs-energy", springs::make_solver_energy},
+};
+
+}  // namespace
+
+std::span<const Pipeline> pipelines() {
+  return table;
+}
+
+MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
+                        const std::map<std::string, int>& tuning,
+                        const std::function<void(const std::string&)>& progress) {
+  const auto context =
+      std::make_shared<SubjectContext>(SubjectContext{device, experiment, tuning, MeshStore(progress), {}});
+  return [context](const Case& which) {
+    for (const Pipeline& pipeline : pipelines())
+      if (pipeline.name == which.pipeline) return pipeline.make(*context, which);
+    throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
+  };
+}
+
+}  // namespace pelage
