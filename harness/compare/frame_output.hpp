@@ -11,8 +11,9 @@
 namespace pelage {
 
 struct FrameOutput {
-  std::string pipeline;               ///< "shells on DEVICE", "opengl on RENDERER, OPTIONS", "reference" or "reference, 8 bits"
-  int frames = 0;                     ///< frames of strand motion since rest, this one included
+  std::string
+      pipeline;    ///< "shells on DEVICE", "opengl on RENDERER, OPTIONS", "reference" or "reference, 8 bits"
+  int frames = 0;  ///< frames of strand motion since rest, this one included
   std::vector<glm::vec3> tips;        ///< F, p minus root, R; of a topology one per stick, top minus base
   std::vector<glm::vec3> velocities;  ///< of the tips, R/s
   std::vector<glm::vec4> mask;        ///< wetness.size^2: c_u, c_v, r, rho

@@ -7,7 +7,8 @@ namespace pelage {
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement) {
   return {{against, "fur pixels", double(agreement.pixels), 1, true},
           {against, "psnr", agreement.psnr, tolerance::picture_psnr, true},
-          {against, "p99.9", agreement.p999, tolerance::flip, false}};
+          {against, "p99.9", agreement.p999, tolerance::flip, false},
+          {against, "flips", agreement.flip_share(), tolerance::flip_share, false}};
 }
 
 std::vector<Check> other_filter_checks(const std::string& against, const Agreement& agreement) {

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Fur pixels (at least one), psnr, p99.9: within() of the agreement, one check each.
+/// Fur pixels (at least one), psnr, p99.9, flips (their share): within() of the agreement, one check each.
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement);
 
 /// Fur pixels (at least one) and psnr of at least tolerance::other_filter_psnr: for the OpenGL baseline.

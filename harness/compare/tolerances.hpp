@@ -61,6 +61,8 @@ inline constexpr double reference_in_world = 1e-5;
 /// R and UV units, every tip and every texel of the tests' small scenes, device against reference: the
 /// roundings of some hundred substeps in floats.
 inline constexpr double small_scene = 2e-6;
+/// R/s, every tip of the tests' small scenes: 2e-6 R over a substep of 1/240 s.
+inline constexpr double velocity = 5e-4;
 
 /// |b - A x| / |b| of a step of backward Euler, put into the reference's equations. Speeds are floats some
 /// hundred times their change in a step: 1e-5 is lost in the difference alone.

@@ -14,8 +14,9 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
-  // A single pixel for which rounding chooses the neighbouring mask texel, a difference of .2, takes 64
-  // windows below 60 dB and a picture not: what decides about a doubtful sample is all of it.
+  // One flipped pixel, for which rounding chooses the neighbouring texel of the mask and changes a channel by
+  // 0.2, leaves less than tolerance::picture_psnr in 64 windows, but not in a whole picture. So the whole
+  // picture decides where the windows fall short.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();
