@@ -1,5 +1,5 @@
 // The kernels' forms for processors without AVX-512 and for compilers without Clang's builtins, on a machine
-// that has both: build options of kernels/opencl.clh choose them.
+// that has both: build options of kernels/dialect.clh choose them.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"
