@@ -62,7 +62,7 @@ def find(mutant, sources):
     pattern = re.compile(r"\s+".join(re.escape(word) for word in mutant["original"].split()))
     places = [(file, m.start(), m.end()) for file, text in sources.items() for m in pattern.finditer(text)]
     if len(places) != 1:
-        files = ", ".join(str(file.relative_to(ROOT)) for file, _, _ in places)
+        files = ", ".join(str(file.relative_to(ROOT)) for file, _, _ in places[:3])
         raise Mistake(f"{mutant['name']}: its original text occurs {len(places)} times, must be once"
                       + (f": {files}" if files else "; the code changed: follow it in the data file"))
     return places[0]

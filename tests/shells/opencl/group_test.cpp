@@ -81,7 +81,8 @@ TEST(Group, DrawsNothingWhereNothingIs) {
   shells.frame();
   const Picture picture = shells.read();
   ASSERT_EQ(picture.pixel.size(), 61u * 45u);
-  for (const glm::vec4& pixel : picture.pixel) EXPECT_EQ(pixel, glm::vec4(.1f, .2f, .3f, 0));
+  EXPECT_TRUE(std::all_of(picture.pixel.begin(), picture.pixel.end(),
+                          [](const glm::vec4& pixel) { return pixel == glm::vec4(.1f, .2f, .3f, 0); }));
 }
 
 TEST(Group, IsWhatGpusDrawWith) {
