@@ -7,7 +7,9 @@
 #include "harness/error.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/mesh/hash.hpp"
+#include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -63,6 +65,7 @@ class OpenGlSubject : public Subject {
     row.metrics["wet_share"] = {wet_share(*input_->mesh, mask_, input_->scene.wetness.size), "1"};
     row.metrics["frames_simulated"] = {double(frames_), "frames"};
     row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
     row.provenance["opengl_renderer"] = opengl_renderer();
@@ -141,18 +144,12 @@ std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Sub
 
 MakeSubject with_rivals(const MakeSubject& shells, const Experiment& experiment,
                         const std::function<void(const std::string&)>& progress) {
-  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
+  auto meshes = std::make_shared<SceneMeshes>();
   const auto opengl = [=](const Case& which) -> std::unique_ptr<Subject> {
     need_opengl();
     const OpenGlOptions options = opengl_options(which.opengl);
     const Scene scene = scene_of(experiment, which);
-    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
-    if (!mesh) {
-      MeshOptions how;
-      how.progress = progress;
-      mesh = load_model(scene.model, how);
-    }
-    return std::make_unique<OpenGlSubject>(prepare(scene, mesh), options,
+    return std::make_unique<OpenGlSubject>(prepare(scene, meshes->of(scene, progress)), options,
                                            std::uint32_t(Hash().text(which.name).value()));
   };
   return [=](const Case& which) -> std::unique_ptr<Subject> {

@@ -14,7 +14,9 @@
 #include "harness/error.hpp"
 #include "harness/measure/memory.hpp"
 #include "harness/mesh/hash.hpp"
+#include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -81,6 +83,7 @@ class ShellsSubject : public Subject {
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
     row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
     row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
   }
@@ -124,17 +127,12 @@ std::string kernel_hash() {
 MakeSubject shells_on(const cl::Device& device, const Experiment& experiment,
                       const std::map<std::string, int>& tuning,
                       const std::function<void(const std::string&)>& progress) {
-  auto meshes = std::make_shared<std::map<std::string, std::shared_ptr<const Mesh>>>();
+  auto meshes = std::make_shared<SceneMeshes>();
   return [=](const Case& which) -> std::unique_ptr<Subject> {
     if (which.pipeline != "shells")
       throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
     const Scene scene = scene_of(experiment, which);
-    std::shared_ptr<const Mesh>& mesh = (*meshes)[scene.model];
-    if (!mesh) {
-      MeshOptions options;
-      options.progress = progress;
-      mesh = load_model(scene.model, options);
-    }
+    const std::shared_ptr<const Mesh> mesh = meshes->of(scene, progress);
     const ShellOptions options{which.mapping, tuning};
     reset_peak_memory();
     return std::make_unique<ShellsSubject>(device, prepare(scene, mesh), options, seed_of(which.name));

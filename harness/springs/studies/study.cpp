@@ -9,6 +9,7 @@
 
 #include "harness/compare/masses.hpp"
 #include "harness/error.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/springs/baselines/arrays.hpp"
 #include "harness/springs/model/scene.hpp"
@@ -215,7 +216,7 @@ std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting
 MakeSubject with_solvers(const MakeSubject& others, const cl::Device& device, const Experiment& experiment,
                          const std::function<void(const std::string&)>& progress) {
   struct Kept {
-    std::map<std::string, std::shared_ptr<const Mesh>> meshes;
+    SceneMeshes meshes;
     std::map<std::string, Motions> exact;
   };
   const auto kept = std::make_shared<Kept>();
@@ -226,12 +227,7 @@ MakeSubject with_solvers(const MakeSubject& others, const cl::Device& device, co
       throw InputError(
           fmt::format("{}: dynamics.topology is {}; the solvers need one of the four of docs/topology.md",
                       which.name, scene.dynamics.topology));
-    std::shared_ptr<const Mesh>& mesh = kept->meshes[scene.model];
-    if (!mesh) {
-      MeshOptions options;
-      options.progress = progress;
-      mesh = load_model(scene.model, options);
-    }
+    const std::shared_ptr<const Mesh> mesh = kept->meshes.of(scene, progress);
     Setting setting{build(kind_of(scene.dynamics.topology), *mesh, scene.fur.length),
                     springs::dynamics_of(scene.dynamics),
                     {},
