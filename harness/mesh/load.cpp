@@ -147,7 +147,10 @@ Surface mapped_file(Surface surface, const Model& model, const std::string& labe
     surface = with_faces(surface, *model.faces, up_before(model.rotation), label, stages.parts());
   }
   std::vector<Surface> parts = split(surface);
-  if (parts.size() == 1) return mapped(surface, model, label, 0, 1, stages);
+  if (parts.size() == 1) {
+    parts.clear();
+    return mapped(surface, model, label, 0, 1, stages);
+  }
   for (std::size_t i = 0; i < parts.size(); ++i)
     parts[i] = mapped(parts[i], model, label, i, parts.size(), stages);
   stages.begin("packing charts");
@@ -176,9 +179,10 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
     stages.begin("choosing where to cut");
     const std::vector<TriedPlan> plans =
         plan_cuts(proxy_of(surface, model, 6000), source.label, unfold, stages.parts());
-    stages.begin("making the face count");
-    if (model.faces)
+    if (model.faces) {
+      stages.begin("making the face count");
       surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());
+    }
     tell();
     stages.begin("laying the surface flat");
     surface = unfold_best(surface, plans, source.label);

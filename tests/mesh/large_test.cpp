@@ -1,8 +1,10 @@
 // What keeps the preparation of large files linear, and what it says on the way.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "harness/mesh/flatten.hpp"
 #include "harness/mesh/isolated.hpp"
@@ -120,7 +122,7 @@ TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
 TEST(LargeFile, TellsItsStagesAndHowFarTheyAre) {
   const TempFolder folder;
   const std::string file = (folder.path() / "torus.ply").string();
-  write_ply(file, *load_model("torus"));
+  write_ply(file, *load_model("torus-40x30"));
   MeshOptions options = fresh();
   options.silent_s = 0;
   std::string said;
