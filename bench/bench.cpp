@@ -14,6 +14,7 @@
 #include "harness/compare/shares.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/wet_stage.hpp"
@@ -181,7 +182,7 @@ int run(int argc, char** argv) {
 
   const Scene scene = scene_of(options);
   const cl::Device device = cl::choose_device(options.device);
-  Bench bench(device, prepare(scene, load_model(scene.model)), options.mapping);
+  Bench bench(device, prepare(scene, load_scene_mesh(scene, {})), options.mapping);
   const cl::TimerCheck timer = cl::check_timer(bench.queue);
   if (!timer.real)
     fmt::print(stderr, "pelage-bench: {}: whole frames only, by the wall clock\n", timer.reason);

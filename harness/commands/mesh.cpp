@@ -25,6 +25,8 @@ struct MeshCommand {
   std::filesystem::path output, atlas;
   std::optional<std::uint32_t> faces;
   bool keep_uv = false;
+  std::string components = "all";
+  std::vector<float> rotate;
 };
 
 void fill(Picture& picture, const Mesh& mesh, const glm::uvec3& t, glm::vec4 colour) {
@@ -122,9 +124,12 @@ int run(const MeshCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
   options.keep_uv = command.keep_uv;
+  options.largest_only = command.components == "largest";
+  if (!command.rotate.empty()) options.rotate = {command.rotate[0], command.rotate[1], command.rotate[2]};
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
   print(*mesh);
+  for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
   if (!command.output.empty()) write_ply(command.output, *mesh);
   if (!command.atlas.empty()) write_picture(command.atlas, draw_atlas(*mesh, 1024));
   return 0;
@@ -140,6 +145,17 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--output", options->output, "Write the prepared mesh as PLY with its UV map");
   command->add_option("--faces", options->faces, "Make it exactly so many triangles");
   command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
+  command
+      ->add_option("--components", options->components,
+                   "Of a file of several components, keep all that are closed or large, or the largest alone")
+      ->check(CLI::IsMember({"all", "largest"}))
+      ->capture_default_str();
+  command
+      ->add_option("--rotate", options->rotate,
+                   "Turn the model: degrees about x, then y, then z, for instance -90,0,0")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,Z");
   command->add_option("--atlas", options->atlas, "Draw the UV map: charts, seams, faces turned over");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

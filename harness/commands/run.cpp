@@ -19,7 +19,7 @@
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/mesh/mesh.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "harness/tuning/tuning.hpp"
@@ -179,7 +179,11 @@ int run_here(const RunOptions& options, const fs::path& folder) {
     dry_run(options, sweeps, devices);
     return 0;
   }
-  if (!options.model.empty()) load_model(options.model);  // refused now rather than case by case
+  // A model of the user's is refused now rather than case by case.
+  for (const Sweep& sweep : sweeps)
+    if (!options.model.empty() && !sweep.cases.empty())
+      load_scene_mesh(scene_of(sweep.experiment, sweep.cases.front()),
+                      [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
 
   RunSummary all;
   const auto from = std::chrono::steady_clock::now();

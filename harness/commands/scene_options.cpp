@@ -6,6 +6,8 @@
 #include <cstdio>
 
 #include "harness/error.hpp"
+#include "harness/mesh/quality.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -52,9 +54,9 @@ Scene resolve_scene(const SceneOptions& options) {
 }
 
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene) {
-  MeshOptions options;
-  options.progress = [](const std::string& what) { fmt::print(stderr, "{}\n", what); };
-  return load_model(scene.model, options);
+  const auto mesh = load_scene_mesh(scene, [](const std::string& what) { fmt::print(stderr, "{}\n", what); });
+  for (const std::string& warning : uv_warnings(*mesh)) fmt::print(stderr, "{}: {}\n", mesh->name, warning);
+  return mesh;
 }
 
 }  // namespace pelage

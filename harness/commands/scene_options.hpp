@@ -23,7 +23,8 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 /// The scene they mean, checked. Throws InputError.
 Scene resolve_scene(const SceneOptions& options);
 
-/// The scene's mesh; says on stderr what goes on while it is prepared.
+/// The scene's mesh; says on stderr what goes on while it is prepared, and what is
+/// wrong with its UV map.
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene);
 
 }  // namespace pelage

@@ -13,8 +13,8 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/journal/results_folder.hpp"
-#include "harness/mesh/mesh.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/tuning/contenders.hpp"
 #include "harness/version/version.hpp"
 
@@ -42,9 +42,8 @@ std::vector<NamedInput> prepared(const Experiment& experiment, const std::vector
   std::vector<NamedInput> inputs;
   for (const Case& which : cases) {
     const Scene scene = scene_of(experiment, which);
-    MeshOptions options;
-    options.progress = [](const std::string& what) { fmt::print(stderr, "  {}\n", what); };
-    inputs.push_back({which.name, prepare(scene, load_model(scene.model, options))});
+    const auto note = [](const std::string& what) { fmt::print(stderr, "  {}\n", what); };
+    inputs.push_back({which.name, prepare(scene, load_scene_mesh(scene, note))});
   }
   return inputs;
 }

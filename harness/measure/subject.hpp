@@ -14,8 +14,8 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/journal/row.hpp"
 #include "harness/measure/sampler.hpp"
-#include "harness/mesh/store.hpp"
 #include "harness/picture/picture.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 
 namespace pelage {
 
@@ -49,9 +49,12 @@ using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
 struct SubjectContext {
   cl::Device device;
   Experiment experiment;
-  std::map<std::string, int> tuning;  ///< of the kernels
-  MeshStore meshes;
+  std::map<std::string, int> tuning;                 ///< of the kernels
+  std::function<void(const std::string&)> progress;  ///< told what takes long
+  SceneMeshes meshes;
   std::map<std::string, std::any> shared;  ///< results that several cases need, under a key of their maker's
+
+  std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }
 };
 
 /// A row of the table of what an experiment can time (subjects/pipelines.cpp).

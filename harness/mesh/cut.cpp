@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <queue>
+#include <span>
 #include <tuple>
 
 namespace pelage {
@@ -22,7 +23,11 @@ struct Edge {
 struct Graph {
   std::vector<Edge> edge;
   std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face joins its corners k and k + 1
-  std::vector<std::vector<std::uint32_t>> of_point;   // edges at a point, ascending
+  std::vector<std::uint32_t> row, at_point;  // edges at point p, ascending: at_point[row[p] .. row[p + 1])
+  std::span<const std::uint32_t> of_point(std::uint32_t p) const {
+    return {at_point.data() + row[p], at_point.data() + row[p + 1]};
+  }
+  std::size_t points() const { return row.size() - 1; }
 };
 
 Graph make_graph(const Surface& surface) {
@@ -42,19 +47,24 @@ Graph make_graph(const Surface& surface) {
   });
   Graph graph;
   graph.of_face.resize(surface.triangle.size());
-  graph.of_point.resize(surface.point.size());
+  graph.edge.reserve(sides.size() / 2 + 1);
   for (const Side& side : sides) {
     const bool second = !graph.edge.empty() && graph.edge.back().a == side.a && graph.edge.back().b == side.b;
     if (second) {
       graph.edge.back().right = side.face;
     } else {
-      graph.of_point[side.a].push_back(std::uint32_t(graph.edge.size()));
-      graph.of_point[side.b].push_back(std::uint32_t(graph.edge.size()));
       graph.edge.push_back(
           {side.a, side.b, side.face, none, glm::distance(surface.point[side.a], surface.point[side.b])});
     }
     graph.of_face[side.face][side.corner] = std::uint32_t(graph.edge.size() - 1);
   }
+  graph.row.assign(surface.point.size() + 1, 0);
+  for (const Edge& edge : graph.edge) ++graph.row[edge.a + 1], ++graph.row[edge.b + 1];
+  std::partial_sum(graph.row.begin(), graph.row.end(), graph.row.begin());
+  graph.at_point.resize(graph.edge.size() * 2);
+  std::vector<std::uint32_t> next(graph.row.begin(), graph.row.end() - 1);
+  for (std::uint32_t e = 0; e < graph.edge.size(); ++e)
+    for (const std::uint32_t p : {graph.edge[e].a, graph.edge[e].b}) graph.at_point[next[p]++] = e;
   return graph;
 }
 
@@ -99,7 +109,7 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
   while (!ends.empty()) {
     const std::uint32_t p = ends.back();
     ends.pop_back();
-    for (const std::uint32_t e : graph.of_point[p]) {
+    for (const std::uint32_t e : graph.of_point(p)) {
       if (!cut[e]) continue;
       cut[e] = 0;
       --degree[p];
@@ -116,9 +126,9 @@ struct Reach {
   std::uint32_t farthest = 0;
 };
 
-Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources) {
-  Reach reach{std::vector<double>(graph.of_point.size(), far),
-              std::vector<std::uint32_t>(graph.of_point.size(), none), 0};
+// Dijkstra's walk from the sources; it ends at `until`, where the way there is final.
+Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources, std::uint32_t until = none) {
+  Reach reach{std::vector<double>(graph.points(), far), std::vector<std::uint32_t>(graph.points(), none), 0};
   Queue queue;
   for (const std::uint32_t p : sources) queue.push({reach.distance[p] = 0, p});
   double most = -1;
@@ -126,8 +136,9 @@ Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources) {
     const auto [d, p] = queue.top();
     queue.pop();
     if (d > reach.distance[p]) continue;
+    if (p == until) break;
     if (d > most) most = d, reach.farthest = p;
-    for (const std::uint32_t e : graph.of_point[p]) {
+    for (const std::uint32_t e : graph.of_point(p)) {
       const std::uint32_t other = graph.edge[e].a == p ? graph.edge[e].b : graph.edge[e].a;
       const double there = d + graph.edge[e].length;
       if (there < reach.distance[other])
@@ -139,8 +150,8 @@ Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources) {
 
 std::vector<std::uint32_t> points_of(const Graph& graph, const std::vector<char>& cut) {
   std::vector<std::uint32_t> points;
-  for (std::uint32_t p = 0; p < graph.of_point.size(); ++p) {
-    const auto& edges = graph.of_point[p];
+  for (std::uint32_t p = 0; p < graph.points(); ++p) {
+    const auto edges = graph.of_point(p);
     if (std::any_of(edges.begin(), edges.end(), [&](std::uint32_t e) { return cut[e]; })) points.push_back(p);
   }
   return points;
@@ -162,7 +173,7 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
       sources.push_back(p);
       continue;
     }
-    const Reach reach = walk(graph, sources);
+    const Reach reach = walk(graph, sources, p);
     while (reach.via[p] != none) {
       const Edge& edge = graph.edge[reach.via[p]];
       cut[reach.via[p]] = 1;

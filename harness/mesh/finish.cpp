@@ -1,12 +1,13 @@
 #include "harness/mesh/finish.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <tuple>
 
@@ -55,16 +56,18 @@ struct Box {
   double side() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
-glm::dvec2 turned(glm::dvec2 p, double degrees) {
-  const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
-  return {c * p.x - s * p.y, s * p.x + c * p.y};
-}
+struct Turn {
+  double c, s;
+  explicit Turn(double degrees) : c(std::cos(glm::radians(degrees))), s(std::sin(glm::radians(degrees))) {}
+  glm::dvec2 operator()(glm::dvec2 p) const { return {c * p.x - s * p.y, s * p.x + c * p.y}; }
+};
 
 Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
   Box box;
+  const Turn turn(degrees);
   for (const auto& corners : uv) {
     for (const glm::dvec2& p : corners) {
-      const glm::dvec2 q = turned(p, degrees);
+      const glm::dvec2 q = turn(p);
       box.low = glm::min(box.low, q), box.high = glm::max(box.high, q);
     }
   }
@@ -82,8 +85,9 @@ void fit_uv(std::vector<Surface::Corners>& uv) {
   constexpr double margin = 2.0 / 256;
   const double scale = (1 - 2 * margin) / box.side();
   const glm::dvec2 shift = glm::dvec2(0.5) - scale * 0.5 * (box.low + box.high);
+  const Turn turn(best);
   for (auto& corners : uv)
-    for (glm::dvec2& p : corners) p = turned(p, best) * scale + shift;
+    for (glm::dvec2& p : corners) p = turn(p) * scale + shift;
 }
 
 // A file's own map may lie within the unit square already: a texture of the user's fits it then.
@@ -127,10 +131,51 @@ std::string content_hash(const Mesh& mesh) {
   return hash.hex();
 }
 
+Mesh turned(Mesh mesh, glm::dvec3 rotation) {
+  if (rotation == glm::dvec3(0)) return mesh;
+  const glm::dmat3 matrix = rotation_matrix(rotation);
+  std::vector<glm::dvec3> point(mesh.welded);
+  for (std::size_t i = 0; i < mesh.position.size(); ++i)
+    point[mesh.weld[i]] = matrix * glm::dvec3(mesh.position[i]);
+
+  const std::vector<std::uint32_t> point_order = morton_order(point);
+  std::vector<std::uint32_t> rank(point.size());
+  for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
+  std::vector<std::uint32_t> copy_order(mesh.position.size()), number(mesh.position.size());
+  std::iota(copy_order.begin(), copy_order.end(), 0u);
+  // Stable: the copies of a point stay sorted by UV.
+  std::stable_sort(copy_order.begin(), copy_order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return rank[mesh.weld[a]] < rank[mesh.weld[b]]; });
+  for (std::uint32_t i = 0; i < copy_order.size(); ++i) number[copy_order[i]] = i;
+  std::vector<glm::dvec3> centroid;
+  centroid.reserve(mesh.triangle.size());
+  for (const glm::uvec3& t : mesh.triangle)
+    centroid.push_back((point[mesh.weld[t.x]] + point[mesh.weld[t.y]] + point[mesh.weld[t.z]]) / 3.0);
+
+  Mesh result = mesh;
+  for (std::uint32_t i = 0; i < copy_order.size(); ++i) {
+    const std::uint32_t from = copy_order[i];
+    result.position[i] = glm::vec3(point[mesh.weld[from]]);
+    result.uv[i] = mesh.uv[from];
+    result.weld[i] = rank[mesh.weld[from]];
+  }
+  result.triangle.clear();
+  for (const std::uint32_t f : morton_order(centroid)) {
+    const glm::uvec3& t = mesh.triangle[f];
+    result.triangle.emplace_back(number[t.x], number[t.y], number[t.z]);
+  }
+  result.notes.push_back(
+      fmt::format("turned by {}, {} and {} degrees about x, y and z", rotation.x, rotation.y, rotation.z));
+  result.hash = content_hash(result);
+  return result;
+}
+
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation) {
   const std::vector<glm::dvec3> point = normalised(surface, rotation);
   std::vector<Surface::Corners> uv = surface.uv;
-  if (!surface.periodic_uv && !(surface.keep_uv && fits(uv))) fit_uv(uv);
+  const bool given = surface.keep_uv || surface.packed_uv;
+  const bool fitted = !surface.periodic_uv && !(given && fits(uv));
+  if (fitted) fit_uv(uv);
 
   const std::vector<std::uint32_t> point_order = morton_order(point);
   std::vector<std::uint32_t> rank(point.size());
@@ -144,26 +189,42 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.name = name;
   mesh.periodic_uv = surface.periodic_uv;
   mesh.notes = surface.notes;
+  if (fitted && surface.keep_uv)
+    mesh.notes.push_back(
+        "the file's UV map leaves the unit square: it was turned and scaled into it, so a picture made for "
+        "the file does not fit");
   mesh.welded = std::uint32_t(point.size());
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 
-  // A copy is a surface point with a UV; copies are numbered by point, then UV.
-  std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> copies;
-  const auto key = [&](std::uint32_t f, std::size_t k) {
-    const glm::vec2 at(uv[f][k]);
-    return std::tuple(rank[surface.triangle[f][k]], at.x, at.y);
-  };
-  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f)
-    for (std::size_t k = 0; k < 3; ++k) copies[key(f, k)] = 0;
-  for (auto& [copy, number] : copies) {
-    const auto& [welded, u, v] = copy;
-    number = std::uint32_t(mesh.position.size());
-    mesh.position.emplace_back(point[point_order[welded]]);
-    mesh.uv.emplace_back(u, v);
-    mesh.weld.push_back(welded);
+  // A copy is a surface point with a UV; copies are numbered by point, then UV. Corners by point first.
+  const auto point_of = [&](std::uint32_t c) { return rank[surface.triangle[c / 3][c % 3]]; };
+  const auto uv_of = [&](std::uint32_t c) { return glm::vec2(uv[c / 3][c % 3]); };
+  const auto corners = std::uint32_t(3 * surface.triangle.size());
+  std::vector<std::uint32_t> row(point.size() + 1, 0), corner(corners), copy(corners);
+  for (std::uint32_t c = 0; c < corners; ++c) ++row[point_of(c) + 1];
+  std::partial_sum(row.begin(), row.end(), row.begin());
+  {
+    std::vector<std::uint32_t> next(row.begin(), row.end() - 1);
+    for (std::uint32_t c = 0; c < corners; ++c) corner[next[point_of(c)]++] = c;
   }
+  for (std::uint32_t p = 0; p < point.size(); ++p) {
+    std::sort(corner.begin() + row[p], corner.begin() + row[p + 1], [&](std::uint32_t a, std::uint32_t b) {
+      const glm::vec2 at = uv_of(a), there = uv_of(b);
+      return std::tie(at.x, at.y, a) < std::tie(there.x, there.y, b);
+    });
+    for (std::uint32_t i = row[p]; i < row[p + 1]; ++i) {
+      const glm::vec2 at = uv_of(corner[i]);
+      if (i == row[p] || at != uv_of(corner[i - 1])) {
+        mesh.position.emplace_back(point[point_order[p]]);
+        mesh.uv.push_back(at);
+        mesh.weld.push_back(p);
+      }
+      copy[corner[i]] = std::uint32_t(mesh.position.size() - 1);
+    }
+  }
+  mesh.triangle.reserve(surface.triangle.size());
   for (const std::uint32_t f : morton_order(centroid))
-    mesh.triangle.emplace_back(copies.at(key(f, 0)), copies.at(key(f, 1)), copies.at(key(f, 2)));
+    mesh.triangle.emplace_back(copy[3 * f], copy[3 * f + 1], copy[3 * f + 2]);
   mesh.hash = content_hash(mesh);
   return mesh;
 }

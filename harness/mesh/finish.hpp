@@ -15,6 +15,10 @@ glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 /// along a Morton curve.
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation);
 
+/// The mesh turned by `rotation` (degrees about x, then y, then z), sorted along a Morton curve again; only
+/// positions and orders change. The mesh itself where the rotation is 0.
+Mesh turned(Mesh mesh, glm::dvec3 rotation);
+
 /// The hash of everything that a picture depends on: arrays and flags, not the name or the notes.
 std::string content_hash(const Mesh& mesh);
 

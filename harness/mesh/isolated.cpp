@@ -109,7 +109,9 @@ std::string isolated(const std::string& name, const Limits& limits,
     be_the_child(ends[1], limits, work);
   }
   ::close(ends[1]);
-  const auto deadline = std::chrono::steady_clock::now() + limits.time;
+  const auto start = std::chrono::steady_clock::now();
+  const auto deadline = start + limits.time;
+  auto heard = start;
   Inbox inbox;
   std::optional<std::pair<Kind, std::string>> answer;
   bool late = false;
@@ -120,7 +122,16 @@ std::string isolated(const std::string& name, const Limits& limits,
           std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
       if ((late = left.count() <= 0)) break;
       pollfd waiting{ends[0], POLLIN, 0};
-      if (::poll(&waiting, 1, int(std::min<std::int64_t>(left.count(), 1000))) <= 0) continue;
+      const int ready = ::poll(&waiting, 1, int(std::min<std::int64_t>(left.count(), 1000)));
+      const auto now = std::chrono::steady_clock::now();
+      if (now - heard >= limits.silence) {
+        if (progress)
+          progress(fmt::format("{}: still at work, {} s", name,
+                               std::chrono::duration_cast<std::chrono::seconds>(now - start).count()));
+        heard = now;
+      }
+      if (ready <= 0) continue;
+      heard = now;
       const ssize_t got = ::read(ends[0], chunk.data(), chunk.size());
       if (got < 0 && errno == EINTR) continue;
       if (got <= 0) break;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 #include <optional>
 #include <regex>
 
@@ -10,6 +12,7 @@
 #include "harness/hash.hpp"
 #include "harness/mesh/archive.hpp"
 #include "harness/mesh/cache.hpp"
+#include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/isolated.hpp"
 #include "harness/mesh/mesh.hpp"
@@ -25,8 +28,9 @@ namespace {
 // Part of every cache file's name: raise it whenever the same source would give another mesh.
 constexpr int recipe = 3;
 constexpr int procedural_recipe = 3;  // the same for procedural shapes alone
+constexpr int file_recipe = 1;        // the same for users' files alone
 
-constexpr std::uint32_t most_faces = 4'000'000;
+constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;  // it needs no preparation
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
 const std::filesystem::path glmark2_folder = "/usr/share/glmark2/models";
@@ -65,8 +69,16 @@ std::optional<glm::ivec2> finer_torus(const std::string& name) {
   return count;
 }
 
-Surface shape_of(const Source& source, const MeshOptions& options) {
+[[noreturn]] void refuse_uv(const Source& source, const std::string& what) {
+  throw InputError(
+      fmt::format("{}: {}, so there is no map to keep; leave out --keep-uv, or give fur.uv = "
+                  "\"computed\"",
+                  source.label, what));
+}
+
+Surface shape_of(const Source& source, const MeshOptions& options, Stages& stages) {
   if (source.kind == "procedural") {
+    if (options.keep_uv) refuse_uv(source, "is no file");
     if (source.item == "torus") return make_torus(72, 65, 0.4);
     if (const auto quads = finer_torus(source.item)) return make_torus(quads->x, quads->y, 0.4);
     if (source.item == "pear") return make_pear(6);
@@ -76,6 +88,7 @@ Surface shape_of(const Source& source, const MeshOptions& options) {
                                  source.label, source.item));
   }
   Soup soup;
+  stages.begin("reading");
   if (source.kind == "cgal") {
     auto bytes = read_member(cgal_archive, "data/meshes/" + source.item);
     if (!bytes)
@@ -85,44 +98,97 @@ Surface shape_of(const Source& source, const MeshOptions& options) {
   } else {
     soup = read_soup(source.file(), options.keep_uv);
   }
-  if (options.keep_uv && !soup.uv.empty()) return weld(soup, source.label);
+  if (options.keep_uv && soup.uv.empty()) refuse_uv(source, "has no UV map of its own");
+  if (options.keep_uv) return weld(soup, source.label);
   if (soup.polygon.size() > most_faces)
     throw InputError(fmt::format("{}: {} faces; at most {} can be prepared", source.label,
                                  soup.polygon.size(), most_faces));
-  return repair(soup, source.kind != "file", source.label);
+  const bool file = source.kind == "file";
+  return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
 // A coarse version of what `surface` will become, hole of an odd count included, for trying cuts on.
-Surface proxy_of(const Surface& surface, const Model& model) {
+Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
+                 const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
-  const std::uint32_t coarse = 6000 + wanted % 2;
+  const std::uint32_t coarse = faces + wanted % 2;
   if (wanted <= coarse && surface.triangle.size() == wanted) return surface;
   try {
-    return with_faces(surface, std::min(wanted, coarse), up_before(model.rotation), model.name);
+    return with_faces(surface, std::min(wanted, coarse), up_before(model.rotation), model.name, part);
   } catch (const InputError&) {
     return surface;  // it cannot be made so coarse
   }
 }
 
+// The map of one component of a file. A part of many is judged by a coarser version.
+Surface mapped(const Surface& component, Model model, const std::string& label, std::size_t number,
+               std::size_t count, Stages& stages) {
+  const std::string of = count == 1 ? "" : fmt::format(", component {} of {}", number + 1, count);
+  model.faces.reset();
+  stages.begin("making a coarse version" + of);
+  const auto coarse = std::uint32_t(std::max(300.0, 6000 / std::sqrt(double(count))));
+  const Surface proxy = proxy_of(component, model, coarse, stages.parts());
+  stages.begin("choosing where to cut" + of);
+  const auto unfold_proxy = [](const Surface& surface, const CutPlan& plan, const std::string& name) {
+    return unfold_large(surface, plan, name);
+  };
+  std::vector<TriedPlan> plans = plan_cuts(proxy, label, unfold_proxy, stages.parts());
+  stages.begin("laying the surface flat" + of);
+  return unfold_first(component, std::move(plans), label,
+                      [&](const Surface& surface, const CutPlan& plan, const std::string& name) {
+                        return unfold_large(surface, plan, name, stages.parts());
+                      });
+}
+
+// A file's recipe: every step grows with the number of triangles, and every component gets a chart.
+Surface mapped_file(Surface surface, const Model& model, const std::string& label, Stages& stages) {
+  if (model.faces) {
+    stages.begin("making the face count");
+    surface = with_faces(surface, *model.faces, up_before(model.rotation), label, stages.parts());
+  }
+  std::vector<Surface> parts = split(surface);
+  if (parts.size() == 1) {
+    parts.clear();
+    return mapped(surface, model, label, 0, 1, stages);
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i] = mapped(parts[i], model, label, i, parts.size(), stages);
+  stages.begin("packing charts");
+  return packed(surface, parts, label);
+}
+
 Mesh prepare(const Model& model, const Source& source, const MeshOptions& options, const Say& say) {
-  Surface surface = shape_of(source, options);
+  Stages stages(say, source.label, options.silent_s);
+  Surface surface = shape_of(source, options, stages);
   std::size_t told = 0;
   const auto tell = [&] {
     for (; told < surface.notes.size(); ++told) say(surface.notes[told]);
   };
   tell();
-  if (surface.uv.empty()) {
+  if (!surface.uv.empty()) {
+    if (model.faces && *model.faces != surface.triangle.size())
+      throw InputError(
+          fmt::format("{}: has {} faces and a UV map of its own; the face count cannot change "
+                      "while that map is kept",
+                      source.label, surface.triangle.size()));
+  } else if (source.kind == "file") {
+    surface = mapped_file(std::move(surface), model, source.label, stages);
+  } else {
     if (model.wrap) surface = wrap(surface);
     tell();
-    const std::vector<CutPlan> plans = plan_cuts(proxy_of(surface, model), source.label);
-    if (model.faces) surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label);
+    stages.begin("choosing where to cut");
+    const std::vector<TriedPlan> plans =
+        plan_cuts(proxy_of(surface, model, 6000), source.label, unfold, stages.parts());
+    if (model.faces) {
+      stages.begin("making the face count");
+      surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());
+    }
     tell();
+    stages.begin("laying the surface flat");
     surface = unfold_best(surface, plans, source.label);
-    tell();
-  } else if (model.faces && *model.faces != surface.triangle.size()) {
-    throw InputError(fmt::format("{}: has {} faces and a UV map of its own; another count is not to be had",
-                                 source.label, surface.triangle.size()));
   }
+  tell();
+  stages.begin("sorting");
   return finish(surface, model.name, model.rotation);
 }
 
@@ -142,6 +208,7 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
       .number(model.wrap)
       .number(options.keep_uv);
   hash.bytes(&model.rotation, sizeof model.rotation);
+  if (source.kind == "file") hash.number(file_recipe).number(options.largest_only);
   if (source.kind == "procedural")
     hash.number(procedural_recipe);
   else
@@ -191,13 +258,17 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   const Model model = model_of(name_or_file, options);
   const Source source = source_of(model);
   need_source(source);
+  const glm::dvec3 rotate(options.rotate);
+  if (!(glm::all(glm::lessThanEqual(glm::abs(rotate), glm::dvec3(360)))))
+    throw InputError(fmt::format("{}: a rotation by {}, {} and {} degrees; give -360 to 360 about each axis",
+                                 source.label, rotate.x, rotate.y, rotate.z));
   const Say say = options.progress ? options.progress : [](const std::string&) {};
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
   if (options.cache) {
     if (auto mesh = read_cached(cached)) {
       if (source.kind == "file") std::for_each(mesh->notes.begin(), mesh->notes.end(), say);
-      return std::make_shared<Mesh>(std::move(*mesh));
+      return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
     }
   }
   say(fmt::format("{}: preparing the mesh; this is done once", source.label));
@@ -208,7 +279,7 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   if (!mesh) throw std::runtime_error(fmt::format("{}: the prepared mesh came back damaged", model.name));
   if (options.cache && !write_cached(cached, *mesh))
     say(fmt::format("{} could not be written", cached.string()));
-  return std::make_shared<Mesh>(std::move(*mesh));
+  return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
 }
 
 }  // namespace pelage

@@ -31,10 +31,14 @@ struct Mesh {
 
 struct MeshOptions {
   std::optional<std::uint32_t> faces;  ///< exact face count; empty: the model's own, or the file's
-  bool keep_uv = false;                ///< use the file's own UV map where it has one (OBJ)
-  bool cache = true;                   ///< read and write the folder of prepared meshes
+  bool keep_uv = false;                ///< use the file's own UV map (OBJ, PLY, 3DS, glTF)
+  /// Turns the model as it would stand otherwise: degrees about x, then y, then z, the axes being fixed.
+  glm::vec3 rotate{0};
+  bool largest_only = false;  ///< of a file's components only the largest is kept
+  bool cache = true;          ///< read and write the folder of prepared meshes
   /// Told what is going on while a mesh is prepared (seconds to minutes), and each of its notes.
   std::function<void(const std::string&)> progress;
+  double silent_s = 2;  ///< stages of the preparation are told after so many seconds of it
 };
 
 /// The mesh that `name_or_file` means: a name of experiments/models.toml at its face count, else a file (OBJ,

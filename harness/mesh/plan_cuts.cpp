@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -21,7 +23,7 @@ double cost(const Surface& unfolded, const std::string& name) {
   return std::log(quality.area_high / quality.area_low) + 20 * (quality.overlapping + quality.flipped);
 }
 
-double cost(const Surface& surface, const CutPlan& plan, const std::string& name) {
+double cost(const Surface& surface, const CutPlan& plan, const std::string& name, const Unfold& unfold) {
   try {
     return cost(unfold(surface, plan, name), name);
   } catch (const InputError&) {
@@ -29,23 +31,21 @@ double cost(const Surface& surface, const CutPlan& plan, const std::string& name
   }
 }
 
-struct Search {
-  CutPlan plan;
-  double cost = 0;
-};
+constexpr std::size_t most_tries = 20;
 
-Search reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::string& name) {
-  constexpr std::size_t most_tries = 20;
+TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::string& name,
+                           const Unfold& unfold, const std::function<void(double)>& part) {
   const double least = 0.15 * bounding_sphere(surface.point).radius;
-  Search best{{root, {}}, std::numeric_limits<double>::max()};
-  best.cost = cost(surface, best.plan, name);
+  TriedPlan best{{root, {}}, std::numeric_limits<double>::max()};
+  best.cost = cost(surface, best.plan, name, unfold);
   std::vector<glm::dvec3> refused;
   for (std::size_t i = 0; i < most_tries; ++i) {
+    part(double(i + 1) / (most_tries + 1));
     const Tip tip = farthest_from_cut(surface, best.plan, refused);
     if (tip.distance < least) break;
     CutPlan longer = best.plan;
     longer.tips.push_back(tip.point);
-    const double there = cost(surface, longer, name);
+    const double there = cost(surface, longer, name, unfold);
     // Nothing can be judged before there is a map at all.
     if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
       best = {longer, there};
@@ -58,7 +58,8 @@ Search reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::stri
 
 }  // namespace
 
-std::vector<CutPlan> plan_cuts(const Surface& proxy, const std::string& name) {
+std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
+                                 const std::function<void(double)>& part) {
   // On a surface with handles the cut depends on where it is grown from: four places, far from one another.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   const long euler =
@@ -72,24 +73,41 @@ std::vector<CutPlan> plan_cuts(const Surface& proxy, const std::string& name) {
     roots.push_back(*std::max_element(proxy.point.begin(), proxy.point.end(),
                                       [&](const auto& a, const auto& b) { return near(a) < near(b); }));
   }
-  std::vector<CutPlan> plans;
-  for (const glm::dvec3& root : roots) plans.push_back(reach_into_limbs(proxy, root, name).plan);
+  std::vector<TriedPlan> plans;
+  const auto within = [&](double fraction) {
+    if (part) part((double(plans.size()) + fraction) / double(roots.size()));
+  };
+  for (const glm::dvec3& root : roots) plans.push_back(reach_into_limbs(proxy, root, name, unfold, within));
   return plans;
 }
 
-Surface unfold_best(const Surface& surface, const std::vector<CutPlan>& plans, const std::string& name) {
+Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name) {
   Surface best;
   double least = std::numeric_limits<double>::infinity();
-  for (const CutPlan& plan : plans) {
+  for (const TriedPlan& tried : plans) {
     try {
-      Surface unfolded = unfold(surface, plan, name);
+      Surface unfolded = unfold(surface, tried.plan, name);
       const double there = plans.size() == 1 ? 0 : cost(unfolded, name);
       if (there < least) least = there, best = std::move(unfolded);
     } catch (const InputError&) {
-      if (&plan == &plans.back() && best.uv.empty()) throw;
+      if (&tried == &plans.back() && best.uv.empty()) throw;
     }
   }
   return best;
+}
+
+Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
+                     const Unfold& unfold) {
+  std::stable_sort(plans.begin(), plans.end(),
+                   [](const TriedPlan& a, const TriedPlan& b) { return a.cost < b.cost; });
+  for (const TriedPlan& tried : plans) {
+    try {
+      return unfold(surface, tried.plan, name);
+    } catch (const InputError&) {
+      if (&tried == &plans.back()) throw;
+    }
+  }
+  throw InputError(fmt::format("{}: no UV map can be made for it", name));
 }
 
 }  // namespace pelage

@@ -1,5 +1,7 @@
 #include "harness/mesh/quality.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -89,6 +91,16 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   return count;
 }
 
+struct Covered {
+  std::size_t once = 0, more = 0;  // texels that a face covers, and that several do
+};
+
+Covered covered_by(const Mesh& mesh, int side) {
+  Covered covered;
+  for (const std::uint8_t count : cover(mesh, side)) covered.once += count > 0, covered.more += count > 1;
+  return covered;
+}
+
 }  // namespace
 
 Topology topology(const Mesh& mesh) {
@@ -147,6 +159,27 @@ std::vector<std::uint32_t> charts(const Mesh& mesh) {
   return number;
 }
 
+std::vector<std::string> uv_warnings(const Mesh& mesh) {
+  std::vector<std::string> warnings;
+  double area = 0, turned = 0;
+  std::size_t faces = 0;
+  for (const glm::uvec3& t : mesh.triangle) {
+    const double twice = twice_uv_area(mesh, t);
+    area += std::abs(twice);
+    if (twice < 0) turned -= twice, ++faces;
+  }
+  if (faces > 0)
+    warnings.push_back(
+        fmt::format("UV map: {} {} flipped, {:.4f}% of the map; tangents point the other way there", faces,
+                    faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
+  const Covered covered = covered_by(mesh, 2048);
+  if (covered.more > 0 && double(covered.more) >= 1e-4 * double(covered.once))
+    warnings.push_back(fmt::format(
+        "UV map: {:.2f}% of it overlaps; two places of the surface share wetness and texture there",
+        100 * double(covered.more) / double(covered.once)));
+  return warnings;
+}
+
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality;
   double uv_area = 0, flipped = 0, surface_area = 0;
@@ -170,10 +203,9 @@ UvQuality uv_quality(const Mesh& mesh, int side) {
   quality.area_low = percentile(0.01), quality.area_median = percentile(0.5),
   quality.area_high = percentile(0.99);
 
-  std::size_t once = 0, more = 0;
-  for (const std::uint8_t count : cover(mesh, side)) once += count > 0, more += count > 1;
-  quality.covered = double(once) / (double(side) * side);
-  quality.overlapping = once > 0 ? double(more) / double(once) : 0;
+  const Covered covered = covered_by(mesh, side);
+  quality.covered = double(covered.once) / (double(side) * side);
+  quality.overlapping = covered.once > 0 ? double(covered.more) / double(covered.once) : 0;
   const std::vector<std::uint32_t> chart = charts(mesh);
   quality.charts = chart.empty() ? 0 : *std::max_element(chart.begin(), chart.end()) + 1;
   return quality;

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "harness/mesh/mesh.hpp"
 
@@ -36,6 +38,10 @@ struct UvQuality {
 
 /// Overlaps are counted at the centres of `side` x `side` texels.
 UvQuality uv_quality(const Mesh& mesh, int side = 2048);
+
+/// What a user of the map must know, a line each: faces turned over, and overlap of at least 0.01% of the
+/// covered square at 2048 x 2048 texels. Empty: neither.
+std::vector<std::string> uv_warnings(const Mesh& mesh);
 
 /// The chart that each face belongs to, numbered from 0 in face order: faces that share an edge of copies.
 std::vector<std::uint32_t> charts(const Mesh& mesh);

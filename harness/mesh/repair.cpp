@@ -1,6 +1,7 @@
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -12,8 +13,11 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/error.hpp"
 #include "harness/mesh/cgal_mesh.hpp"
+#include "harness/mesh/components.hpp"
 #include "harness/mesh/steps.hpp"
 
 namespace PMP = CGAL::Polygon_mesh_processing;
@@ -27,7 +31,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name) {
+Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, Stages& stages) {
   std::vector<Kernel::Point_3> points;
   points.reserve(soup.point.size());
   for (const glm::dvec3& p : soup.point) points.emplace_back(p.x, p.y, p.z);
@@ -35,19 +39,23 @@ Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name) {
   polygons.reserve(soup.polygon.size());
   for (const auto& polygon : soup.polygon) polygons.emplace_back(polygon.begin(), polygon.end());
 
+  stages.begin("welding points");
   const std::size_t welded = PMP::merge_duplicate_points_in_polygon_soup(points, polygons);
   if (welded > 0) notes.push_back("welded " + counted(welded, "coincident point", "coincident points"));
   const std::size_t before = polygons.size();
+  stages.begin("dropping degenerate faces");
   PMP::repair_polygon_soup(points, polygons);
   if (polygons.size() < before)
     notes.push_back("dropped " + counted(before - polygons.size(), "degenerate or doubled face",
                                          "degenerate or doubled faces"));
   if (polygons.empty()) throw InputError(fmt::format("{}: no face with an area is left", name));
   const std::size_t joined = points.size();
+  stages.begin("turning faces to agree");
   PMP::orient_polygon_soup(points, polygons);
   if (points.size() > joined)
     notes.push_back("split " + counted(points.size() - joined, "point", "points") +
                     " where faces cannot agree");
+  stages.begin("joining faces");
   Polyhedron mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   if (!CGAL::is_triangle_mesh(mesh)) {
@@ -68,6 +76,35 @@ void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
         fmt::format("kept the largest of {} pieces, {} of {} faces", pieces, mesh.number_of_faces(), faces));
   }
   mesh.remove_property_map(piece);
+}
+
+// Closed components, and open ones of at least a hundredth of the largest one's area.
+void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
+  constexpr double least = 0.01;
+  constexpr std::size_t most_components = 1000;
+  auto piece = mesh.add_property_map<Polyhedron::Face_index, std::size_t>("f:piece").first;
+  const std::size_t pieces = PMP::connected_components(mesh, piece);
+  std::vector<double> area(pieces, 0);
+  std::vector<char> open(pieces, 0);
+  for (const auto f : mesh.faces()) area[piece[f]] += CGAL::to_double(PMP::face_area(f, mesh));
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h)) open[piece[mesh.face(mesh.opposite(h))]] = 1;
+  const double largest = *std::max_element(area.begin(), area.end());
+  std::vector<std::size_t> kept;
+  for (std::size_t n = 0; n < pieces; ++n)
+    if (!open[n] || area[n] >= least * largest) kept.push_back(n);
+  if (kept.size() > most_components)
+    throw InputError(
+        fmt::format("{}: {} components; at most {} get a chart each: keep the largest alone "
+                    "(mesh.components, --components largest), or join them",
+                    name, kept.size(), most_components));
+  if (kept.size() < pieces) {
+    PMP::keep_connected_components(mesh, kept, piece);
+    notes.push_back(
+        fmt::format("kept {} of {} components; the others are open and small", kept.size(), pieces));
+  }
+  mesh.remove_property_map(piece);
+  mesh.collect_garbage();
 }
 
 void drop_degenerate_faces(Polyhedron& mesh, Notes& notes) {
@@ -106,25 +143,32 @@ void fill_holes(Polyhedron& mesh, bool all, Notes& notes) {
 
 }  // namespace
 
-Surface repair(const Soup& soup, bool fill_all, const std::string& name) {
+Surface repair(const Soup& soup, const RepairOptions& options, const std::string& name, Stages& stages) {
   Notes notes;
-  Polyhedron mesh = from_soup(soup, notes, name);
+  Polyhedron mesh = from_soup(soup, notes, name, stages);
+  stages.begin("stitching borders");
   const std::size_t stitched = PMP::stitch_borders(mesh);
   if (stitched > 0) notes.push_back("stitched " + counted(stitched, "pair", "pairs") + " of border edges");
   const std::size_t split = PMP::duplicate_non_manifold_vertices(mesh);
   if (split > 0) notes.push_back("split " + counted(split, "non-manifold point", "non-manifold points"));
   drop_degenerate_faces(mesh, notes);
-  keep_largest_piece(mesh, notes);
-  fill_holes(mesh, fill_all, notes);
+  if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
+  if (options.largest_only)
+    keep_largest_piece(mesh, notes);
+  else
+    drop_scraps(mesh, notes, name);
+  stages.begin("filling holes");
+  fill_holes(mesh, options.fill_all, notes);
   PMP::remove_isolated_vertices(mesh);
   mesh.collect_garbage();
   if (mesh.number_of_faces() == 0) throw InputError(fmt::format("{}: no face is left after repair", name));
-  if (CGAL::is_closed(mesh) && !PMP::is_outward_oriented(mesh)) {
+  if (options.largest_only && CGAL::is_closed(mesh) && !PMP::is_outward_oriented(mesh)) {
     PMP::reverse_face_orientations(mesh);
     notes.push_back("turned all faces outwards");
   }
   Surface surface = from_cgal(mesh);
   surface.notes = notes;
+  if (!options.largest_only) turn_outwards(surface);
   return surface;
 }
 

@@ -17,6 +17,7 @@ struct Surface {
   std::vector<Corners> uv;         ///< per triangle; empty: none yet
   bool periodic_uv = false;        ///< see Mesh::periodic_uv; such a map is left as it is
   bool keep_uv = false;            ///< a file's own map: left as it is, if it lies within the unit square
+  bool packed_uv = false;          ///< charts packed into the unit square: left as they are
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 

@@ -81,17 +81,6 @@ Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
   return map;
 }
 
-// A closed manifold of F triangles has 3F / 2 edges, each run through both ways.
-bool is_closed(const std::vector<Surface::Triangle>& triangles) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
-  for (const auto& [a, b, c] : triangles)
-    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
-      sides.emplace_back(std::min(p, q), std::max(p, q));
-  std::sort(sides.begin(), sides.end());
-  sides.erase(std::unique(sides.begin(), sides.end()), sides.end());
-  return 2 * sides.size() == 3 * triangles.size();
-}
-
 }  // namespace
 
 MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles) {
@@ -109,8 +98,7 @@ MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surf
 
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name) {
   const Disk disk = cut_open(surface, plan);
-  if (disk.point.size() == surface.point.size() && is_closed(disk.triangle))
-    throw InputError(fmt::format("{}: nothing is cut, so it cannot lie flat", name));
+  need_cut(surface, disk, name);
   Polyhedron mesh = flat_mesh(surface, disk);
   Surface result = surface;
   Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));

@@ -17,10 +17,13 @@ namespace {
 
 // CGAL 5.5 stops on edge counts only. A collapse takes two faces away, at a border one: N + 1 is near enough.
 struct Few_enough_faces {
-  std::size_t faces;
+  std::size_t faces, before;
+  const std::function<void(double)>* part;
   template <class Cost, class Profile>
   bool operator()(const Cost&, const Profile& profile, std::size_t, std::size_t) const {
-    return profile.surface_mesh().number_of_faces() <= faces + 1;
+    const std::size_t now = profile.surface_mesh().number_of_faces();
+    if (*part && now % 4096 < 2) (*part)(double(before - now) / double(before - faces));
+    return now <= faces + 1;
   }
 };
 
@@ -43,7 +46,8 @@ void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
 
 }  // namespace
 
-Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name) {
+Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
+                   const std::function<void(double)>& part) {
   if (surface.triangle.size() == faces) return surface;
   Polyhedron mesh = to_cgal(surface);
   std::vector<std::string> notes = surface.notes;
@@ -54,7 +58,7 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
                                 mesh.number_of_faces(), rounds));
 
   const auto before = mesh.number_of_faces();
-  SMS::edge_collapse(mesh, Few_enough_faces{faces},
+  SMS::edge_collapse(mesh, Few_enough_faces{faces, before, &part},
                      CGAL::parameters::filter(SMS::Bounded_normal_change_filter<>()));
   mesh.collect_garbage();
   if (mesh.number_of_faces() + 0u < before)

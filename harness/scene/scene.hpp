@@ -42,6 +42,7 @@ struct FurScene {
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< "paper" | "uniform"
   std::string binding = "shared";       ///< "shared" | "separate"
+  std::string uv = "computed";          ///< the mesh's UV map: "computed" | "file"
 };
 
 struct CurlScene {
@@ -197,8 +198,15 @@ struct ImageScene {
   glm::vec3 background{0.30f, 0.34f, 0.39f};
 };
 
+/// How the model's mesh is prepared.
+struct MeshScene {
+  glm::vec3 rotate{0.0f};          ///< degrees about x, then y, then z: files are upright in different ways
+  std::string components = "all";  ///< of a file: "all" | "largest"
+};
+
 struct Scene {
   std::string model = "bunny";  ///< a name of models.toml, or a mesh file
+  MeshScene mesh;
   FurScene fur;
   CurlScene curl;
   WetnessScene wetness;

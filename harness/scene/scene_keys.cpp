@@ -20,6 +20,7 @@ std::vector<std::string_view> shading_names() {
 
 // clang-format off
 std::vector<Key> scene_keys(Scene& s) {
+  MeshScene& mesh = s.mesh;
   FurScene& fur = s.fur;
   CurlScene& curl = s.curl;
   WetnessScene& wetness = s.wetness;
@@ -35,6 +36,9 @@ std::vector<Key> scene_keys(Scene& s) {
   ImageScene& image = s.image;
   return {
       {.name = "model", .slot = &s.model, .unit = "", .help = "a name of experiments/models.toml, or a mesh file"},
+
+      {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "turns the model about x, then y, then z, the axes being fixed; y is up, so [-90, 0, 0] stands a file up whose z is up"},
+      {.name = "mesh.components", .slot = &mesh.components, .unit = "", .help = "of a file: each of its components gets a chart, except open scraps; or only the one of most faces is kept", .choices = {"all", "largest"}},
 
       {"fur.length", &fur.length, "R", 0.001, 1, "strand length L0"},
       {"fur.layers", &fur.layers, "", 2, 512, "N, layers above the base surface"},
@@ -64,6 +68,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.seed", &fur.seed, "", 0, most_seed, "seed of the fur volume"},
       {.name = "fur.layer_spacing", .slot = &fur.layer_spacing, .unit = "", .help = "rest heights of the layers along the strand", .choices = {"paper", "uniform"}},
       {.name = "fur.binding", .slot = &fur.binding, .unit = "", .help = "a vertex moves with the mean of its triangles' strands, or each triangle with its own", .choices = {"shared", "separate"}},
+      {.name = "fur.uv", .slot = &fur.uv, .unit = "", .help = "the UV map in which fur, coat and wetness lie: made by pelage, or the one of the mesh file", .choices = {"computed", "file"}},
 
       {"curl.radius", &curl.radius, "R", 0, 1, "K_alpha of S Eq. 4, radius of the curl"},
       {"curl.turns", &curl.turns, "", -64, 64, "turns from root to tip, omega / 2 pi"},

@@ -8,6 +8,7 @@
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
@@ -62,6 +63,7 @@ class OpenGlSubject : public Subject {
     row.metrics["wet_share"] = {wet_share(*input_->mesh, mask_, input_->scene.wetness.size), "1"};
     row.metrics["frames_simulated"] = {double(frames_), "frames"};
     row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
     row.provenance["opengl_renderer"] = opengl_renderer();
@@ -141,7 +143,7 @@ std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which)
   need_opengl();
   const OpenGlOptions options = opengl_options(which.opengl);
   const Scene scene = scene_of(context.experiment, which);
-  return std::make_unique<OpenGlSubject>(prepare(scene, context.meshes.get(scene.model)), options,
+  return std::make_unique<OpenGlSubject>(prepare(scene, context.mesh_of(scene)), options,
                                          std::uint32_t(Hash().text(which.name).value()));
 }
 

@@ -32,7 +32,7 @@ MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
                         const std::map<std::string, int>& tuning,
                         const std::function<void(const std::string&)>& progress) {
   const auto context =
-      std::make_shared<SubjectContext>(SubjectContext{device, experiment, tuning, MeshStore(progress), {}});
+      std::make_shared<SubjectContext>(SubjectContext{device, experiment, tuning, progress, {}, {}});
   return [context](const Case& which) {
     for (const Pipeline& pipeline : pipelines())
       if (pipeline.name == which.pipeline) return pipeline.make(*context, which);

@@ -14,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/measure/memory.hpp"
+#include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -86,6 +87,7 @@ class ShellsSubject : public Subject {
     row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
     row.provenance["kernel_hash"] = shells_.kernel_hash();
     row.provenance["mesh_hash"] = input_->mesh->hash;
+    row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
   }
@@ -113,7 +115,7 @@ class ShellsSubject : public Subject {
 
 std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which) {
   const Scene scene = scene_of(context.experiment, which);
-  const auto mesh = context.meshes.get(scene.model);
+  const auto mesh = context.mesh_of(scene);
   const ShellOptions options{which.mapping, context.tuning};
   reset_peak_memory();
   return std::make_unique<ShellsSubject>(context.device, prepare(scene, mesh), options, seed_of(which.name));

@@ -51,6 +51,7 @@ std::set<std::string> said(const std::string& folder) {
     row.run_id.clear();
     row.build_ms = row.first_launch_ms = 0;
     row.metrics.erase("wet_ms");
+    row.metrics.erase("per_mask_ms");
     row.metrics.erase("fragments_per_s");
     row.metrics.erase("peak_memory");
     for (auto& [phase, samples] : row.samples) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 
+#include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
 #include "tests/mesh/temp_folder.hpp"
@@ -160,6 +161,36 @@ TEST(Formats, an_obj_keeps_its_own_map_when_asked_to) {
   EXPECT_EQ(std::count(made->uv.begin(), made->uv.end(), glm::vec2(0.25f, 0.25f)), 0);
 }
 
+TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
+  const TempFolder folder;
+  const auto message = [](const std::string& name) {
+    try {
+      load_model(name, fresh({}, true));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const std::string wanted =
+      " has no UV map of its own, so there is no map to keep; leave out --keep-uv, or give fur.uv = "
+      "\"computed\"";
+  const std::string off = folder.write("octa.off", "OFF\n6 8 0\n" + corners("") + faces("3", 0));
+  EXPECT_EQ(message(off), off + ":" + wanted);
+  const std::string obj = folder.write("octa.obj", corners("v ") + faces("f", 1));
+  EXPECT_EQ(message(obj), obj + ":" + wanted);
+  EXPECT_EQ(message("torus").substr(0, 19), "torus: is no file, ");
+}
+
+TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
+  const TempFolder folder;
+  const std::string file = folder.write(
+      "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 3 0\nvt 3 2\nvt 0 2\nf 1/1 2/2 3/3 4/4\n");
+  const auto kept = load_model(file, fresh({}, true));
+  EXPECT_TRUE(std::any_of(kept->notes.begin(), kept->notes.end(), [](const std::string& note) {
+    return note.starts_with("the file's UV map leaves the unit square");
+  }));
+}
+
 TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
   const TempFolder folder;
   // Two pieces, the larger one with a face turned over, one missing, and one given twice.
@@ -169,6 +200,7 @@ TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
   text += "f 2 4 5\nv 5 5 5\nv 6 5 5\nv 5 6 5\nf 7 8 9\n";
   std::string said;
   MeshOptions options = fresh();
+  options.largest_only = true;
   options.progress = [&](const std::string& line) { said.append(line).push_back('\n'); };
   const auto mesh = load_model(folder.write("broken.obj", text), options);
   EXPECT_EQ(mesh->triangle.size(), 7u);

@@ -59,6 +59,16 @@ TEST(Quality, knows_overlaps_and_faces_turned_over) {
   EXPECT_NEAR(q.covered, 0.5, 0.01);
 }
 
+TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
+  EXPECT_TRUE(uv_warnings(flat({{o, x, xy}, {o, xy, y}})).empty());
+  const std::vector<std::string> overlap = uv_warnings(flat({{o, x, xy}, {o, x, xy}, {o, xy, y}}));
+  ASSERT_EQ(overlap.size(), 1u);
+  EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];  // one of two halves, to a texel
+  const std::vector<std::string> turned = uv_warnings(flat({{o, x, xy}, {o, y, xy}}));
+  ASSERT_EQ(turned.size(), 1u);
+  EXPECT_TRUE(turned[0].starts_with("UV map: 1 face is flipped, 50.0000% of the map")) << turned[0];
+}
+
 TEST(Quality, knows_what_is_no_manifold) {
   const glm::vec2 far(2, 0.5f);
   EXPECT_EQ(topology(flat({{o, x, y}, {o, x, xy}})).bad_edges, 1u);                  // both run o to x

@@ -226,7 +226,7 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
 
 // At rest, before the scene's `time`.
 Setting setting_of(SubjectContext& context, const Scene& scene) {
-  const auto mesh = context.meshes.get(scene.model);
+  const auto mesh = context.mesh_of(scene);
   return {
       build(kind_of(scene.dynamics.topology), *mesh, scene.fur.length), dynamics_of(scene.dynamics), {}, 0};
 }

@@ -1,0 +1,204 @@
+#include "harness/mesh/components.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <numeric>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffu;
+
+std::size_t count_of(const std::vector<std::uint32_t>& component) {
+  return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t(1);
+}
+
+// A chart on its way into the square: its size, and where its lowest corner comes to lie.
+struct Chart {
+  double degrees = 0;  // by which it is turned
+  glm::dvec2 low{0};   // of its box, turned
+  glm::dvec2 size{0};  // of its box, with the gap on every side
+  glm::dvec2 place{0};
+  double scale = 1;  // to the surface's lengths
+};
+
+glm::dvec2 turned(glm::dvec2 p, double degrees) {
+  const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+  return {c * p.x - s * p.y, s * p.x + c * p.y};
+}
+
+// Turned so that its box is smallest, and lies rather than stands.
+Chart measured(const Surface& part, const std::string& name) {
+  double area = 0, uv_area = 0;
+  for (std::size_t f = 0; f < part.triangle.size(); ++f) {
+    const auto& [a, b, c] = part.triangle[f];
+    area += 0.5 * glm::length(glm::cross(part.point[b] - part.point[a], part.point[c] - part.point[a]));
+    const glm::dvec2 d = part.uv[f][1] - part.uv[f][0], e = part.uv[f][2] - part.uv[f][0];
+    uv_area += 0.5 * std::abs(d.x * e.y - d.y * e.x);
+  }
+  if (!(uv_area > 0) || !std::isfinite(uv_area))
+    throw InputError(fmt::format("{}: no UV map can be made for one of its components", name));
+  Chart chart;
+  chart.scale = std::sqrt(area / uv_area);
+  double least = std::numeric_limits<double>::max();
+  for (double degrees = 0; degrees < 180; degrees += 3) {
+    glm::dvec2 low(std::numeric_limits<double>::max()), high(-low);
+    const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+    for (const auto& corners : part.uv) {
+      for (const glm::dvec2& p : corners) {
+        const glm::dvec2 q(c * p.x - s * p.y, s * p.x + c * p.y);
+        low = glm::min(low, q), high = glm::max(high, q);
+      }
+    }
+    const glm::dvec2 size = high - low;
+    if (size.x < size.y || size.x * size.y >= least * (1 - 1e-6)) continue;
+    least = size.x * size.y;
+    chart.degrees = degrees, chart.low = low, chart.size = size * chart.scale;
+  }
+  return chart;
+}
+
+// Places the charts in shelves of this width, the highest first; the side of the square they need.
+double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order, double width, double gap) {
+  double x = 0, y = 0, shelf = 0, widest = 0;
+  for (const std::size_t i : order) {
+    const glm::dvec2 size = charts[i].size + glm::dvec2(2 * gap);
+    if (x > 0 && x + size.x > width) y += shelf, x = 0, shelf = 0;
+    charts[i].place = glm::dvec2(x, y) + gap;
+    x += size.x;
+    shelf = std::max(shelf, size.y), widest = std::max(widest, x);
+  }
+  return std::max(widest, y + shelf);
+}
+
+// The smallest square of many widths. The gap is a share of the square's side, which is found on the way.
+double pack(std::vector<Chart>& charts) {
+  std::vector<std::size_t> order(charts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return charts[a].size.y > charts[b].size.y; });
+  double area = 0, widest = 0;
+  for (const Chart& chart : charts)
+    area += chart.size.x * chart.size.y, widest = std::max(widest, chart.size.x);
+  const double share = std::min(2.0 / 256, 0.1 / std::sqrt(double(charts.size())));
+  double side = std::sqrt(area);
+  for (int round = 0; round < 12; ++round) {
+    const double gap = share * side;
+    double best = std::numeric_limits<double>::max(), width = 0;
+    for (double w = std::max(widest + 2 * gap, 0.5 * side); w < 4 * side + 2 * widest; w *= 1.02)
+      if (const double there = shelve(charts, order, w, gap); there < best) best = there, width = w;
+    shelve(charts, order, width, gap);
+    const bool settled = std::abs(best - side) < 1e-3 * side;
+    side = best;
+    if (settled) break;
+  }
+  return side;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> components(const Surface& surface) {
+  std::vector<std::uint32_t> root(surface.point.size());
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t p) {
+    while (root[p] != p) p = root[p] = root[root[p]];
+    return p;
+  };
+  for (const auto& t : surface.triangle) {
+    for (const std::uint32_t p : {t[1], t[2]}) {
+      const std::uint32_t a = find(t[0]), b = find(p);
+      root[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::uint32_t> number(surface.point.size(), none), component;
+  component.reserve(surface.triangle.size());
+  std::uint32_t next = 0;
+  for (const auto& t : surface.triangle) {
+    std::uint32_t& n = number[find(t[0])];
+    if (n == none) n = next++;
+    component.push_back(n);
+  }
+  return component;
+}
+
+void turn_outwards(Surface& surface) {
+  const std::vector<std::uint32_t> component = components(surface);
+  const std::size_t count = count_of(component);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  sides.reserve(surface.triangle.size() * 3);
+  for (const auto& [a, b, c] : surface.triangle)
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) sides.emplace_back(p, q);
+  std::sort(sides.begin(), sides.end());
+  std::vector<char> open(count, 0);
+  std::vector<double> volume(count, 0);
+  std::vector<glm::dvec3> origin(count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+  for (std::size_t f = 0; f < surface.triangle.size(); ++f) {
+    const auto& [a, b, c] = surface.triangle[f];
+    const std::uint32_t n = component[f];
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      if (!std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) open[n] = 1;
+    if (std::isnan(origin[n].x)) origin[n] = surface.point[a];
+    const glm::dvec3 o = origin[n];
+    volume[n] += glm::dot(surface.point[a] - o, glm::cross(surface.point[b] - o, surface.point[c] - o));
+  }
+  std::size_t turned = 0;
+  for (std::size_t n = 0; n < count; ++n) turned += !open[n] && volume[n] < 0;
+  if (turned == 0) return;
+  for (std::size_t f = 0; f < surface.triangle.size(); ++f)
+    if (!open[component[f]] && volume[component[f]] < 0)
+      std::swap(surface.triangle[f][1], surface.triangle[f][2]);
+  surface.notes.push_back(count == 1 ? "turned all faces outwards"
+                                     : fmt::format("turned the faces of {} components outwards", turned));
+}
+
+std::vector<Surface> split(const Surface& surface) {
+  const std::vector<std::uint32_t> component = components(surface);
+  std::vector<Surface> parts(count_of(component));
+  std::vector<std::uint32_t> number(surface.point.size(), none);
+  for (std::size_t f = 0; f < surface.triangle.size(); ++f) {
+    Surface& part = parts[component[f]];
+    Surface::Triangle t = surface.triangle[f];
+    for (std::uint32_t& p : t) {
+      if (number[p] == none) {
+        number[p] = std::uint32_t(part.point.size());
+        part.point.push_back(surface.point[p]);
+      }
+      p = number[p];
+    }
+    part.triangle.push_back(t);
+  }
+  return parts;
+}
+
+Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name) {
+  std::vector<Chart> charts;
+  for (const Surface& part : parts) charts.push_back(measured(part, name));
+  const double side = pack(charts);
+  const std::vector<std::uint32_t> component = components(surface);
+  Surface result = surface;
+  result.packed_uv = true;
+  result.uv.clear();
+  result.uv.reserve(surface.triangle.size());
+  std::vector<std::size_t> next(parts.size(), 0);
+  for (const std::uint32_t n : component) {
+    const Chart& chart = charts[n];
+    Surface::Corners corners = parts[n].uv[next[n]++];
+    for (glm::dvec2& p : corners) {
+      p = (chart.place + chart.scale * (turned(p, chart.degrees) - chart.low)) / side;
+      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding only
+    }
+    result.uv.push_back(corners);
+  }
+  result.notes.push_back(
+      fmt::format("UV map: {} components, {} charts side by side", parts.size(), parts.size()));
+  return result;
+}
+
+}  // namespace pelage

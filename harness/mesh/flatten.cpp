@@ -1,0 +1,263 @@
+#include "harness/mesh/flatten.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/error.hpp"
+#include "harness/mesh/laplace.hpp"
+
+namespace pelage {
+namespace {
+
+using Columns = LaplaceSolver::Columns;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+constexpr std::uint32_t none = 0xffffffffu;
+constexpr int iterations = 10;
+
+// A triangle in its own plane: corners (0, 0), (base, 0), (x, y), and per side k, from corner k to k + 1,
+// half the cotangent of the angle that faces it.
+struct Local {
+  double base, x, y;
+  double weight[3];
+  glm::dvec2 corner(int k) const {
+    return k == 0 ? glm::dvec2(0) : k == 1 ? glm::dvec2(base, 0) : glm::dvec2(x, y);
+  }
+};
+
+// Weights are kept positive and bounded: the systems stay definite on obtuse and on almost flat triangles.
+double half_cotangent(glm::dvec3 a, glm::dvec3 b) {
+  const double sine = glm::length(glm::cross(a, b));
+  return 0.5 * std::clamp(sine > 0 ? glm::dot(a, b) / sine : 1.0, 0.01, 100.0);
+}
+
+std::vector<Local> locals(const Surface& surface, const Disk& disk) {
+  std::vector<Local> list;
+  list.reserve(disk.triangle.size());
+  for (const auto& [i, j, k] : disk.triangle) {
+    const glm::dvec3 a = surface.point[disk.point[i]], b = surface.point[disk.point[j]],
+                     c = surface.point[disk.point[k]];
+    const double base = glm::distance(a, b);
+    const double x = base > 0 ? glm::dot(c - a, b - a) / base : 0;
+    const double y = std::sqrt(std::max(0.0, glm::dot(c - a, c - a) - x * x));
+    list.push_back(
+        {base,
+         x,
+         y,
+         {half_cotangent(a - c, b - c), half_cotangent(b - a, c - a), half_cotangent(c - b, a - b)}});
+  }
+  return list;
+}
+
+// The border of a disk, in its order; empty when it is not one loop.
+std::vector<std::uint32_t> border_of(const Disk& disk) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  sides.reserve(disk.triangle.size() * 3);
+  for (const auto& [a, b, c] : disk.triangle)
+    for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) sides.emplace_back(p, q);
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::uint32_t> next(disk.point.size(), none);
+  std::size_t count = 0;
+  std::uint32_t first = none;
+  for (const auto& [p, q] : sides) {
+    if (std::binary_search(sides.begin(), sides.end(), std::pair(q, p))) continue;
+    if (next[p] != none) return {};
+    next[p] = q, first = std::min(first, p), ++count;
+  }
+  std::vector<std::uint32_t> border;
+  for (std::uint32_t p = first; p != none && border.size() < count; p = next[p]) border.push_back(p);
+  const bool one_loop = border.size() == count && count >= 3 && next[border.back()] == first;
+  return one_loop ? border : std::vector<std::uint32_t>();
+}
+
+// By arc length on a circle of the disk's own area; x of every vertex that is not on the border is 0.
+void place_border(const Surface& surface, const Disk& disk, const std::vector<std::uint32_t>& border,
+                  const std::vector<Local>& local, Columns& x) {
+  double area = 0, length = 0, at = 0;
+  for (const Local& t : local) area += 0.5 * t.base * t.y;
+  const auto side = [&](std::size_t i) {
+    return glm::distance(surface.point[disk.point[border[i]]],
+                         surface.point[disk.point[border[(i + 1) % border.size()]]]);
+  };
+  for (std::size_t i = 0; i < border.size(); ++i) length += side(i);
+  const double radius = std::sqrt(area / std::numbers::pi);
+  for (std::size_t i = 0; i < border.size(); ++i) {
+    const double angle = 2 * std::numbers::pi * at / length;
+    x(border[i], 0) = radius * std::cos(angle), x(border[i], 1) = radius * std::sin(angle);
+    at += side(i);
+  }
+}
+
+// Every vertex off the border the weighted mean of its neighbours: one to one, since the weights are positive
+// and the border is convex (Tutte 1963).
+bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vector<std::uint32_t>& border,
+              Columns& x) {
+  std::vector<std::uint32_t> number(disk.point.size(), 0);
+  for (const std::uint32_t p : border) number[p] = none;
+  std::uint32_t unknowns = 0;
+  for (std::uint32_t& n : number)
+    if (n != none) n = unknowns++;
+  if (unknowns == 0) return true;
+  Triplets entries;
+  entries.reserve(disk.triangle.size() * 6);
+  std::vector<double> diagonal(unknowns, 0);
+  Columns b = Columns::Zero(unknowns, 2), inner = Columns::Zero(unknowns, 2);
+  for (std::size_t f = 0; f < local.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t p = disk.triangle[f][std::size_t(k)],
+                          q = disk.triangle[f][std::size_t((k + 1) % 3)];
+      const double w = local[f].weight[k];
+      for (const auto& [from, to] : {std::pair(p, q), std::pair(q, p)}) {
+        if (number[from] == none) continue;
+        diagonal[number[from]] += w;
+        if (number[to] == none)
+          b.row(number[from]) += w * x.row(to);
+        else
+          entries.emplace_back(int(number[from]), int(number[to]), -w);
+      }
+    }
+  }
+  for (std::uint32_t i = 0; i < unknowns; ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
+  LaplaceSolver::Matrix matrix(unknowns, unknowns);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  Triplets().swap(entries);
+  if (!LaplaceSolver(std::move(matrix)).solve(b, inner)) return false;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (number[v] != none) x.row(Eigen::Index(v)) = inner.row(number[v]);
+  return true;
+}
+
+LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& local) {
+  const auto size = Eigen::Index(disk.point.size());
+  Triplets entries;
+  entries.reserve(disk.triangle.size() * 6 + disk.point.size());
+  std::vector<double> diagonal(disk.point.size(), 0);
+  for (std::size_t f = 0; f < local.size(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t p = disk.triangle[f][std::size_t(k)],
+                          q = disk.triangle[f][std::size_t((k + 1) % 3)];
+      const double w = local[f].weight[k];
+      diagonal[p] += w, diagonal[q] += w;
+      entries.emplace_back(int(p), int(q), -w);
+      entries.emplace_back(int(q), int(p), -w);
+    }
+  }
+  // Holds the first vertex at the origin, without which the map could lie anywhere; costs nothing elsewhere.
+  diagonal[0] *= 2;
+  for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
+  LaplaceSolver::Matrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// The right-hand side for every triangle turned as its map is turned now.
+Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
+  Columns b = Columns::Zero(x.rows(), 2);
+  const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };
+  for (std::size_t f = 0; f < local.size(); ++f) {
+    const auto& t = disk.triangle[f];
+    const Local& l = local[f];
+    double along = 0, across = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int n = (k + 1) % 3;
+      const glm::dvec2 d = at(t[std::size_t(k)]) - at(t[std::size_t(n)]), e = l.corner(k) - l.corner(n);
+      along += l.weight[k] * (d.x * e.x + d.y * e.y);
+      across += l.weight[k] * (d.x * e.y - d.y * e.x);
+    }
+    const double size = std::hypot(along, across);
+    const double c = size > 0 ? along / size : 1, s = size > 0 ? across / size : 0;
+    for (int k = 0; k < 3; ++k) {
+      const int n = (k + 1) % 3;
+      const glm::dvec2 e = l.corner(k) - l.corner(n);
+      const double u = l.weight[k] * (c * e.x + s * e.y), v = l.weight[k] * (-s * e.x + c * e.y);
+      b(t[std::size_t(k)], 0) += u, b(t[std::size_t(k)], 1) += v;
+      b(t[std::size_t(n)], 0) -= u, b(t[std::size_t(n)], 1) -= v;
+    }
+  }
+  return b;
+}
+
+double twice_area(const Columns& x, const Surface::Triangle& t) {
+  const double ux = x(t[1], 0) - x(t[0], 0), uy = x(t[1], 1) - x(t[0], 1);
+  const double vx = x(t[2], 0) - x(t[0], 0), vy = x(t[2], 1) - x(t[0], 1);
+  return ux * vy - uy * vx;
+}
+
+// Moves the corners of faces turned over to the mean of their neighbours, as long as fewer remain.
+void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns& x) {
+  std::vector<char> fixed(disk.point.size(), 0);
+  for (const std::uint32_t p : border) fixed[p] = 1;
+  std::size_t before = disk.triangle.size() + 1;
+  Columns kept = x;
+  for (int round = 0; round < 20; ++round) {
+    std::vector<char> move(disk.point.size(), 0);
+    std::size_t turned = 0;
+    for (const auto& t : disk.triangle)
+      if (!(twice_area(x, t) > 0)) ++turned, move[t[0]] = move[t[1]] = move[t[2]] = 1;
+    if (turned >= before) x = kept;
+    if (turned == 0 || turned >= before) break;
+    before = turned, kept = x;
+    Columns sum = Columns::Zero(x.rows(), 2);
+    std::vector<double> count(disk.point.size(), 0);
+    for (const auto& t : disk.triangle)
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t p = t[std::size_t(k)];
+        if (!move[p] || fixed[p]) continue;
+        sum.row(p) += x.row(t[std::size_t((k + 1) % 3)]) + x.row(t[std::size_t((k + 2) % 3)]);
+        count[p] += 2;
+      }
+    for (std::size_t p = 0; p < count.size(); ++p)
+      if (count[p] > 0) x.row(Eigen::Index(p)) = sum.row(Eigen::Index(p)) / count[p];
+  }
+}
+
+bool judge(FlatDisk& flat, const Disk& disk, const Columns& x) {
+  double area = 0;
+  flat.flipped = 0;
+  for (const auto& t : disk.triangle) {
+    const double twice = twice_area(x, t);
+    area += twice;
+    if (!(twice > 0)) ++flat.flipped;
+  }
+  return std::isfinite(area) && area > 0 && flat.flipped * 50 <= disk.triangle.size();
+}
+
+}  // namespace
+
+FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
+                 const std::function<void(double)>& part) {
+  const auto tell = [&](int step) {
+    if (part) part(double(step) / (iterations + 2));
+  };
+  const std::vector<std::uint32_t> border = border_of(disk);
+  if (border.empty()) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  const std::vector<Local> local = locals(surface, disk);
+  Columns circle = Columns::Zero(Eigen::Index(disk.point.size()), 2);
+  place_border(surface, disk, border, local, circle);
+  tell(0);
+  if (!harmonic(disk, local, border, circle))
+    throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  tell(1);
+  FlatDisk flat;
+  Columns x = circle;
+  const LaplaceSolver solver(rigid_matrix(disk, local));
+  flat.rigid = true;
+  for (int i = 0; i < iterations && flat.rigid; ++i) {
+    tell(2 + i);
+    flat.rigid = solver.solve(turned_triangles(disk, local, x), x).has_value();
+  }
+  if (flat.rigid) unturn(disk, border, x);
+  flat.rigid = flat.rigid && judge(flat, disk, x);
+  if (!flat.rigid) {
+    x = circle;
+    if (!judge(flat, disk, x)) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  }
+  flat.uv.reserve(disk.point.size());
+  for (Eigen::Index i = 0; i < x.rows(); ++i) flat.uv.emplace_back(x(i, 0), x(i, 1));
+  return flat;
+}
+
+}  // namespace pelage

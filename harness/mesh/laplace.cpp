@@ -1,0 +1,162 @@
+#include "harness/mesh/laplace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace pelage {
+namespace {
+
+constexpr Eigen::Index direct_unknowns = 6000;
+constexpr double strong = 0.02;      // |a_ij| against sqrt(a_ii a_jj): weaker neighbours are not joined
+constexpr double damping = 2.0 / 3;  // of the Jacobi step that smooths the interpolation
+constexpr double good = 1e-9, usable = 1e-5;
+constexpr int most_iterations = 300;
+
+using Matrix = LaplaceSolver::Matrix;
+using Columns = LaplaceSolver::Columns;
+constexpr int none = -1;
+
+bool joined(const Eigen::VectorXd& diagonal, Eigen::Index i, Eigen::Index j, double value) {
+  return j != i && value * value > strong * strong * diagonal[i] * diagonal[j];
+}
+
+// Numbers disjoint groups of neighbours, in the order of the unknowns.
+std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, int& count) {
+  std::vector<int> group(std::size_t(a.rows()), none);
+  count = 0;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    bool free = group[std::size_t(i)] == none;
+    for (Matrix::InnerIterator at(a, i); free && at; ++at)
+      free = !joined(diagonal, i, at.col(), at.value()) || group[std::size_t(at.col())] == none;
+    if (!free) continue;
+    group[std::size_t(i)] = count;
+    for (Matrix::InnerIterator at(a, i); at; ++at)
+      if (joined(diagonal, i, at.col(), at.value())) group[std::size_t(at.col())] = count;
+    ++count;
+  }
+  const std::vector<int> first = group;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    if (group[std::size_t(i)] != none) continue;
+    double most = 0;
+    for (Matrix::InnerIterator at(a, i); at; ++at) {
+      if (first[std::size_t(at.col())] == none || !joined(diagonal, i, at.col(), at.value())) continue;
+      if (std::abs(at.value()) > most)
+        most = std::abs(at.value()), group[std::size_t(i)] = first[std::size_t(at.col())];
+    }
+  }
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    if (group[std::size_t(i)] != none) continue;
+    group[std::size_t(i)] = count;
+    for (Matrix::InnerIterator at(a, i); at; ++at)
+      if (group[std::size_t(at.col())] == none && joined(diagonal, i, at.col(), at.value()))
+        group[std::size_t(at.col())] = count;
+    ++count;
+  }
+  return group;
+}
+
+// Constant over each group, then smoothed by a Jacobi step.
+Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std::vector<int>& group,
+                     int count) {
+  Matrix step(a.rows(), count);
+  std::vector<std::pair<int, double>> row;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    row.assign(1, {group[std::size_t(i)], 1.0});
+    for (Matrix::InnerIterator at(a, i); at; ++at)
+      row.emplace_back(group[std::size_t(at.col())], -damping * at.value() / diagonal[i]);
+    std::sort(row.begin(), row.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
+    step.startVec(i);
+    for (std::size_t first = 0, last; first < row.size(); first = last) {
+      double sum = 0;
+      for (last = first; last < row.size() && row[last].first == row[first].first; ++last)
+        sum += row[last].second;
+      step.insertBack(i, row[first].first) = sum;
+    }
+  }
+  step.finalize();
+  return step;
+}
+
+// Gauss and Seidel's sweep over the unknowns in ascending or descending order.
+void sweep(const Matrix& a, const Eigen::VectorXd& diagonal, const Columns& b, Columns& x, bool ascending) {
+  for (Eigen::Index k = 0; k < a.rows(); ++k) {
+    const Eigen::Index i = ascending ? k : a.rows() - 1 - k;
+    double u = b(i, 0), v = b(i, 1);
+    for (Matrix::InnerIterator at(a, i); at; ++at) {
+      u -= at.value() * x(at.col(), 0);
+      v -= at.value() * x(at.col(), 1);
+    }
+    x(i, 0) += u / diagonal[i];
+    x(i, 1) += v / diagonal[i];
+  }
+}
+
+}  // namespace
+
+LaplaceSolver::LaplaceSolver(Matrix matrix) {
+  matrix.makeCompressed();
+  for (;;) {
+    Level level;
+    level.a = std::move(matrix);
+    level.diagonal = level.a.diagonal();
+    int count = 0;
+    std::vector<int> group;
+    if (level.a.rows() > direct_unknowns) group = aggregates(level.a, level.diagonal, count);
+    const bool last = group.empty() || double(count) > 0.8 * double(level.a.rows());
+    if (!last) {
+      level.up = interpolation(level.a, level.diagonal, group, count);
+      level.down = level.up.transpose();
+      const Matrix half = level.a * level.up;
+      matrix = level.down * half;
+    }
+    levels_.push_back(std::move(level));
+    if (last) break;
+  }
+  coarsest_.compute(Eigen::SparseMatrix<double>(levels_.back().a));
+}
+
+LaplaceSolver::Columns LaplaceSolver::cycle(std::size_t number, const Columns& b) const {
+  const Level& level = levels_[number];
+  if (number + 1 == levels_.size()) return coarsest_.solve(b);
+  Columns x = Columns::Zero(b.rows(), 2);
+  sweep(level.a, level.diagonal, b, x, true);
+  const Columns rest = b - level.a * x;
+  const Columns below = level.down * rest;
+  x += level.up * cycle(number + 1, below);
+  sweep(level.a, level.diagonal, b, x, false);
+  return x;
+}
+
+std::optional<int> LaplaceSolver::solve(const Columns& b, Columns& x) const {
+  if (coarsest_.info() != Eigen::Success) return {};
+  if (levels_.size() == 1) {
+    x = coarsest_.solve(b);
+    return x.allFinite() ? std::optional(0) : std::nullopt;
+  }
+  const Eigen::Array2d size = b.colwise().norm().transpose().array() + std::numeric_limits<double>::min();
+  Columns rest = b - levels_.front().a * x;
+  Columns z = cycle(0, rest), p = z;
+  Eigen::Array2d rz = rest.cwiseProduct(z).colwise().sum().transpose().array();
+  double left = std::numeric_limits<double>::infinity();
+  int iterations = 0;
+  for (;; ++iterations) {
+    left = (rest.colwise().norm().transpose().array() / size).maxCoeff();
+    if (!(left > good) || iterations == most_iterations) break;
+    const Columns ap = levels_.front().a * p;
+    const Eigen::Array2d pap = p.cwiseProduct(ap).colwise().sum().transpose().array();
+    Eigen::Array2d alpha(0, 0), beta(0, 0);
+    for (int k = 0; k < 2; ++k) alpha[k] = pap[k] > 0 ? rz[k] / pap[k] : 0;
+    x += p * alpha.matrix().asDiagonal();
+    rest -= ap * alpha.matrix().asDiagonal();
+    z = cycle(0, rest);
+    const Eigen::Array2d next = rest.cwiseProduct(z).colwise().sum().transpose().array();
+    for (int k = 0; k < 2; ++k) beta[k] = rz[k] > 0 ? next[k] / rz[k] : 0;
+    p = (z + p * beta.matrix().asDiagonal()).eval();
+    rz = next;
+  }
+  return left <= usable && x.allFinite() ? std::optional(iterations) : std::nullopt;
+}
+
+}  // namespace pelage

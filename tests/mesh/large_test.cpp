@@ -1,0 +1,152 @@
+// What keeps the preparation of large files linear, and what it says on the way.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/mesh/flatten.hpp"
+#include "harness/mesh/isolated.hpp"
+#include "harness/mesh/laplace.hpp"
+#include "harness/mesh/quality.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+/// The Laplacian of a square grid with diagonals, fixed along one side.
+LaplaceSolver::Matrix grid(int side) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < side; ++i) {
+    for (int j = 0; j < side; ++j) {
+      const int here = i * side + j;
+      if (i == 0) entries.emplace_back(here, here, 1.0);
+      for (const auto& [a, b] : {std::pair(1, 0), std::pair(0, 1), std::pair(1, 1)}) {
+        if (i + a >= side || j + b >= side) continue;
+        const int there = here + a * side + b;
+        entries.emplace_back(here, there, -1.0);
+        entries.emplace_back(there, here, -1.0);
+        entries.emplace_back(here, here, 1.0);
+        entries.emplace_back(there, there, 1.0);
+      }
+    }
+  }
+  LaplaceSolver::Matrix matrix(side * side, side * side);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+// Plain conjugate gradients would need thousands of iterations, twice as many at twice the side.
+TEST(LaplaceSolver, NeedsFewIterationsHoweverManyUnknowns) {
+  for (const int side : {100, 200, 400}) {
+    const LaplaceSolver::Matrix matrix = grid(side);
+    LaplaceSolver::Columns wanted(side * side, 2);
+    for (int i = 0; i < side * side; ++i) {
+      wanted(i, 0) = std::sin(0.02 * i);
+      wanted(i, 1) = double(i % side) / side;
+    }
+    const LaplaceSolver::Columns b = matrix * wanted;
+    LaplaceSolver::Columns x = LaplaceSolver::Columns::Zero(side * side, 2);
+    const auto iterations = LaplaceSolver(matrix).solve(b, x);
+    ASSERT_TRUE(iterations) << side;
+    EXPECT_LE(*iterations, 60) << side;
+    EXPECT_LT((matrix * x - b).norm(), 1e-8 * b.norm()) << side;
+    EXPECT_LT((x - wanted).cwiseAbs().maxCoeff(), 1e-4) << side;
+  }
+}
+
+TEST(LaplaceSolver, FactorsSmallSystems) {
+  const LaplaceSolver::Matrix matrix = grid(20);
+  const LaplaceSolver::Columns wanted = LaplaceSolver::Columns::Random(400, 2), b = matrix * wanted;
+  LaplaceSolver::Columns x = LaplaceSolver::Columns::Zero(400, 2);
+  EXPECT_EQ(LaplaceSolver(matrix).solve(b, x), 0);
+  EXPECT_LT((x - wanted).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// A sheet that is rolled into three quarters of a cylinder: it can lie flat without any stretch.
+TEST(Flatten, UnrollsWhatCanBeUnrolled) {
+  const int across = 120, along = 90;
+  Surface surface;
+  Disk disk;
+  for (int i = 0; i <= across; ++i) {
+    for (int j = 0; j <= along; ++j) {
+      const double angle = 1.5 * 3.14159265358979 * i / across;
+      surface.point.emplace_back(std::cos(angle), std::sin(angle), 3.0 * j / along);
+      disk.point.push_back(std::uint32_t(disk.point.size()));
+    }
+  }
+  const auto at = [&](int i, int j) { return std::uint32_t(i * (along + 1) + j); };
+  for (int i = 0; i < across; ++i) {
+    for (int j = 0; j < along; ++j) {
+      disk.triangle.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      disk.triangle.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  surface.triangle = disk.triangle;
+  std::vector<double> told;
+  const FlatDisk flat = flatten(surface, disk, "roll", [&](double part) { told.push_back(part); });
+  EXPECT_TRUE(flat.rigid);
+  EXPECT_EQ(flat.flipped, 0u);
+  double worst = 0;
+  for (const auto& t : disk.triangle)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = t[k], q = t[(k + 1) % 3];
+      const double ratio =
+          glm::distance(flat.uv[p], flat.uv[q]) / glm::distance(surface.point[p], surface.point[q]);
+      worst = std::max(worst, std::abs(ratio - 1));
+    }
+  EXPECT_LT(worst, 0.05);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_GE(told.size(), 10u);
+  EXPECT_LE(told.back(), 1.0);
+}
+
+// A named model given back as a file has a map as good as the one that CGAL makes of it.
+TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
+  const TempFolder folder;
+  for (const char* name : {"banisch-elephant", "banisch-dog"}) {
+    const auto named = load_model(name);
+    const std::string file = (folder.path() / (std::string(name) + ".ply")).string();
+    write_ply(file, *named);
+    const auto mesh = load_model(file, fresh());
+    const UvQuality before = uv_quality(*named), after = uv_quality(*mesh);
+    EXPECT_EQ(after.charts, 1u);
+    EXPECT_LT(after.area_high / after.area_low, 1.5 * before.area_high / before.area_low) << name;
+    EXPECT_LT(after.overlapping, before.overlapping + 0.02) << name;
+    EXPECT_LT(after.flipped, before.flipped + 0.001) << name;
+  }
+}
+
+TEST(LargeFile, TellsItsStagesAndHowFarTheyAre) {
+  const TempFolder folder;
+  const std::string file = (folder.path() / "torus.ply").string();
+  write_ply(file, *load_model("torus-40x30"));
+  MeshOptions options = fresh();
+  options.silent_s = 0;
+  std::string said;
+  options.progress = [&](const std::string& line) { said += line + "\n"; };
+  load_model(file, options);
+  for (const char* stage :
+       {": reading, 0 s\n", ": welding points, ", ": filling holes, ", ": making a coarse version, ",
+        ": choosing where to cut, ", ": laying the surface flat, ", ": sorting, "})
+    EXPECT_NE(said.find(file + stage), std::string::npos) << stage << "\n" << said;
+  EXPECT_NE(said.find(": laying the surface flat, 50%"), std::string::npos) << said;
+}
+
+TEST(LargeFile, IsStillAtWorkWhereAStageSaysNothing) {
+  std::string said;
+  const Limits limits{std::uint64_t(1) << 30, std::chrono::seconds(30), std::chrono::milliseconds(100)};
+  isolated(
+      "a.obj", limits,
+      [](const Say&) {
+        ::usleep(1'500'000);
+        return std::string("done");
+      },
+      [&](const std::string& line) { said += line + "\n"; });
+  EXPECT_NE(said.find("a.obj: still at work, 1 s\n"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace pelage
