@@ -69,8 +69,9 @@ TEST(Schema, RefusesWhatNoRowMayBe) {
   text += with([](auto& j) { j["samples"].erase("frame"); });
   text += with([](auto& j) { j["speed"] = 1; });
   text += with([](auto& j) { j["schema"] = 2; });
+  text += with([](auto& j) { j["samples"]["frame"]["cpu_ms"] = "8"; });
   test::write_text(file, text);
-  EXPECT_EQ(refused_lines(file), 7);
+  EXPECT_EQ(refused_lines(file), 8);
 }
 
 }  // namespace
