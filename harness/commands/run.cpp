@@ -16,6 +16,7 @@
 #include "harness/error.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/journal/results_folder.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
@@ -156,6 +157,8 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   listener.finished = [&](std::size_t, const Row& row) {
     if (row.status != Status::ok && isatty(STDERR_FILENO))
       progress.note(fmt::format("{}: {}", row.case_name, told(row)));
+    if (const std::string warning = load_warning(row); !warning.empty())
+      progress.note("pelage: warning: " + warning);
     progress.finish(told(row));
   };
   const auto note = [&](const std::string& text) { progress.note("  " + text); };

@@ -107,7 +107,9 @@ void declare(CLI::App& command, RunOptions& options) {
   const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
   command.add_option("--budget", options.budget_s, "Wall clock for all of it: 90s, 5m, 1h")
       ->transform(CLI::AsNumberWithUnit(seconds).description(""))
-      ->check(CLI::NonNegativeNumber.description(""))
+      ->check([](const std::string& time) {
+        return time.starts_with('-') ? time + " s is below 0: write 90s, 5m or 1h" : std::string();
+      })
       ->type_name("TIME");
   command.add_option("-o,--output", options.output, "New folder of results")->type_name("DIR");
   command.add_option("--resume", options.resume, "Go on in this folder; what it holds is kept")

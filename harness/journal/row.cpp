@@ -100,7 +100,8 @@ Row row_from_json(const Json& json) {
                          number(check.at("limit")), check.at("sense") == ">="});
   for (const auto& [phase, lists] : json.at("samples").items())
     row.samples[phase] = {lists.at("event_ms").get<std::vector<double>>(),
-                          lists.at("wall_ms").get<std::vector<double>>()};
+                          lists.at("wall_ms").get<std::vector<double>>(),
+                          lists.value("cpu_ms", std::vector<double>())};
   for (const auto& [name, metric] : json.at("metrics").items()) row.metrics[name] = metric_from(metric);
   json.at("build_ms").get_to(row.build_ms);
   json.at("first_launch_ms").get_to(row.first_launch_ms);
@@ -139,8 +140,10 @@ std::string to_line(const Row& row) {
                      {"limit", number(c.limit)},
                      {"sense", c.at_least ? ">=" : "<="}});
   Json samples = Json::object();
-  for (const auto& [phase, lists] : row.samples)
+  for (const auto& [phase, lists] : row.samples) {
     samples[phase] = {{"event_ms", lists.event_ms}, {"wall_ms", lists.wall_ms}};
+    if (!lists.cpu_ms.empty()) samples[phase]["cpu_ms"] = lists.cpu_ms;
+  }
   Json metrics = Json::object();
   for (const auto& [name, metric] : row.metrics) metrics[name] = metric_json(metric);
 

@@ -19,10 +19,11 @@ enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
 std::optional<Status> status_from_text(std::string_view text);  ///< empty: no such status
 
-/// Raw times of one phase, ms, in the order taken. Either list may be empty: a phase within a frame has no
-/// wall time of its own, and an event time is missing where the device's timer is not real.
+/// Raw times of one phase, ms, in the order taken. Any list may be empty: a phase within a frame has no wall
+/// time of its own, an event time is missing where the device's timer is not real, and rows of earlier
+/// versions have no CPU time. `cpu_ms` is what all threads of this process used during `wall_ms`.
 struct PhaseSamples {
-  std::vector<double> event_ms, wall_ms;
+  std::vector<double> event_ms, wall_ms, cpu_ms = {};
 };
 
 /// A measured or published number. A published one carries its relation: "=", "<", "about" or "range", and

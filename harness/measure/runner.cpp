@@ -9,6 +9,7 @@
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/journal/provenance.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"
@@ -88,7 +89,10 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     const auto from = std::chrono::steady_clock::now();
     const std::unique_ptr<Subject> subject = make(which);
     row.provenance["prepare_s"] = seconds_since(from);
+    const CpuWatch watch;
     const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
+    if (const std::optional<double> share = watch.other_share()) row.provenance["other_cpu_share"] = *share;
+    row.provenance["load_after"] = load_average();
     row.first_launch_ms = sampling.first_launch_ms;
     row.provenance["converged"] = sampling.converged;
     const Picture picture = subject->read();

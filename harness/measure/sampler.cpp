@@ -27,6 +27,9 @@ Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingL
     }
     for (const auto& [phase, milliseconds] : sample.phase_wall_ms)
       result.samples[phase].wall_ms.push_back(milliseconds);
+    if (sample.cpu_ms) result.samples["frame"].cpu_ms.push_back(*sample.cpu_ms);
+    for (const auto& [phase, milliseconds] : sample.phase_cpu_ms)
+      result.samples[phase].cpu_ms.push_back(milliseconds);
     if (!sample.phase_event_ms.empty()) result.samples["frame"].event_ms.push_back(sum);
 
     result.converged = has_median_interval(wall.size()) && relative_half_width(wall) <= limits.precision;

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "harness/experiment/experiment.hpp"
@@ -15,12 +16,17 @@ struct FrameSample {
   std::map<std::string, double> phase_event_ms = {};
   /// What else was timed in this round, such as a rival's frame.
   std::map<std::string, double> phase_wall_ms = {};
+  /// CPU time of this process (harness/measure/cpu_use.hpp) over the same stretches as wall_ms and
+  /// phase_wall_ms, where the subject takes it.
+  std::optional<double> cpu_ms = {};
+  std::map<std::string, double> phase_cpu_ms = {};
 };
 
 struct Sampling {
-  double first_launch_ms = 0;                   ///< the very first frame: drivers compile and upload in it
-  std::map<std::string, PhaseSamples> samples;  ///< "frame" holds the wall times; each phase its event times
-  bool converged = false;                       ///< the precision was reached
+  double first_launch_ms = 0;  ///< the very first frame: drivers compile and upload in it
+  std::map<std::string, PhaseSamples>
+      samples;             ///< "frame" holds the wall and CPU times; each phase its event times
+  bool converged = false;  ///< the precision was reached
 };
 
 /// Draws frames by `frame` as `limits` say. `seconds` is a monotonic clock, s (tests bring their own).

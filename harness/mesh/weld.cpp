@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <map>
 #include <tuple>
 
@@ -7,6 +10,23 @@
 #include "harness/mesh/steps.hpp"
 
 namespace pelage {
+namespace {
+
+// Of a map without an area no length per UV and no tangent follows; below 1e-12 of its square nothing is left
+// of it in single precision.
+bool has_area(const std::vector<Surface::Corners>& uv) {
+  double twice = 0;
+  glm::dvec2 low = uv.front()[0], high = low;
+  for (const Surface::Corners& t : uv) {
+    const glm::dvec2 d = t[1] - t[0], e = t[2] - t[0];
+    twice += std::abs(d.x * e.y - d.y * e.x);
+    for (const glm::dvec2& p : t) low = glm::min(low, p), high = glm::max(high, p);
+  }
+  const double side = std::max(high.x - low.x, high.y - low.y);
+  return twice / 2 > 1e-12 * side * side;
+}
+
+}  // namespace
 
 Surface weld(const Soup& soup, const std::string& name) {
   Surface surface;
@@ -31,6 +51,8 @@ Surface weld(const Soup& soup, const std::string& name) {
     }
   }
   if (surface.triangle.empty()) throw InputError(fmt::format("{}: no face with an area is left", name));
+  if (!has_area(surface.uv))
+    throw InputError(fmt::format("{}: the file's UV map has no area; leave out --keep-uv", name));
   surface.keep_uv = true;
   surface.notes.push_back("kept the file's own UV map; nothing was repaired");
   if (surface.point.size() < soup.point.size())

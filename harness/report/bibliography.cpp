@@ -82,9 +82,9 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
   // What differs from row to row by its nature is left to the rows themselves.
-  static const std::set<std::string> of_a_row{"utc",       "load",         "prepare_s",  "check_s",
-                                              "converged", "mesh_hash",    "scene_hash", "check_seed",
-                                              "bad_input", "mesh_warnings"};
+  static const std::set<std::string> of_a_row{
+      "utc",       "load",      "prepare_s",  "load_after", "other_cpu_share", "check_s",      "kernel_hash",
+      "converged", "mesh_hash", "scene_hash", "check_seed", "bad_input",       "mesh_warnings"};
   std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
   for (const FoundRow& found : rows)
     runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);

@@ -66,6 +66,7 @@ void each_list(
   for (const auto& [phase, samples] : row.samples) {
     if (!samples.wall_ms.empty()) use(phase, "wall", samples.wall_ms);
     if (!samples.event_ms.empty()) use(phase, "event", samples.event_ms);
+    if (!samples.cpu_ms.empty()) use(phase, "cpu", samples.cpu_ms);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/journal/provenance.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/scaling.hpp"
@@ -173,11 +174,27 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
 }
 
+/// Says how many times were taken on a machine that other processes used as well.
+void note_load(Report& report, const std::vector<FoundRow>& rows) {
+  std::size_t timed = 0, loaded = 0;
+  for (const FoundRow& found : rows) {
+    if (found.row.status != Status::ok) continue;
+    ++timed;
+    loaded += !load_warning(found.row).empty();
+  }
+  if (loaded > 0)
+    report.notes.push_back(
+        fmt::format("{} of {} rows were timed on a loaded machine: other processes took more than {:.0f}% of "
+                    "its CPU time (other_cpu_share in the journal)",
+                    loaded, timed, 100 * most_other_share));
+}
+
 }  // namespace
 
 Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note) {
   for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
   Report report;
+  note_load(report, rows);
   report.cells = cells_of(rows);
   report.tables = paper_tables(report.cells, note);
   report.topologies = topology_tables(rows);

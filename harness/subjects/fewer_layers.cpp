@@ -21,7 +21,11 @@ class FewerLayers : public Subject {
 
   FrameSample frame() override {
     FrameSample sample = all_->frame();
-    for (const auto& [phase, subject] : fewer_) sample.phase_wall_ms[phase] = subject->frame().wall_ms;
+    for (const auto& [phase, subject] : fewer_) {
+      const FrameSample theirs = subject->frame();
+      sample.phase_wall_ms[phase] = theirs.wall_ms;
+      if (theirs.cpu_ms) sample.phase_cpu_ms[phase] = *theirs.cpu_ms;
+    }
     return sample;
   }
   Picture read() override { return all_->read(); }

@@ -7,6 +7,7 @@
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -46,7 +47,9 @@ class OpenGlSubject : public Subject {
     tips.reserve(strands_.size());
     for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);
     opengl_.bend(tips);
-    return {.wall_ms = opengl_.frame()};
+    FrameSample sample;
+    sample.cpu_ms = cost_of([&] { sample.wall_ms = opengl_.frame(); }).cpu_ms;
+    return sample;
   }
   Picture read() override { return opengl_.read(); }
   std::vector<Check> check(const Picture& timed) override {
@@ -98,7 +101,9 @@ class Duel : public Subject {
 
   FrameSample frame() override {
     FrameSample sample = ours_->frame();
-    sample.phase_wall_ms[phase_] = rival_->frame().wall_ms;
+    const FrameSample theirs = rival_->frame();
+    sample.phase_wall_ms[phase_] = theirs.wall_ms;
+    if (theirs.cpu_ms) sample.phase_cpu_ms[phase_] = *theirs.cpu_ms;
     return sample;
   }
   Picture read() override { return ours_->read(); }

@@ -13,6 +13,7 @@
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/memory.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -42,8 +43,8 @@ class ShellsSubject : public Subject {
 
   FrameSample frame() override {
     FrameTiming timing;
-    bounded([&] { timing = shells_.frame(); });
-    return {timing.wall_ms, timing.phase_event_ms};
+    const Cost whole = cost_of([&] { bounded([&] { timing = shells_.frame(); }); });
+    return {.wall_ms = timing.wall_ms, .phase_event_ms = timing.phase_event_ms, .cpu_ms = whole.cpu_ms};
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {

@@ -1,8 +1,10 @@
 #include "harness/journal/journal.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -36,10 +38,24 @@ TEST(RowLine, ComesBackAsItWent) {
   const Row back = row_from_line(line);
   EXPECT_EQ(to_line(back), line);
   EXPECT_EQ(back.samples.at("frame").wall_ms, row.samples.at("frame").wall_ms);
+  EXPECT_EQ(back.samples.at("frame").cpu_ms, (std::vector<double>{20.5, 21.25, 0}));
   EXPECT_EQ(back.axes, row.axes);
   EXPECT_EQ(back.metrics.at("paper_fps").high, 1.0);
   EXPECT_FALSE(back.metrics.at("paper_fps").low);
   EXPECT_EQ(nlohmann::json::parse(line)["axes"]["layers"], 16);
+}
+
+// Rows recorded before there were CPU times.
+TEST(RowLine, CpuTimesMayBeMissing) {
+  const std::string body =  // up to the checksum, which is of all that stands before it
+      R"({"schema":1,"run_id":"r","experiment":"e","case":"c","variant":"v","axes":{},"overrides":{},"device":"d",)"
+      R"("repeat":0,"status":"ok","reason":"","check":[],"samples":{"frame":{"event_ms":[],"wall_ms":[1.5]}},)"
+      R"("metrics":{},"build_ms":0.0,"first_launch_ms":0.0,"tuning":{},"image_hash":"","provenance":{})";
+  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()));
+  const Row row = row_from_line(body + fmt::format(",\"crc\":\"{:08x}\"}}", sum));
+  EXPECT_EQ(row.samples.at("frame").wall_ms, std::vector<double>{1.5});
+  EXPECT_TRUE(row.samples.at("frame").cpu_ms.empty());
+  EXPECT_EQ(to_line(row).find("cpu_ms"), std::string::npos);
 }
 
 TEST(RowLine, AnyChangedByteIsNoticed) {

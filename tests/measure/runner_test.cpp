@@ -40,7 +40,26 @@ TEST(Runner, AnOkRowHoldsItsSamplesAndSaysWhereItComesFrom) {
   EXPECT_EQ(row.provenance.at("host"), "h");
   EXPECT_TRUE(row.provenance.contains("utc"));
   EXPECT_TRUE(row.provenance.contains("load"));
+  EXPECT_TRUE(row.provenance.contains("load_after"));
   EXPECT_EQ(row.image_hash.size(), 16u);
+}
+
+struct Slow : FakeSubject {
+  Slow() : FakeSubject(10) {}
+  FrameSample frame() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return FakeSubject::frame();
+  }
+};
+
+TEST(Runner, ARowSaysWhatOtherProcessesTook) {
+  const RunPlan plan = fake_plan(1);
+  const Row row = run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Slow>(); });
+  ASSERT_EQ(row.status, Status::ok) << row.reason;
+  if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
+  ASSERT_TRUE(row.provenance.contains("other_cpu_share"));
+  EXPECT_GE(row.provenance.at("other_cpu_share").get<double>(), 0);
+  EXPECT_LE(row.provenance.at("other_cpu_share").get<double>(), 1);
 }
 
 TEST(Runner, AFailedCheckPublishesNoTime) {

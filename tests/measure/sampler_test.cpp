@@ -59,5 +59,25 @@ TEST(Sampler, EventTimesStandInColumnsOfTheirOwn) {
   EXPECT_EQ(s.samples.at("frame").event_ms, std::vector<double>(6, 6.0));
 }
 
+TEST(Sampler, CpuTimesStandBesideWallTimesWhereTheyAreTaken) {
+  double now_s = 0;
+  int frames = 0;
+  const Sampling s = take_samples(
+      [&] {
+        now_s += 0.008;
+        ++frames;
+        return FrameSample{.wall_ms = 8,
+                           .phase_wall_ms = {{"opengl", 20}},
+                           .cpu_ms = 10.0 + frames,
+                           .phase_cpu_ms = {{"opengl", 30}}};
+      },
+      {0, 6, 6, 0.01, 100}, [&] { return now_s; });
+  // The first launch and one warm-up frame precede the samples.
+  EXPECT_EQ(s.samples.at("frame").cpu_ms, (std::vector<double>{13, 14, 15, 16, 17, 18}));
+  EXPECT_EQ(s.samples.at("opengl").cpu_ms, std::vector<double>(6, 30.0));
+  Clock clock{.length_ms = [](int) { return 8.0; }};
+  EXPECT_TRUE(clock.run({0, 6, 6, 0.01, 100}).samples.at("frame").cpu_ms.empty());
+}
+
 }  // namespace
 }  // namespace pelage

@@ -191,6 +191,22 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
   }));
 }
 
+// All texture coordinates in one place, in a line, and far outside the unit square.
+TEST(Formats, a_map_without_an_area_is_not_kept) {
+  const TempFolder folder;
+  for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
+                         "vt 5 5\nvt 5 5\nvt 5 5\n", "vt 1e200 0\nvt 1e200 0\nvt 1e200 0\n"}) {
+    const std::string file =
+        folder.write("a.obj", std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + uv + "f 1/1 2/2 3/3\n");
+    try {
+      load_model(file, fresh({}, true));
+      ADD_FAILURE() << "kept: " << uv;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), file + ": the file's UV map has no area; leave out --keep-uv") << uv;
+    }
+  }
+}
+
 TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
   const TempFolder folder;
   // Two pieces, the larger one with a face turned over, one missing, and one given twice.

@@ -132,6 +132,7 @@ TEST(Csv, PythonReadsIt) {
   auto rows = table1_rows();
   rows[1].row.reason = "two\nlines, \"quoted\"";
   rows[2].row.status = Status::error;
+  rows[3].row.samples["frame"].cpu_ms = {15.5, 16.5};
   std::ofstream(folder.path / "phases.csv") << csv_by_phase(rows);
   std::ofstream(folder.path / "samples.csv") << csv_by_sample(rows);
   std::ofstream(folder.path / "check.py") << R"(
@@ -139,8 +140,9 @@ import csv, sys
 phases = list(csv.DictReader(open(sys.argv[1], newline="")))
 samples = list(csv.DictReader(open(sys.argv[2], newline="")))
 assert all(None not in r and None not in r.values() for r in phases + samples)
-assert len(phases) == 31 * 2 + 1, len(phases)
-assert len(samples) == 31 * 42, len(samples)
+assert len(phases) == 31 * 2 + 2, len(phases)
+assert len(samples) == 31 * 42 + 2, len(samples)
+assert [r["median_ms"] for r in phases if r["clock"] == "cpu"] == ["16"]
 first = [r for r in phases if r["case"] == "torus-16-800x600" and r["phase"] == "frame"][0]
 assert first["clock"] == "wall" and first["samples"] == "21"
 assert abs(float(first["median_ms"]) - 7.82976) < 1e-6, first["median_ms"]
@@ -199,6 +201,22 @@ TEST(Report, EveryExperimentsPaperCanBeCited) {
     const std::string paper = read_experiment(file).paper;
     EXPECT_NE(text.find("{" + paper + ",\n"), std::string::npos) << file << ": " << paper;
   }
+}
+
+TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
+  const Folder folder;
+  std::vector<FoundRow> rows = table1_rows();
+  rows.resize(3);
+  rows[0].row.provenance["other_cpu_share"] = 0.05;
+  const Report idle = write_report(rows, folder.path / "idle", note);
+  for (const std::string& line : idle.notes)
+    EXPECT_EQ(line.find("loaded machine"), std::string::npos) << line;
+  rows[1].row.provenance["other_cpu_share"] = 0.5;
+  const Report loaded = write_report(rows, folder.path / "loaded", note);
+  ASSERT_FALSE(loaded.notes.empty());
+  EXPECT_EQ(loaded.notes.front().find("1 of 3 rows were timed on a loaded machine"), 0u)
+      << loaded.notes.front();
+  EXPECT_NE(text_of(folder.path / "loaded/index.html").find("1 of 3 rows"), std::string::npos);
 }
 
 TEST(Report, APlotThatFailsIsANote) {

@@ -1,35 +1,16 @@
 #include <array>
 #include <chrono>
-#include <ctime>
 #include <thread>
 
 #include "harness/compare/masses.hpp"
 #include "harness/compare/tolerances.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
 
 namespace pelage::springs {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Processor time of all threads, ms.
-double processor_ms() {
-  timespec t{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
-}
-
-struct Timed {
-  double wall_ms = 0, processor_ms = 0;
-};
-Timed timed(const std::function<void()>& work) {
-  const double processor = processor_ms();
-  const auto from = Clock::now();
-  work();
-  return {std::chrono::duration<double, std::milli>(Clock::now() - from).count(), processor_ms() - processor};
-}
 
 // Largest system whose backward Euler the double reference, spring by spring and factored whole, is asked
 // for.
@@ -54,25 +35,27 @@ class Duel : public Subject {
   FrameSample frame() override {
     FrameSample sample;
     const Motions& start = setting_.start;
-    enqueue_.push_back(timed([&] {
+    enqueue_.push_back(cost_of([&] {
                          auto& [a, b, c, d, e, f, g] = nowhere_;
                          const cl::Event event = nothing_.with(a, b, c, d, e, f, g).enqueue(queue_, 1);
                          queue_.finish();
                        }).wall_ms);
     masses_.set(queue_, start.offset, start.speed, setting_.steps);
     queue_.finish();
-    const Timed own = timed([&] {
+    const Cost own = cost_of([&] {
       masses_.enqueue(queue_, substeps_);
       queue_.finish();
     });
     sample.wall_ms = own.wall_ms;
-    processor_.back().push_back(own.processor_ms);
+    sample.cpu_ms = own.cpu_ms;
+    processor_.back().push_back(own.cpu_ms);
     for (std::size_t i = 0; i < rivals_.size(); ++i) {
       auto& [name, rival] = rivals_[i];
       rival->set(start);
-      const Timed theirs = timed([&, &one = *rival] { one.advance(moments_, substeps_); });
+      const Cost theirs = cost_of([&, &one = *rival] { one.advance(moments_, substeps_); });
       sample.phase_wall_ms[name] = theirs.wall_ms;
-      processor_[i].push_back(theirs.processor_ms);
+      sample.phase_cpu_ms[name] = theirs.cpu_ms;
+      processor_[i].push_back(theirs.cpu_ms);
       // OpenMP's threads go on looking for work a while: not in somebody else's time.
       if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }

@@ -1,0 +1,76 @@
+#include "harness/measure/cpu_use.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <numeric>
+#include <sstream>
+#include <vector>
+
+namespace pelage {
+namespace {
+
+std::optional<MachineTime> machine_now() {
+  std::ifstream stream("/proc/stat");
+  std::string line;
+  std::getline(stream, line);
+  return machine_time(line, double(sysconf(_SC_CLK_TCK)));
+}
+
+}  // namespace
+
+double process_cpu_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return double(t.tv_sec) * 1e3 + double(t.tv_nsec) * 1e-6;
+}
+
+Cost cost_of(const std::function<void()>& work) {
+  const double cpu = process_cpu_ms();
+  const auto from = std::chrono::steady_clock::now();
+  work();
+  const auto to = std::chrono::steady_clock::now();
+  return {std::chrono::duration<double, std::milli>(to - from).count(), process_cpu_ms() - cpu};
+}
+
+std::optional<MachineTime> machine_time(const std::string& line, double ticks) {
+  std::istringstream words(line);
+  std::string name;
+  words >> name;
+  // user nice system idle iowait irq softirq steal; a guest's time, which follows, is in user already.
+  std::vector<double> field;
+  for (double value = 0; field.size() < 8 && words >> value;) field.push_back(value / ticks);
+  if (name != "cpu" || field.size() < 4) return {};
+  const double total = std::accumulate(field.begin(), field.end(), 0.0);
+  const double idle = field[3] + (field.size() > 4 ? field[4] : 0);
+  return MachineTime{total - idle, total};
+}
+
+std::optional<double> other_share(MachineTime before, MachineTime after, double own_s) {
+  const double total = after.total_s - before.total_s;
+  if (!(total > 0)) return {};
+  return std::clamp((after.busy_s - before.busy_s - own_s) / total, 0.0, 1.0);
+}
+
+CpuWatch::CpuWatch() : machine_(machine_now()), own_ms_(process_cpu_ms()) {}
+
+std::optional<double> CpuWatch::other_share() const {
+  const std::optional<MachineTime> now = machine_now();
+  if (!machine_ || !now) return {};
+  const double cpus = double(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
+  if (now->total_s - machine_->total_s < 0.2 * cpus) return {};
+  return pelage::other_share(*machine_, *now, (process_cpu_ms() - own_ms_) / 1000);
+}
+
+std::string load_warning(const Row& row) {
+  const auto share = row.provenance.find("other_cpu_share");
+  if (share == row.provenance.end() || share->get<double>() <= most_other_share) return {};
+  return fmt::format("{}: other processes took {:.0f}% of the machine's CPU time while it was timed",
+                     row.case_name, 100 * share->get<double>());
+}
+
+}  // namespace pelage
