@@ -43,7 +43,7 @@ std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   return tables;
 }
 
-/// A number of one cell; nothing where it was not measured.
+/// A number of one cell; no value if the cell was not measured.
 using Number = std::optional<double> (*)(const Table&, const Key&);
 
 std::optional<Times> times(const Table& table, const Key& key) {
@@ -60,7 +60,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, "backward-euler"}),
              fast = times(table, {model, topology, "explicit-euler"});
-  // By the device's timer: what else a frame takes is the same, and less steady than this difference.
+  // Uses the device's timer, because the rest of a frame is equal and its noise is larger than this
+  // difference.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
