@@ -24,12 +24,19 @@ double most_seconds(const Experiment& experiment, const Preset& preset) {
   return double(cases_of(experiment, preset).size()) * (preset.limits.warm_up_s + preset.limits.limit_s);
 }
 
+/// " (PAPER, TABLE)"; each of them only where the experiment names it.
+std::string source_of(const Experiment& experiment) {
+  if (experiment.paper.empty() && experiment.table.empty()) return "";
+  const char* between = experiment.paper.empty() || experiment.table.empty() ? "" : ", ";
+  return fmt::format(" ({}{}{})", experiment.paper, between, experiment.table);
+}
+
 int list_all(bool json) {
   Json list = Json::array();
   for (const auto& file : experiment_files()) {
     const Experiment e = read_experiment(file);
     Json presets = Json::object();
-    if (!json) fmt::print("{}\n  {} ({}, {})\n", e.name, e.title, e.paper, e.table);
+    if (!json) fmt::print("{}\n  {}{}\n", e.name, e.title, source_of(e));
     for (const auto& [name, preset] : e.presets) {
       const std::size_t count = cases_of(e, preset).size();
       presets[name] = {{"cases", count},

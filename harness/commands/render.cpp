@@ -5,8 +5,8 @@
 #include <chrono>
 #include <cstdio>
 
-#include "harness/commands/frame_dump.hpp"
 #include "harness/commands/scene_options.hpp"
+#include "harness/dump/dump.hpp"
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -32,8 +32,12 @@ FrameOutput shells_output(const RenderOptions& options, const cl::Device& device
   const FrameTiming timing = shells.frame();
   fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold; time with `pelage run`\n",
              device.info().name, timing.wall_ms);
-  return {fmt::format("shells on {}", device.info().name), shells.frames_simulated(), shells.tips(),
-          shells.mask(), shells.read()};
+  return {fmt::format("shells on {}", device.info().name),
+          shells.frames_simulated(),
+          shells.tips(),
+          shells.velocities(),
+          shells.mask(),
+          shells.read()};
 }
 
 FrameOutput opengl_output(const OpenGlOptions& options, const std::string& renderer,

@@ -193,7 +193,7 @@ int run_here(const RunOptions& options, const fs::path& folder) {
     for (const cl::Device& device : devices) {
       const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
       const RunSummary one = run_sweep(options, sweep, device, file_stem_of(device, devices),
-                                       devices.size() > 1, folder, options.budget_s() - spent, seed, tuning);
+                                       devices.size() > 1, folder, options.budget_s - spent, seed, tuning);
       all.ok += one.ok;
       all.kept += one.kept;
       all.not_ok += one.not_ok;

@@ -7,8 +7,6 @@
 
 #include <csignal>
 #include <fstream>
-#include <limits>
-#include <regex>
 
 #include "harness/error.hpp"
 #include "harness/journal/provenance.hpp"
@@ -64,10 +62,6 @@ Shard RunOptions::shard_or_all() const {
   return shard.empty() ? Shard{} : shard_from_text(shard);
 }
 
-double RunOptions::budget_s() const {
-  return budget.empty() ? std::numeric_limits<double>::infinity() : duration_from_text(budget);
-}
-
 fs::path RunOptions::folder() const {
   if (!resume.empty()) return resume;
   if (!output.empty()) return output;
@@ -110,7 +104,11 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--tuning", options.tuning, "Values of the kernels' tuning axes")
       ->type_name("defaults|FILE")
       ->capture_default_str();
-  command.add_option("--budget", options.budget, "Wall clock for all of it: 90s, 5m, 1h")->type_name("TIME");
+  const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
+  command.add_option("--budget", options.budget_s, "Wall clock for all of it: 90s, 5m, 1h")
+      ->transform(CLI::AsNumberWithUnit(seconds).description(""))
+      ->check(CLI::NonNegativeNumber.description(""))
+      ->type_name("TIME");
   command.add_option("-o,--output", options.output, "New folder of results")->type_name("DIR");
   command.add_option("--resume", options.resume, "Go on in this folder; what it holds is kept")
       ->type_name("DIR");
@@ -130,16 +128,7 @@ void check_options(RunOptions& options) {
   if (options.tuning != "defaults" && !fs::is_regular_file(options.tuning))
     throw InputError(fmt::format("--tuning {}: no such file", options.tuning));
   options.shard_or_all();
-  options.budget_s();
   options.overrides();
-}
-
-double duration_from_text(const std::string& text) {
-  std::smatch match;
-  if (!std::regex_match(text, match, std::regex(R"(([0-9]{1,9}(?:\.[0-9]{1,9})?)(s|m|h|))")))
-    throw InputError(fmt::format("--budget '{}' is no time: write 90s, 5m or 1h", text));
-  const double scale = match[2] == "h" ? 3600 : match[2] == "m" ? 60 : 1;
-  return std::stod(match[1]) * scale;
 }
 
 int run_repeats(const RunOptions& options, const fs::path& folder) {

@@ -1,6 +1,7 @@
 // The options of pelage run, and what follows from them alone.
 #pragma once
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@ namespace pelage {
 
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
-  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, budget, output,
-              resume;
+  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume;
+  double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
   int repeat_index = -1;  ///< which process of --repeat this is; -1: none of them
   std::optional<std::uint64_t> order_seed;
@@ -22,7 +23,6 @@ struct RunOptions {
 
   Overrides overrides() const;  ///< throws InputError for a malformed key=value
   Shard shard_or_all() const;
-  double budget_s() const;               ///< infinite when not given
   std::filesystem::path folder() const;  ///< --resume, -o, or a new one named after the time and the host
 };
 
@@ -30,9 +30,6 @@ void declare(CLI::App& command, RunOptions& options);
 
 /// Throws InputError for what can be told from the options alone; notes argv.
 void check_options(RunOptions& options);
-
-/// "90", "90s", "5m", "1.5h" in seconds, else InputError.
-double duration_from_text(const std::string& text);
 
 /// Runs this program options.repeat times, each time a fresh process with its own --repeat-index. The exit
 /// code is the first that is not 0, after all have run; input errors end it at once.

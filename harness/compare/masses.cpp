@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "harness/compare/tolerances.hpp"
+
 namespace pelage::springs {
 
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length) {
@@ -23,8 +25,9 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, 
 
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found) {
   if (kind == Kind::prisms)
-    return {{against, "rms", found.rms, 1e-3, false}, {against, "p99", found.percentile_99, 1e-2, false}};
-  return {{against, "worst", found.worst, 1e-4, false}};
+    return {{against, "rms", found.rms, tolerance::prisms_rms, false},
+            {against, "p99", found.percentile_99, tolerance::prisms_p99, false}};
+  return {{against, "worst", found.worst, tolerance::stick_top, false}};
 }
 
 }  // namespace pelage::springs

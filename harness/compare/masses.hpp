@@ -12,8 +12,8 @@ struct Spread {
 /// Throws std::invalid_argument where the counts differ.
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
 
-/// What a row is held to: shared prisms, whose compressed springs buckle by the last bit, by rms 1e-3 and the
-/// 99th percentile 1e-2; the others everywhere by 1e-4.
+/// What a row is held to: shared prisms to tolerance::prisms_rms and tolerance::prisms_p99, the others
+/// everywhere to tolerance::stick_top.
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
 
 }  // namespace pelage::springs

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {
@@ -15,6 +16,12 @@ namespace {
 double distance(float a, float b) {
   const double d = std::abs(double(a) - double(b));
   return std::isfinite(d) ? d : 1e6;
+}
+
+/// PSNR of `pixels` pixels whose squared differences over red, green and blue add up to `squares`.
+double decibels(double squares, std::size_t pixels) {
+  const double mean = squares / (3.0 * double(pixels));
+  return mean > 1e-20 ? -10.0 * std::log10(mean) : 200.0;
 }
 
 std::vector<char> selected(const Picture& picture, const std::vector<Window>& windows) {
@@ -41,7 +48,7 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
                                  a.width, a.height, b.width, b.height));
   const std::vector<char> chosen = selected(a, windows);
   Agreement result;
-  double squares = 0;
+  double squares = 0, kept = 0;  // of all differences, and of those of pixels that are not flipped
   std::vector<double> differences;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
@@ -49,12 +56,17 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
       // Written so that an alpha that is not a number counts as fur.
       if (!chosen[std::size_t(y) * std::size_t(a.width) + std::size_t(x)] || (p.w <= 0.0f && q.w <= 0.0f))
         continue;
-      double largest = distance(p.w, q.w);
+      double largest = distance(p.w, q.w), of_pixel = 0;
       for (int c = 0; c < 3; ++c) {
         const double d = distance(p[c], q[c]);
-        squares += d * d;
+        of_pixel += d * d;
         largest = std::max(largest, d);
       }
+      squares += of_pixel;
+      if (largest > tolerance::flip)
+        ++result.flips;
+      else
+        kept += of_pixel;
       if (largest > result.worst) {
         result.worst = largest;
         result.worst_x = x;
@@ -64,8 +76,8 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
     }
   result.pixels = differences.size();
   if (differences.empty()) return result;
-  const double mean = squares / (3.0 * double(differences.size()));
-  result.psnr = mean > 1e-20 ? -10.0 * std::log10(mean) : 200.0;
+  result.psnr = decibels(squares, result.pixels);
+  if (result.flips < result.pixels) result.psnr_without_flips = decibels(kept, result.pixels - result.flips);
   // The smallest value that at least 99.9% of the pixels do not exceed.
   const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
   std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
@@ -73,8 +85,9 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   return result;
 }
 
-bool within(const Agreement& agreement, const AgreementLimits& limits) {
-  return agreement.pixels > 0 && agreement.psnr >= limits.psnr && agreement.p999 <= limits.p999;
+bool within(const Agreement& agreement) {
+  return agreement.pixels > 0 && agreement.psnr >= tolerance::picture_psnr &&
+         agreement.p999 <= tolerance::flip && agreement.flip_share() <= tolerance::flip_share;
 }
 
 std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/springs/reference/some_sticks.hpp"
 
 namespace pelage {
@@ -20,10 +21,11 @@ std::vector<Check> check_sticks(const FrameInput& input, int frames, const std::
   }
   std::sort(error.begin(), error.end());
   if (input.scene.dynamics.topology != "prisms")
-    return {{"double-precision masses", "largest error / L0", error.back(), 1e-4, false}};
-  return {
-      {"double-precision masses", "rms error / L0", std::sqrt(square / double(error.size())), 1e-3, false},
-      {"double-precision masses", "p99 error / L0", error[error.size() * 99 / 100], 1e-2, false}};
+    return {{"double-precision masses", "largest error / L0", error.back(), tolerance::stick_top, false}};
+  return {{"double-precision masses", "rms error / L0", std::sqrt(square / double(error.size())),
+           tolerance::prisms_rms, false},
+          {"double-precision masses", "p99 error / L0", error[error.size() * 99 / 100], tolerance::prisms_p99,
+           false}};
 }
 
 }  // namespace pelage

@@ -20,6 +20,7 @@ struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;  ///< what decided
   Agreement sample;     ///< in the windows
+  Check windows;        ///< the first of `checks`: that there were enough windows
 };
 /// `sticks`: those of the timed frame, where a topology moves the fur.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,

@@ -1,6 +1,7 @@
 #include "harness/measure/statistics.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <random>
 
@@ -13,24 +14,15 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-/// P(X <= k) for X ~ Binomial(n, 1/2), in logarithms so that large n does not underflow.
-double binomial_half_cdf(std::size_t k, std::size_t n) {
-  double sum = 0;
-  for (std::size_t i = 0; i <= k; ++i) {
-    const double log_choose =
-        std::lgamma(double(n) + 1) - std::lgamma(double(i) + 1) - std::lgamma(double(n - i) + 1);
-    sum += std::exp(log_choose - double(n) * std::log(2.0));
-  }
-  return sum;
-}
-
 /// The largest r (0-based) for which [x_(r), x_(n-1-r)] still holds the median with `confidence`; -1: none
 /// does.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
+  const boost::math::binomial_distribution<double> below(double(n),
+                                                         0.5);  // how many values the median exceeds
   // Each tail of [x_(r), x_(n-1-r)] misses with probability P(X <= r).
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
-    if (2 * binomial_half_cdf(r, n) > 1 - confidence) break;
+    if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);
   }
   return rank;

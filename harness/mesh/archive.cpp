@@ -1,47 +1,45 @@
 #include "harness/mesh/archive.hpp"
 
+#include <archive.h>
+#include <archive_entry.h>
 #include <fmt/format.h>
-#include <zlib.h>
 
-#include <array>
-#include <charconv>
-#include <cstring>
 #include <memory>
 
 #include "harness/error.hpp"
 
 namespace pelage {
+namespace {
 
-std::optional<std::string> read_member(const std::filesystem::path& archive, const std::string& member) {
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(archive.c_str(), "rb"), gzclose);
-  if (!file) throw InputError(fmt::format("{}: no such file", archive.string()));
-  const auto fill = [&](char* target, std::size_t size) {
-    if (gzread(file.get(), target, unsigned(size)) != int(size))
-      throw InputError(
-          fmt::format("{}: the archive is damaged; install its package again", archive.string()));
-  };
-  // Blocks of 512 bytes: a header with name (100 bytes) and octal size (from 124), then the contents, padded.
-  std::array<char, 512> header;
+constexpr std::int64_t most_bytes = std::int64_t(1) << 30;
+
+[[noreturn]] void damaged(const std::filesystem::path& file) {
+  throw InputError(fmt::format("{}: the archive is damaged; install its package again", file.string()));
+}
+
+}  // namespace
+
+std::optional<std::string> read_member(const std::filesystem::path& file, const std::string& member) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(fmt::format("{}: no such file", file.string()));
+  const std::unique_ptr<archive, int (*)(archive*)> reader(archive_read_new(), archive_read_free);
+  archive_read_support_filter_gzip(reader.get());
+  archive_read_support_format_tar(reader.get());
+  if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK) damaged(file);
+  archive_entry* entry = nullptr;
   for (;;) {
-    const int got = gzread(file.get(), header.data(), header.size());
-    if (got == 0 || (got > 0 && header[0] == 0)) return {};
-    if (got != int(header.size()))
-      throw InputError(fmt::format("{}: the archive is damaged", archive.string()));
-    const std::string name(header.data(), strnlen(header.data(), 100));
-    std::uint64_t size = 0;
-    std::from_chars(header.data() + 124, header.data() + 135, size, 8);
-    const std::uint64_t padded = (size + 511) / 512 * 512;
-    if (name != member) {
-      if (gzseek(file.get(), z_off_t(padded), SEEK_CUR) < 0)
-        throw InputError(fmt::format("{}: the archive is damaged", archive.string()));
-      continue;
-    }
-    if (size > (std::uint64_t(1) << 30))
-      throw InputError(fmt::format("{}: {} is too large", archive.string(), member));
-    std::string bytes(size, '\0');
-    fill(bytes.data(), bytes.size());
-    return bytes;
+    // A warning (a name that this locale cannot show) leaves the entry readable.
+    const int status = archive_read_next_header(reader.get(), &entry);
+    if (status == ARCHIVE_EOF) return {};
+    if (status < ARCHIVE_WARN) damaged(file);
+    const char* name = archive_entry_pathname(entry);
+    if (name && name == member) break;
   }
+  const std::int64_t size = archive_entry_size(entry);
+  if (size > most_bytes) throw InputError(fmt::format("{}: {} is too large", file.string(), member));
+  std::string bytes(std::size_t(size), '\0');
+  if (archive_read_data(reader.get(), bytes.data(), bytes.size()) != size) damaged(file);
+  return bytes;
 }
 
 }  // namespace pelage

@@ -61,8 +61,7 @@ Polyhedron flat_mesh(const Surface& surface, const Disk& disk) {
 
 struct Map {
   std::vector<glm::dvec2> uv;  // per copy
-  std::size_t flipped = 0;
-  bool usable = false;  // finite, of some area, few faces flipped
+  MapQuality quality;
 };
 
 template <class Parameterizer>
@@ -93,18 +92,20 @@ bool is_closed(const std::vector<Surface::Triangle>& triangles) {
   return 2 * sides.size() == 3 * triangles.size();
 }
 
-void judge(Map& map, const std::vector<Surface::Triangle>& triangles) {
+}  // namespace
+
+MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles) {
+  MapQuality quality;
   double area = 0;
   for (const auto& [a, b, c] : triangles) {
-    const glm::dvec2 e = map.uv[b] - map.uv[a], g = map.uv[c] - map.uv[a];
+    const glm::dvec2 e = uv[b] - uv[a], g = uv[c] - uv[a];
     const double twice = e.x * g.y - e.y * g.x;
     area += twice;
-    if (!(twice > 0)) ++map.flipped;
+    if (!(twice > 0)) ++quality.flipped;
   }
-  map.usable = std::isfinite(area) && area > 0 && map.flipped * 50 <= triangles.size();
+  quality.usable = std::isfinite(area) && area > 0 && quality.flipped * 50 <= triangles.size();
+  return quality;
 }
-
-}  // namespace
 
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name) {
   const Disk disk = cut_open(surface, plan);
@@ -113,17 +114,17 @@ Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& n
   Polyhedron mesh = flat_mesh(surface, disk);
   Surface result = surface;
   Map map = lay_flat(mesh, Rigid(Border(), Factored_once(), 1000, 10, 1e-6));
-  judge(map, disk.triangle);
+  map.quality = map_quality(map.uv, disk.triangle);
   std::string method = "as rigidly as possible";
-  if (!map.usable) {
+  if (!map.quality.usable) {
     map = lay_flat(mesh, Convex());
-    judge(map, disk.triangle);
+    map.quality = map_quality(map.uv, disk.triangle);
     method = "mean-value coordinates on a circle";
   }
-  if (!map.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
   result.notes.push_back(
       fmt::format("UV map: one chart, {} points on its seams, {} cuts into limbs, {}, {} faces flipped",
-                  disk.point.size() - surface.point.size(), plan.tips.size(), method, map.flipped));
+                  disk.point.size() - surface.point.size(), plan.tips.size(), method, map.quality.flipped));
   result.uv.clear();
   for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({map.uv[a], map.uv[b], map.uv[c]});
   return result;

@@ -1,10 +1,20 @@
 // A UV map of one chart.
 #pragma once
+#include <glm/vec2.hpp>
 #include <string>
+#include <vector>
 
 #include "harness/mesh/cut.hpp"
 
 namespace pelage {
+
+/// How a map of one chart came out.
+struct MapQuality {
+  std::size_t flipped = 0;  ///< faces turned over or without area
+  bool usable = false;      ///< finite, of some area, at most 2% of the faces flipped
+};
+/// uv: per copy; triangles: of copies, turning to the left where they are not flipped.
+MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles);
 
 /// Cuts the surface into a disk as planned and lays it flat as rigidly as possible (Liu et al. 2008, lambda
 /// 1000, 10 iterations); where that fails, by mean-value coordinates on a circle. Throws InputError where

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/compare/pictures.hpp"
 #include "harness/compare/shares.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
@@ -17,8 +18,6 @@
 
 namespace pelage {
 namespace {
-
-constexpr double least_psnr = 55.0;  // dB over fur pixels: the same picture, filtered by somebody else
 
 std::vector<glm::vec4> mask_of(const FrameInput& input) {
   std::vector<glm::vec4> mask;
@@ -50,10 +49,10 @@ class OpenGlSubject : public Subject {
   }
   Picture read() override { return opengl_.read(); }
   std::vector<Check> check(const Picture& timed) override {
-    std::vector<Check> checks = check_against_reference(*input_, frames_, timed, seed_).checks;
-    std::erase_if(checks, [](const Check& check) { return check.metric == "p99.9"; });
-    for (Check& check : checks)
-      if (check.metric == "psnr") check.limit = least_psnr;
+    const WindowCheck result = check_against_reference(*input_, frames_, timed, seed_);
+    std::vector<Check> checks{result.windows};
+    for (Check& check : other_filter_checks("reference", result.agreement))
+      checks.push_back(std::move(check));
     return checks;
   }
   void describe(Row& row) override {
@@ -103,9 +102,8 @@ class Duel : public Subject {
   Picture read() override { return ours_->read(); }
   std::vector<Check> check(const Picture& timed) override {
     std::vector<Check> checks = ours_->check(timed);
-    const Agreement agreement = compare(timed, rival_->read());
-    checks.push_back({phase_, "fur pixels", double(agreement.pixels), 1, true});
-    checks.push_back({phase_, "psnr", agreement.psnr, least_psnr, true});
+    for (Check& check : other_filter_checks(phase_, compare(timed, rival_->read())))
+      checks.push_back(std::move(check));
     return checks;
   }
   void describe(Row& row) override {

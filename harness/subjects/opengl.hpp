@@ -14,8 +14,8 @@ MakeSubject with_rivals(const MakeSubject& shells, const Experiment& experiment,
                         const std::function<void(const std::string&)>& progress);
 
 /// Draws a frame of `ours` and then one of the `rival`, again and again. The row is ours, and holds besides:
-/// the rival's times as phase `phase`, the agreement of the two pictures (at least 55 dB over fur pixels),
-/// and as metric
+/// the rival's times as phase `phase`, the agreement of the two pictures (at least
+/// tolerance::other_filter_psnr), and as metric
 /// "<phase>_ratio" the median over rounds of the rival's time by ours with its 95% interval.
 std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
                               const std::string& phase);

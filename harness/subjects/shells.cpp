@@ -78,7 +78,10 @@ class ShellsSubject : public Subject {
     }
     // Where to look when a check fails.
     row.metrics["worst_difference"] = {agreement_.worst, "1"};
+    row.metrics["flips"] = {double(agreement_.flips), "pixels"};
+    row.metrics["psnr_without_flips"] = {agreement_.psnr_without_flips, "dB"};
     row.metrics["windows_psnr"] = {sample_.psnr, "dB"};
+    row.metrics["windows_flips"] = {double(sample_.flips), "pixels"};
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
     row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
     row.provenance["kernel_hash"] = shells_.kernel_hash();

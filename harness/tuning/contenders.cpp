@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
-#include <glm/geometric.hpp>
 
+#include "harness/compare/masks.hpp"
+#include "harness/compare/tips.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
@@ -52,9 +52,6 @@ class Frame : public Contender {
   Shells shells_;
 };
 
-/// Of the strands' length: what pelage check allows the usual tip.
-constexpr double usual_tip_error = 1e-5;
-
 class StrandStep : public Contender {
  public:
   StrandStep(const cl::Device& device, std::shared_ptr<const FrameInput> input, const Tuning& tuning)
@@ -70,17 +67,15 @@ class StrandStep : public Contender {
   }
   std::uint64_t output_hash() override { return Hash().values(stage_.state().read(queue_)).value(); }
   std::string fault() override {
-    const std::vector<float> ours = stage_.state().read(queue_);
+    const std::vector<float> state = stage_.state().read(queue_);
     const auto stride = std::size_t(stage_.stride());
-    const auto theirs = reference::simulate(*input_, frames_);
-    std::size_t off = 0;
-    for (std::size_t f = 0; f < theirs.size(); ++f) {
-      const glm::dvec3 tip(ours[TIP_X * stride + f], ours[TIP_Y * stride + f], ours[TIP_Z * stride + f]);
-      const double error = glm::length(tip - theirs[f].tip) / double(input_->scene.fur.length);
-      off += !(error <= usual_tip_error);
+    std::vector<glm::vec3> ours, theirs;
+    for (const reference::Strand& strand : reference::simulate(*input_, frames_)) {
+      const std::size_t f = theirs.size();
+      ours.emplace_back(state[TIP_X * stride + f], state[TIP_Y * stride + f], state[TIP_Z * stride + f]);
+      theirs.emplace_back(strand.tip);
     }
-    if (off * 1000 <= theirs.size()) return {};
-    return fmt::format("{} of {} tips are more than 1e-5 of a strand's length off", off, theirs.size());
+    return broken({check_usual_tip(tip_errors(double(input_->scene.fur.length), ours, theirs))});
   }
 
  private:
@@ -105,19 +100,14 @@ class Mask : public Contender {
   }
   std::uint64_t output_hash() override { return Hash().values(stage_.mask().read(queue_)).value(); }
   std::string fault() override {
-    const std::vector<float> ours = stage_.mask().read(queue_);
-    const auto theirs = reference::wetness_mask(*input_).texel;
-    std::size_t off = 0;
-    for (std::size_t i = 0; i < theirs.size(); ++i) {
-      const reference::Clump& t = theirs[i];
-      const double values[] = {t.centre.x, t.centre.y, t.radius, t.wetness};
-      bool bad = false;
-      for (std::size_t k = 0; k < 4; ++k)
-        bad = bad || !(std::abs(double(ours[4 * i + k]) - values[k]) <= 1e-5);
-      off += bad;
+    const std::vector<float> texels = stage_.mask().read(queue_);
+    std::vector<glm::vec4> ours, theirs;
+    for (const reference::Clump& t : reference::wetness_mask(*input_).texel) {
+      const float* texel = &texels[4 * theirs.size()];
+      ours.emplace_back(texel[0], texel[1], texel[2], texel[3]);
+      theirs.emplace_back(glm::vec2(t.centre), t.radius, t.wetness);
     }
-    if (off == 0) return {};
-    return fmt::format("{} of {} texels differ from the reference's", off, theirs.size());
+    return broken(check_mask(ours, theirs));
   }
 
  private:

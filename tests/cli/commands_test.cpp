@@ -195,6 +195,31 @@ TEST(Commands, ShellsAndReferenceDrawTheSamePicture) {
   EXPECT_GT(eight.psnr, 30.0);
 }
 
+TEST(Commands, ListNamesThePaperAndItsTableWhereThereIsOne) {
+  const Folder folder;
+  const Outcome outcome = pelage(folder, "list");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("(silva2010-curling-clumping, Table 1)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("(banisch2006-grass-and-fur)\n"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find(", )"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("(, "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("()"), std::string::npos) << outcome.out;
+}
+
+TEST(Commands, ARowSaysHowManyPixelsAreFlipped) {
+  const Folder folder;
+  const Outcome run = pelage(folder, "run silva2010-table1 --preset smoke --filter torus-16 -o out");
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::string rows;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "out"))
+    if (entry.path().extension() == ".jsonl")
+      rows = folder.read(std::filesystem::relative(entry.path(), folder.path()).string());
+  EXPECT_NE(rows.find(R"({"against":"reference","metric":"flips","value":)"), std::string::npos) << rows;
+  for (const char* metric : {R"("flips":{"value":)", R"("psnr_without_flips":{"value":)",
+                             R"("windows_flips":{"value":)", R"("windows_psnr":{"value":)"})
+    EXPECT_NE(rows.find(metric), std::string::npos) << rows;
+}
+
 TEST(Commands, CheckComparesOneStage) {
   const Folder folder;
   const Outcome outcome = pelage(folder, "check simulate mask --filter torus");

@@ -137,6 +137,41 @@ TEST(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
+/// A frame of at least 1 ms; its times never converge.
+struct Endless : FakeSubject {
+  Endless() : FakeSubject(10) {}
+  FrameSample frame() override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return FakeSubject::frame();
+  }
+};
+
+TEST(Runner, CasesThatNeverConvergeShareTheBudget) {
+  const Folder folder;
+  RunPlan plan = fake_plan(4);
+  plan.limits = {0, 1, 1000000, 0, 100};
+  plan.budget_s = 0.8;
+  Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
+  const RunSummary summary = run_cases(
+      plan, [](const Case&) { return std::make_unique<Endless>(); }, journal);
+  EXPECT_EQ(summary.ok, 4u);
+  EXPECT_EQ(summary.left, 0u) << "the first case took the budget of the others";
+}
+
+struct Covering : FakeSubject {
+  Covering() : FakeSubject(10) {}
+  void describe(Row& row) override { row.metrics["covered_fragments"] = {5e6, "fragments"}; }
+};
+
+TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
+  const RunPlan plan = fake_plan(1);
+  const Row row =
+      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Covering>(); });
+  ASSERT_TRUE(row.metrics.contains("fragments_per_s")) << row.reason;
+  EXPECT_NEAR(row.metrics.at("fragments_per_s").value, 5e8, 1e6);  // 5e6 fragments in 10.0 ms
+  EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
+}
+
 /// A run of fakes in a process of its own that can be killed; returns when it has ended.
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();

@@ -35,9 +35,22 @@ TEST(Statistics, OrderStatisticsOfTheTables) {
   }
 }
 
+// The ranks of the sum of logarithms that stood here before Boost.Math: the intervals of rows already
+// recorded stay what they were.
+TEST(Statistics, OrderStatisticsOfManyValues) {
+  for (const auto& [n, low] : {std::pair{7, 1}, {25, 8}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}}) {
+    std::vector<double> v(std::size_t(n), 0);
+    std::iota(v.begin(), v.end(), 1);
+    const Interval interval = median_interval(v);
+    EXPECT_EQ(interval.low, low) << n;
+    EXPECT_EQ(interval.high, n + 1 - low) << n;
+  }
+}
+
 TEST(Statistics, FiveValuesHaveNoNinetyFivePercentInterval) {
   EXPECT_FALSE(has_median_interval(5));
   EXPECT_TRUE(has_median_interval(6));
+  EXPECT_TRUE(has_median_interval(3, 0.75)) << "the range of three values misses with exactly 2 / 8";
   const Interval interval = median_interval(std::vector<double>{5, 1, 4, 2, 3});
   EXPECT_EQ(interval.low, 1);
   EXPECT_EQ(interval.high, 5);
@@ -81,6 +94,12 @@ TEST(Statistics, RelativeHalfWidth) {
 TEST(Statistics, FlagsOutliersOnly) {
   EXPECT_EQ(outliers(std::vector<double>{10, 10.1, 9.9, 10, 10.05, 9.95, 42}), std::vector<std::size_t>{6});
   EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
+}
+
+// The median absolute deviation is 1: the limit is 5 standard deviations, 5 * 1.4826 = 7.41 from the median.
+TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
+  EXPECT_TRUE(outliers(std::vector<double>{3, 9, 9, 9, 10, 11, 11, 11, 17}).empty());
+  EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));
 }
 
 }  // namespace

@@ -153,6 +153,10 @@ TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
                                              {"silva2010-table1", "--axis", "layers=0"},
                                              {"silva2010-table1", "--axis", "size=0x0"},
                                              {"silva2010-table1", "--budget", "soon"},
+                                             {"silva2010-table1", "--budget", "5 weeks"},
+                                             {"silva2010-table1", "--budget", "-5s"},
+                                             {"silva2010-table1", "--budget", "1.2.3s"},
+                                             {"silva2010-table1", "--budget", ""},
                                              {"silva2010-table1", "--device", "no such device"},
                                              {"silva2010-table1", "--tuning", "/no/such/file"},
                                              {"silva2010-table1", "--model", "/no/such/mesh.obj"},
@@ -165,6 +169,8 @@ TEST(SweepUsage, BadUsageIsExitTwoAndLeavesNothing) {
     EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << (rest.empty() ? "nothing" : rest.back());
     EXPECT_FALSE(fs::exists(out)) << (rest.empty() ? "nothing" : rest.back());
   }
+  for (const char* time : {"90", "90s", "5m", "1.5h", "0", "123456789.123456789h"})
+    EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--dry-run", "--budget", time})), 0) << time;
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "-o", out, "--resume", out})), 2);
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--resume", out})), 2);
   EXPECT_EQ(WEXITSTATUS(pelage({"export", out})), 2);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -74,8 +75,14 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
 void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
   Shells shells(device(), input, {mapping, {}});
   shells.frame();
-  EXPECT_GT(count ? shells.count() : 1, 0u);
-  shells.read();
+  const Picture picture = shells.read();
+  EXPECT_GT(
+      std::count_if(picture.pixel.begin(), picture.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
+      0)
+      << "nothing was drawn";
+  if (count) {
+    EXPECT_GT(shells.count(), 0u);
+  }
 }
 
 // Run under oclgrind only: elsewhere other tests draw.

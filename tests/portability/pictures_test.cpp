@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/portability/elsewhere.hpp"
 #include "tests/support/synthetic.hpp"
@@ -82,8 +83,8 @@ TEST_P(Pictures, AreThoseOfThisMachinesDeviceAndOfTheReference) {
     EXPECT_EQ(covered_in_one_only(there, here), 0u);
     EXPECT_EQ(covered_in_one_only(there, reference), 0u);
     const Agreement with_here = compare(there, here), with_reference = compare(there, reference);
-    EXPECT_GE(with_here.psnr, 60) << describe(with_here);
-    EXPECT_LE(with_here.worst, 1.0 / 255) << describe(with_here);
+    EXPECT_GE(with_here.psnr, tolerance::picture_psnr) << describe(with_here);
+    EXPECT_LE(with_here.worst, tolerance::mapping_difference) << describe(with_here);
     EXPECT_TRUE(within(with_reference)) << describe(with_reference);
     EXPECT_GT(with_here.pixels, 5000u);
     std::printf("%s: %s; the reference: %s\n", sight.name, describe(with_here).c_str(),

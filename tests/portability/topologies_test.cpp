@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/portability/elsewhere.hpp"
@@ -56,7 +57,7 @@ TEST_P(Topologies, MoveAsTheReferenceDoes) {
     const auto offsets = reference::offsets(topology, state);
     EXPECT_GT(largest_difference(rest, offsets), 0.01) << "something moved";
     const double error = largest_difference(elsewhere.read<glm::vec3>(file_of(kind, solver)), offsets);
-    EXPECT_LT(error, 1e-4 * double(fur_length)) << file_of(kind, solver);
+    EXPECT_LT(error, tolerance::stick_top * double(fur_length)) << file_of(kind, solver);
     worst = std::max(worst, error);
   }
   std::printf("worst %.2g of the fur's length\n", worst / double(fur_length));

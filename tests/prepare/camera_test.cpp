@@ -92,6 +92,17 @@ TEST(Camera, FramesTheFurredModel) {
       }
 }
 
+TEST(Camera, FramesASmallThingFromTwiceTheNearPlane) {
+  const std::vector<glm::vec3> points{{-0.01f, 0, 0.02f}, {0.01f, 0.01f, -0.02f}, {0, -0.01f, 0}};
+  CameraScene scene;
+  scene.direction = {0, 0, 1};
+  scene.near = 0.5f;
+  const Camera c = make_camera(scene, {}, points, 0);
+  float nearest = 1e9f;
+  for (const glm::vec3& p : points) nearest = std::min(nearest, project(c, p).z);
+  EXPECT_NEAR(nearest, 1.0f, 1e-5f);
+}
+
 TEST(Camera, LooksStraightDown) {
   CameraScene scene;
   scene.framed = false;

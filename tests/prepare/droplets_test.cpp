@@ -80,6 +80,26 @@ TEST(Droplets, EvenlyOverTheSurface) {
   EXPECT_NEAR(double(left) / double(drops.size()), 0.5, 0.05);
 }
 
+TEST(Droplets, EvenlyOverOneTriangle) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->position = {{0, 0, 0}, {1, 0, 0}, {0, 0, -1}};
+  mesh->uv = {{0, 0}, {1, 0}, {0, 1}};
+  mesh->weld = {0, 1, 2};
+  mesh->welded = 3;
+  mesh->triangle = {{0, 1, 2}};
+  mesh->length_per_uv = {1, 1};
+  WetnessScene wetness = rain();
+  wetness.spacing = 0;
+  wetness.patch_cover = 1;
+  const auto drops = make_droplets(mesh, weld(*mesh), wetness);
+  ASSERT_EQ(drops.size(), 2000u);
+  glm::dvec2 mean(0);
+  for (const Droplet& d : drops) mean += glm::dvec2(d.centre) / 2000.0;
+  // The centroid, within four standard errors: a coordinate's deviation is sqrt(1 / 18) = 0.24.
+  EXPECT_NEAR(mean.x, 1.0 / 3, 0.021);
+  EXPECT_NEAR(mean.y, 1.0 / 3, 0.021);
+}
+
 TEST(Droplets, ExplicitOnesComeFirstAndLandOnTheSurface) {
   WetnessScene wetness = rain();
   DropletScene by_point, by_uv, in_gutter;

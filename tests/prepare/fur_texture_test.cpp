@@ -134,6 +134,65 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
   }
 }
 
+// A slice stands for the slab below it: a strand that ends inside the slab covers its section by the part of
+// the slab that it fills.
+TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
+  FurScene fur;
+  fur.layers = 16;  // coverage is stored as it is
+  fur.strands = 1;
+  fur.undercoat = 0;
+  fur.locks = 0;
+  fur.radius = 12;
+  fur.least_length = 0.3f;
+  fur.tip_radius = 1;
+  fur.texture = 64;
+  int partly = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    fur.seed = seed;
+    const double length = grow_strands(fur).front().length;
+    const FurTexture t = make_fur_texture(fur);
+    for (int n = 0; n < fur.layers; ++n) {
+      double most = 0;
+      for (int y = 0; y < t.size; ++y)
+        for (int x = 0; x < t.size; ++x) most = std::max(most, coverage(t, 0, n, x, y));
+      const double share = std::clamp(length * fur.layers - n, 0.0, 1.0);
+      EXPECT_NEAR(most, share, 0.003) << "seed " << seed << ", layer " << n << ", length " << length;
+      partly += share > 0.1 && share < 0.9;
+    }
+  }
+  EXPECT_GT(partly, 5);
+}
+
+TEST(FurTexture, MipLevelsShadeByCoverage) {
+  FurScene fur;
+  fur.layers = 16;  // coverage is stored as it is
+  fur.strands = 1500;
+  fur.undercoat = 500;
+  fur.locks = 0;
+  fur.texture = 128;
+  const FurTexture t = make_fur_texture(fur);
+  const auto side = std::size_t(t.size);
+  int tested = 0, uneven = 0;
+  for (std::size_t y = 0; y < side / 2; ++y)
+    for (std::size_t x = 0; x < side / 2; ++x) {
+      double sum = 0, weighted = 0, plain = 0;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const auto& texel = t.level[0][(2 * y + k / 2) * side + 2 * x + k % 2];
+        sum += texel[0];
+        weighted += double(texel[0]) * texel[1];
+        plain += 0.25 * texel[1];
+      }
+      if (sum < 100) continue;  // coverage is rounded to 1/255: the mean would be too
+      const double expected = weighted / sum;
+      // Half a step for the stored byte, half for each byte of level 0, and the coverage's rounding.
+      EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
+      ++tested;
+      uneven += std::abs(expected - plain) > 6;
+    }
+  EXPECT_GT(tested, 100);
+  EXPECT_GT(uneven, 10);  // where a mean without weights would be another
+}
+
 /// A disc cut by the square's border must come back on the other side: its area does not depend on its place.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;

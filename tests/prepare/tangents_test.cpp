@@ -47,6 +47,40 @@ TEST(SurfaceTangents, AreTheAtlasGradient) {
     }
 }
 
+/// two_charts() with u -> 1 - u: u x v faces inwards.
+std::shared_ptr<const Mesh> mirrored_charts() {
+  auto mesh = std::make_shared<Mesh>(*test::two_charts());
+  for (glm::vec2& uv : mesh->uv) uv.x = 1 - uv.x;
+  return mesh;
+}
+
+TEST(SurfaceTangents, AreTheAtlasGradientOfAMirroredChart) {
+  const auto mesh = mirrored_charts();
+  const SurfaceTangents s = surface_tangents(*mesh, weld(*mesh));
+  for (const glm::uvec3& f : mesh->triangle)
+    for (int c = 0; c < 3; ++c) {
+      const glm::vec2 d = mesh->uv[f[(c + 1) % 3]] - mesh->uv[f[c]];
+      const glm::vec3 step = s.t[f[c]] * d.x + s.b[f[c]] * d.y;
+      EXPECT_LT(glm::distance(step, mesh->position[f[(c + 1) % 3]] - mesh->position[f[c]]), 1e-5f);
+    }
+}
+
+TEST(CurlFrame, OfUvPointsAlongUAndVInAMirroredChart) {
+  for (const auto& mesh : {test::two_charts(), mirrored_charts()}) {
+    const Skin skin = weld(*mesh);
+    const SurfaceTangents s = surface_tangents(*mesh, skin);
+    CurlScene curl;
+    curl.frame = "uv";
+    const CurlFrame frame = curl_frame(*mesh, skin, s, curl);
+    expect_orthonormal(skin, frame);
+    for (std::size_t w = 0; w < frame.u.size(); ++w) {
+      const std::size_t copy = skin.first_copy[w];
+      EXPECT_GT(glm::dot(frame.u[w], glm::normalize(s.t[copy])), 0.99f);
+      EXPECT_GT(glm::dot(frame.v[w], glm::normalize(s.b[copy])), 0.99f);
+    }
+  }
+}
+
 TEST(SurfaceTangents, FollowTheTorus) {
   const auto mesh = load_model("torus");
   const SurfaceTangents s = surface_tangents(*mesh, weld(*mesh));

@@ -79,6 +79,29 @@ TEST(PaperTable, AFailedCellShowsItsStatusAndNoTime) {
   EXPECT_NE(csv_of(table).find("failed-check,,,,,,,"), std::string::npos) << csv_of(table);
 }
 
+TEST(PaperTable, EveryTimeOfTheCsvLiesWithinItsInterval) {
+  std::vector<std::vector<std::string>> lines;
+  for (const std::string& line : lines_of(csv_of(paper_tables(cells_of(table1_rows()), note).at(0)))) {
+    std::istringstream stream(line);
+    std::vector<std::string>& cells = lines.emplace_back();
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  }
+  ASSERT_EQ(lines.size(), 33u);
+  const auto column = [&](const std::string& name) {
+    const auto found = std::find(lines[0].begin(), lines[0].end(), name);
+    EXPECT_NE(found, lines[0].end()) << name;
+    return std::size_t(found - lines[0].begin());
+  };
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto number = [&](const std::string& name) { return std::stod(lines[i].at(column(name))); };
+    EXPECT_LT(number("ours_fps_low"), number("ours_fps")) << i;
+    EXPECT_LT(number("ours_fps"), number("ours_fps_high")) << i;
+    EXPECT_LT(number("median_ms_low"), number("median_ms")) << i;
+    EXPECT_LT(number("median_ms"), number("median_ms_high")) << i;
+    EXPECT_NEAR(number("ours_fps") * number("median_ms"), 1000, 0.01) << i;
+  }
+}
+
 TEST(PaperTable, OverriddenRowsStayOut) {
   auto rows = table1_rows();
   for (FoundRow& row : rows) row.row.overrides["fur.length"] = "0.1";

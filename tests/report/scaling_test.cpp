@@ -96,6 +96,28 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
 
+/// One cell of a model of 9360 triangles at 800x600.
+Cell timed(const std::string& host, int layers, double ms) {
+  Cell c = cells().at(1);
+  c.host = host;
+  c.axes["layers"] = std::to_string(layers);
+  c.median_ms = ms;
+  return c;
+}
+
+TEST(Scaling, ComparesSixtyFourLayersWithSixteenOnly) {
+  const std::string text = scaling_text({timed("h", 8, 6), timed("h", 16, 10), timed("h", 64, 30)});
+  EXPECT_NE(text.find("64 layers cost at most 3.00 times 16"), std::string::npos) << text;
+}
+
+TEST(Scaling, ComparesCellsOfOneHostOnly) {
+  const std::string text = scaling_text(
+      {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
+  EXPECT_NE(text.find("10.00 ->     18.00 ms, 1.80 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("20.00 ->     38.00 ms, 1.90 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("Doubling the layers costs at most 1.90 times"), std::string::npos) << text;
+}
+
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
   const fs::path folder = mkdtemp(name.data());

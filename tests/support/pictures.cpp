@@ -44,8 +44,9 @@ Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant, bo
 }
 
 std::string describe(const Agreement& a) {
-  return fmt::format("{:.1f} dB, 99.9% within {:.5f}, worst {:.4f} at ({}, {}), {} fur pixels", a.psnr,
-                     a.p999, a.worst, a.worst_x, a.worst_y, a.pixels);
+  return fmt::format(
+      "{:.1f} dB, {:.1f} dB without {} flips, 99.9% within {:.5f}, worst {:.4f} at ({}, {}), {} fur pixels",
+      a.psnr, a.psnr_without_flips, a.flips, a.p999, a.worst, a.worst_x, a.worst_y, a.pixels);
 }
 
 }  // namespace pelage::pictures

@@ -241,6 +241,8 @@ Scene lively_scene() {
   scene.fur.comb = .5f;
   scene.curl.radius = .02f;
   scene.curl.turns = 1.3f;
+  scene.shading.specular = {.25f, .15f, .08f};
+  scene.coat.skin = {.6f, .45f, .3f};
   scene.clump.shape = .6f;
   scene.clump.gain = 2.f;
   scene.wetness.size = 64;

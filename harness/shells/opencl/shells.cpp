@@ -148,4 +148,15 @@ std::vector<glm::vec3> Shells::tips() const {
   return tips;
 }
 
+std::vector<glm::vec3> Shells::velocities() const {
+  if (state_->springs) return state_->springs->speeds(state_->queue);
+  const std::vector<float> values = state_->simulate->state().read(state_->queue);
+  const auto stride = std::size_t(state_->simulate->stride());
+  std::vector<glm::vec3> velocities(state_->input->strands.root.size());
+  for (std::size_t f = 0; f < velocities.size(); ++f)
+    velocities[f] = {values[SPEED_X * stride + f], values[SPEED_Y * stride + f],
+                     values[SPEED_Z * stride + f]};
+  return velocities;
+}
+
 }  // namespace pelage

@@ -65,6 +65,7 @@ class Shells {
   int frames_simulated() const;         ///< frames since rest, the last one included
   std::vector<glm::vec4> mask() const;  ///< wetness.size^2: c_u, c_v, r, rho
   std::vector<glm::vec3> tips() const;  ///< F, p minus root; of a topology one per stick, top minus base
+  std::vector<glm::vec3> velocities() const;  ///< of the tips, R/s
   /// Fragments of the last frame, all layers, from one pixel in `every`, spread at random: an extra pass,
   /// pixel by pixel. 1: exact, and slow; 0: as many as leave about 8192 pixels, for an error of about 1%.
   Tally tally(int every = 0);

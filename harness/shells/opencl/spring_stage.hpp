@@ -28,6 +28,8 @@ class SpringStage {
   void check(const cl::Queue& queue) const { masses_.check(queue); }
   /// Top less base of every stick, R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
+  /// Velocity of every top, R/s.
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
   std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
 
  private:

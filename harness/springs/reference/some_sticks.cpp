@@ -58,8 +58,8 @@ std::vector<std::uint32_t> spread(const Topology& topology, std::size_t count) {
   return found;
 }
 
-std::vector<glm::dvec3> moved(const Topology& topology, const DynamicsScene& scene,
-                              std::vector<glm::dvec3> push, int frames) {
+reference::State moved(const Topology& topology, const DynamicsScene& scene, std::vector<glm::dvec3> push,
+                       int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
         "dynamics.tolerance = {}: the reference takes `substeps` steps a frame, and so does what is held "
@@ -70,7 +70,7 @@ std::vector<glm::dvec3> moved(const Topology& topology, const DynamicsScene& sce
   reference::State state = reference::rest(topology);
   const long steps = long(frames) * scene.substeps;
   for (long i = 0; i < steps; ++i) state = reference::step(system, state, i);
-  return reference::offsets(topology, state);
+  return state;
 }
 
 }  // namespace
@@ -78,11 +78,14 @@ std::vector<glm::dvec3> moved(const Topology& topology, const DynamicsScene& sce
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count) {
   const Topology topology = topology_of(input);
   const std::vector<glm::vec3> push = pushes(topology, *input.mesh, input.scene.dynamics.poke);
-  SomeSticks some{spread(topology, count), {}};
+  SomeSticks some{spread(topology, count), {}, {}};
   std::vector<glm::dvec3> own;
   if (!push.empty())
     for (const std::uint32_t stick : some.stick) own.emplace_back(push[stick]);
-  some.offset = moved(part_of(topology, some.stick), input.scene.dynamics, std::move(own), frames);
+  const Topology part = part_of(topology, some.stick);
+  const reference::State state = moved(part, input.scene.dynamics, std::move(own), frames);
+  some.offset = reference::offsets(part, state);
+  for (std::size_t i = 0; i < part.sticks(); ++i) some.velocity.push_back(state.velocity[part.top(i)]);
   return some;
 }
 

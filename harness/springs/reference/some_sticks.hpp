@@ -17,6 +17,7 @@ std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames);
 struct SomeSticks {
   std::vector<std::uint32_t> stick;  ///< ascending
   std::vector<glm::dvec3> offset;    ///< of each, R
+  std::vector<glm::dvec3> velocity;  ///< of each top, R/s, in the object's frame
 };
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
 

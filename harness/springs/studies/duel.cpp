@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "harness/compare/masses.hpp"
+#include "harness/compare/tolerances.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "harness/springs/studies/study.hpp"
@@ -148,8 +149,7 @@ class Duel : public Subject {
   }
 
   // A step of backward Euler whose equations are too many to be factored in double: the change of the
-  // velocities is put into them. Speeds are floats some hundred times their change: 1e-5 is lost in the
-  // difference.
+  // velocities is put into them.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
     const Motions& before = setting_.start;
@@ -161,9 +161,9 @@ class Duel : public Subject {
     }
     const double left =
         reference::residual({setting_.topology, setting_.dynamics}, start(), setting_.steps, change);
-    return {
-        {"reference", "residual", left, 1e-3, false},
-        {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst, 1e-4, false}};
+    return {{"reference", "residual", left, tolerance::step_residual, false},
+            {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst,
+             tolerance::stick_top, false}};
   }
 
   std::vector<glm::vec3> reference_offsets() const {

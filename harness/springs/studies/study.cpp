@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/compare/masses.hpp"
+#include "harness/compare/tolerances.hpp"
 #include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/springs/baselines/arrays.hpp"
@@ -79,7 +80,7 @@ class ErrorStudy : public Study {
       throw OutOfBounds(error.what());
     }
     error_ = spread(masses_.offsets(queue_), exact_.offset, double(setting_.topology.length));
-    return {{"exact", "rms", error_.rms, 2, false}};  // beyond two lengths nothing of the run is left
+    return {{"exact", "rms", error_.rms, tolerance::lost_run, false}};
   }
   void describe(Row& row) override {
     Study::describe(row);

@@ -46,9 +46,16 @@ TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
   cl::RadixSort sort(queue.device());
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   const std::size_t count = 5000;
-  EXPECT_EQ(sort.scan(queue, on_device(queue, Values(count, most / 4000)), count, nullptr, true), most);
-  EXPECT_EQ(sort.scan(queue, on_device(queue, Values(count, most / 5000)), count, nullptr, true),
-            most / 5000 * 5000);
+  for (const std::int32_t each : {most / 4000, most / 5000}) {
+    const cl::Buffer<std::int32_t> values = on_device(queue, Values(count, each));
+    const std::int32_t sum = sort.scan(queue, values, count, nullptr, true);
+    EXPECT_EQ(sum, each == most / 4000 ? most : most / 5000 * 5000);
+    // Every place's own sum stays at the most, too.
+    Values expected(count);
+    for (std::size_t i = 0; i < count; ++i)
+      expected[i] = std::int32_t(std::min<std::int64_t>(most, std::int64_t(i) * each));
+    EXPECT_TRUE(values.read(queue) == expected) << each;
+  }
 }
 
 TEST(RadixSort, IsStable) {

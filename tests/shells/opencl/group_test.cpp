@@ -2,6 +2,7 @@
 // after run. (Against the reference: picture_test.cpp; against exact integers: properties_coverage_test.cpp.)
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -63,20 +64,24 @@ TEST(Group, TwentyRunsAreOnePicture) {
            std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
   };
   const Picture first = drawn({});
+  EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
+            500);
   for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn({}))) << "run " << run;
   // However many layers share a bin.
   for (const int group : {1, 3, 16}) EXPECT_TRUE(same_bits(first, drawn({{"GROUP", group}}))) << group;
 }
 
 TEST(Group, DrawsNothingWhereNothingIs) {
-  // Nothing drawn: every tile is empty, every list is.
+  // Nothing drawn: every tile is empty, every list is, and every pixel is the background's.
   FrameInput input = *tiny_frame();
+  input.scene.image.background = {.1f, .2f, .3f};
   input.scene.camera.target = {40, 1, 40};
   input.camera = synthetic::camera(input.scene.camera, 61, 45);
   Shells shells(device(), std::make_shared<FrameInput>(input), {"group", {}});
   shells.frame();
   const Picture picture = shells.read();
-  for (const glm::vec4& pixel : picture.pixel) EXPECT_EQ(pixel.w, 0.0f);
+  ASSERT_EQ(picture.pixel.size(), 61u * 45u);
+  for (const glm::vec4& pixel : picture.pixel) EXPECT_EQ(pixel, glm::vec4(.1f, .2f, .3f, 0));
 }
 
 TEST(Group, IsWhatGpusDrawWith) {

@@ -107,6 +107,34 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   EXPECT_GT(hits, std::size_t(pictures) * std::size_t(triangles) * 10);
 }
 
+// Large triangles around one point: their products of coordinates are beyond 32 bits for tiles within 128
+// pixels of every corner.
+TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
+  constexpr int side = 256;
+  std::mt19937 random(5);
+  const auto within = [&](int range) { return int(random() % std::uint32_t(2 * range + 1)) - range; };
+  Flat flat{{}, {}, side, side};
+  std::vector<int> expected(std::size_t(side) * side, 0);
+  for (int t = 0; t < 40; ++t) {
+    std::array<Snapped, 3> c;
+    for (int k = 0; k < 3; ++k) {  // three corners of a square of 220 pixels, each moved by up to 6
+      const int corner = (t + k) % 4;
+      c[std::size_t(k)] = {(corner == 1 || corner == 2 ? 110 : -110) * 256 + within(6 * 256),
+                           (corner >= 2 ? 110 : -110) * 256 + within(6 * 256)};
+    }
+    if (random() % 2) std::swap(c[1], c[2]);
+    const auto first = std::uint32_t(flat.vertex.size());
+    for (const Snapped& s : c) flat.vertex.emplace_back(float(double(s.x) / 256), float(double(s.y) / 256));
+    flat.triangle.emplace_back(first, first + 1, first + 2);
+    const Raster raster(c, side, side);
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        expected[std::size_t(y) * side + std::size_t(x)] += raster.edges(x, y).covered;
+  }
+  ASSERT_GT(*std::max_element(expected.begin(), expected.end()), 20);
+  EXPECT_TRUE(covered_counts(flat, GetParam().options) == expected);
+}
+
 /// A grid of cells split at random into two triangles of random winding. Cells must be convex or nearly: the
 /// diagonal that keeps both halves upright is taken.
 Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {

@@ -267,6 +267,7 @@ TEST(Equations, ColoursAreTheReferences) {
     shading.occlusion = float(std::abs(any()));
     shading.darkening = float(std::abs(any()));
     shading.shadow = float(1 + std::abs(any()));
+    shading.specular = {.25f, .15f, .08f};
     shading.lights = {LightScene{any.vector(), 1.5f}, LightScene{any.vector(), .6f}};
     const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
                                 any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
@@ -77,7 +78,8 @@ TEST(KernelStrands, LoadMovesTheRestPositionAsTheBallAllows) {
     ASSERT_GT(glm::dot(free, n), 0);
     const bool held = glm::length(free) > length;
     (held ? outside : inside)++;
-    ASSERT_LT(glm::length(tips[f] - (held ? length * glm::normalize(k * length * n + force) : free)), 2e-6);
+    ASSERT_LT(glm::length(tips[f] - (held ? length * glm::normalize(k * length * n + force) : free)),
+              tolerance::small_scene);
   }
   EXPECT_GT(inside, 10u);
   EXPECT_GT(outside, 10u);
@@ -169,7 +171,7 @@ TEST(KernelStrands, FollowTheReference) {
       worst = std::max(worst, glm::length(tips[f] - expected[f].tip));
       moved = std::max(moved, glm::length(tips[f] - glm::dvec3(input.strands.anchor[f])));
     }
-    EXPECT_LT(worst, 2e-6) << frames;
+    EXPECT_LT(worst, tolerance::small_scene) << frames;
     EXPECT_GT(moved, frames > 5 ? .01 : 1e-5);
   }
 }
@@ -215,7 +217,7 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
         const reference::Clump& e = expected.texel[i];
         const glm::dvec4 texel(mask[i]);
         wet += e.wetness > 0;
-        wrong += glm::length(texel - glm::dvec4(e.centre, e.radius, e.wetness)) > 2e-6;
+        wrong += glm::length(texel - glm::dvec4(e.centre, e.radius, e.wetness)) > tolerance::small_scene;
       }
       // A texel's centre can lie within a float's rounding of a disc's border: at most a handful in 10^5.
       EXPECT_LE(wrong, mask.size() / 20000) << size << " texels, " << count << " droplets";

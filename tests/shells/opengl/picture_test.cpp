@@ -2,6 +2,7 @@
 // docs/frame.md.
 #include <gtest/gtest.h>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "tests/shells/opengl/scenes.hpp"
 #include "tests/support/synthetic.hpp"
@@ -11,11 +12,9 @@ namespace {
 
 using namespace rival_tests;
 
-constexpr double least_psnr = 55.0;  // what a published ratio asks for
-
 void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
-  EXPECT_GE(agreement.psnr, least_psnr) << describe(agreement);
+  EXPECT_GE(agreement.psnr, tolerance::other_filter_psnr) << describe(agreement);
   EXPECT_GT(agreement.pixels, least_pixels);  // the fur fills the picture
 }
 
@@ -155,7 +154,8 @@ TEST(OpenGlPicture, MistakesAreSeen) {
                               Mutant::back_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
                               Mutant::droplets_reversed, Mutant::log_negated}) {
     const Agreement agreement = compare(drawn_by_reference(*input, mutant), drawn);
-    EXPECT_LT(agreement.psnr, least_psnr) << "mutant " << int(mutant) << ": " << describe(agreement);
+    EXPECT_LT(agreement.psnr, tolerance::other_filter_psnr)
+        << "mutant " << int(mutant) << ": " << describe(agreement);
   }
 }
 

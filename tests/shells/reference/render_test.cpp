@@ -47,6 +47,20 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   }
 }
 
+// A window draws the faces whose fur may reach it: with a curl five times as wide as the fur is long, faces
+// far outside.
+TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
+  FrameInput input = lively_torus();
+  input.scene.curl.radius = 0.25f;
+  input.scene.fur.length = 0.05f;
+  const Picture whole = render(input, after(1));
+  Options options = after(1);
+  options.windows = fur_windows(whole, 12, 16, 1);
+  const Agreement agreement = compare(whole, render(input, options), options.windows);
+  EXPECT_EQ(agreement.worst, 0);
+  EXPECT_GT(agreement.pixels, 1000u);
+}
+
 TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
   const FrameInput input = lively_torus();
   const Picture picture = render(input, after(10));

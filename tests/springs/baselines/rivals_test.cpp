@@ -3,6 +3,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/springs/baselines/baselines.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/support/meshes.hpp"
@@ -59,7 +60,8 @@ TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
         }
         const double error = largest_difference(rival->state().offset, offsets) / double(fur_length);
         // The records, the state handed over and, at times, the arithmetic are floats.
-        EXPECT_LT(error, name.find("double") != std::string::npos ? 2e-5 : 1e-4)
+        EXPECT_LT(error, name.find("double") != std::string::npos ? tolerance::double_baseline
+                                                                  : tolerance::stick_top)
             << name << ", " << topology.sticks() << " sticks";
         rival->set(start);
         EXPECT_EQ(rival->state().offset, start.offset) << name;

@@ -126,6 +126,22 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 
+TEST(Hit, TakesTheTriangleThatTheRayMeetsAndNoneBesideIt) {
+  // A triangle over half of the unit square and, farther along the rays, one over twice its area.
+  const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {0, 2, 1}},
+                                  {{3, 4, 5}, {0, 1, 2}});
+  const auto from = [&](double x, double y) { return hit(mesh, {x, y, -1}, {0, 0, 1}); };
+  EXPECT_EQ(from(0.3, 0.3), 1u);
+  EXPECT_EQ(from(0.49, 0.49), 1u);
+  EXPECT_EQ(from(0.52, 0.52), 0u) << "beyond the near triangle's third side";
+  EXPECT_EQ(from(0.9, 0.9), 0u);
+  EXPECT_FALSE(from(1.1, 1.1));
+  EXPECT_FALSE(from(-0.01, 0.5));
+  EXPECT_FALSE(from(0.5, -0.01));
+  EXPECT_FALSE(hit(mesh, {0.3, 0.3, 2}, {0, 0, 1})) << "behind the origin";
+  EXPECT_EQ(hit(mesh, {0.3, 0.3, 2}, {0, 0, -1}), 0u);
+}
+
 TEST(Topology, RefusesWhatHasNoMeaning) {
   Mesh empty = square(1);
   empty.triangle.clear();

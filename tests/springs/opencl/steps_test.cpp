@@ -2,6 +2,7 @@
 // agree to the records' rounding, and the device, which must agree to 1e-4 of the fur's length.
 #include <gtest/gtest.h>
 
+#include "harness/compare/tolerances.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/springs/reference/reference.hpp"
 #include "tests/springs/opencl/shim.hpp"
@@ -64,12 +65,13 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
       // Weight, moments, 1/m and a unit normal are floats in the records.
-      EXPECT_LT(largest_difference(shim.offsets(), offsets), 1e-6 * double(fur_length));
+      EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
       MassSprings device(queue(), topology, dynamics, {.whole = whole});
       device.push(queue(), force);
       for (int done = 0; done < steps; done += 50) device.advance(queue(), std::min(50, steps - done));
-      EXPECT_LT(largest_difference(device.offsets(queue()), offsets), 1e-4 * double(fur_length));
+      EXPECT_LT(largest_difference(device.offsets(queue()), offsets),
+                tolerance::stick_top * double(fur_length));
       std::printf("%zu sticks: kernels in double %.2g, device %.2g of the fur's length\n", topology.sticks(),
                   largest_difference(shim.offsets(), offsets) / double(fur_length),
                   largest_difference(device.offsets(queue()), offsets) / double(fur_length));
@@ -111,10 +113,10 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
           name(kind).data(), name(solver).data(), error.rms, error.percentile_99, error.worst,
           device.solves().iterations, device.solves().solves);
       if (kind == Kind::prisms) {
-        EXPECT_LT(error.rms, 1e-3) << name(solver);
-        EXPECT_LT(error.percentile_99, 1e-2) << name(solver);
+        EXPECT_LT(error.rms, tolerance::prisms_rms) << name(solver);
+        EXPECT_LT(error.percentile_99, tolerance::prisms_p99) << name(solver);
       } else {
-        EXPECT_LT(error.worst, 1e-4) << name(solver);
+        EXPECT_LT(error.worst, tolerance::stick_top) << name(solver);
       }
     }
 }

@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <numbers>
 
+#include "harness/compare/tolerances.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
 
@@ -118,7 +119,7 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
       worst = std::max(worst, glm::distance(q[i], world[i]));
     }
     EXPECT_GT(moved, 0.2 * double(fur_length));
-    EXPECT_LT(worst, 1e-5 * double(fur_length)) << name(kind);
+    EXPECT_LT(worst, tolerance::reference_in_world * double(fur_length)) << name(kind);
   }
 }
 

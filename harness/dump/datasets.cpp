@@ -1,0 +1,218 @@
+#include "harness/dump/datasets.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/mask.hpp"
+#include "harness/springs/model/scene.hpp"
+
+namespace pelage::dump {
+namespace {
+
+std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  std::vector<glm::vec3> out(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) out[i] = a[i] + b[i];
+  return out;
+}
+
+/// The surface normal of docs/frame.md, 3: the direction of A at the vertex.
+std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
+  const StrandSet& strands = input.strands;
+  std::vector<glm::vec3> normals(input.mesh->position.size());
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const std::uint32_t point = input.mesh->weld[v];
+    if (has_springs(input.scene.dynamics)) {
+      normals[v] = input.stick_normal[point];
+      continue;
+    }
+    glm::dvec3 mean(0.0);
+    for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i) {
+      mean += double(strands.weight[i]) * glm::dvec3(strands.normal[strands.face[i]]);
+    }
+    if (glm::length(mean) > 0) normals[v] = glm::vec3(glm::normalize(mean));
+  }
+  return normals;
+}
+
+/// The camera as two matrices, as other programs take it.
+void write_matrices(Hdf5File& file, const Camera& camera) {
+  // The rows of the view are the picture's right, down and forward; the projection's first two give pixels
+  // from the picture's centre times w, the last w itself.
+  const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.ray));
+  const glm::dvec3 right = glm::normalize(glm::dvec3(camera.ray_dx));
+  const glm::dvec3 down = glm::normalize(glm::dvec3(camera.ray_dy));
+  const float focal = 1.0f / camera.pixel;
+  std::vector<float> view;
+  for (const glm::dvec3& axis : {right, down, forward}) {
+    for (int i = 0; i < 3; ++i) view.push_back(static_cast<float>(axis[i]));
+    view.push_back(static_cast<float>(-glm::dot(axis, glm::dvec3(camera.eye))));
+  }
+  view.insert(view.end(), {0, 0, 0, 1});
+  const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
+  file.write("camera/view", {4, 4}, view, "R", "row-major; times (p, 1): right, down and forward of the eye");
+  file.write(
+      "camera/projection", {4, 4}, projection, "pixels",
+      "row-major; times the view's result: x w, y w, near, w; x right and y down from the picture's centre");
+}
+
+/// Strands alone have these; topologies need none of them.
+void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
+  const std::size_t faces = strands.normal.size(), links = strands.face.size();
+  file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
+             "unit normals n of the triangles");
+  file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
+             "rest tips minus roots, of length L0");
+  file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
+             "cos and sin of the gust's phase at the root");
+  file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
+             "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
+  file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
+             "strand (triangle) of the entry");
+  file.write("weight/value", {links}, std::span<const float>(strands.weight), "1",
+             "its weight: the triangle's share of the area around the point; sums to 1 over a row");
+}
+
+}  // namespace
+
+void write_scene_text(Hdf5File& file, const Scene& scene) {
+  const std::string text = write_scene(scene);
+  file.write("scene", {text.size()},
+             std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "UTF-8",
+             "the scene as TOML, every key with its value; pelage scene prints the same");
+}
+
+void write_mesh(Hdf5File& file, const FrameInput& input) {
+  const Mesh& mesh = *input.mesh;
+  const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size(), points = mesh.welded;
+  file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
+             "vertices, copied along UV seams");
+  file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
+             "vertex numbers, counter-clockwise seen from outside");
+  file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
+  file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
+             "surface point of the vertex; copies of one point share it");
+  file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
+  file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV", "dX/du of the surface");
+  file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV", "dX/dv of the surface");
+  file.write("curl/u", {points, 3}, flat<float>(input.curl.u), "1",
+             "per surface point, unit: first axis of the curl");
+  file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",
+             "per surface point, unit: second axis of the curl");
+  file.write("curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
+             "where the surface point samples the wetness mask: UV of its first vertex");
+}
+
+void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  std::vector<glm::vec3> root = input.strands.root, rest = sum(root, input.strands.anchor);
+  std::string where = "centroids of the triangles";
+  if (has_springs(input.scene.dynamics)) {
+    const springs::Topology topology = springs::topology_of(input);
+    const auto tops = topology.mass.begin() + std::ptrdiff_t(topology.sticks());
+    root.assign(topology.mass.begin(), tops);
+    rest.assign(tops, topology.mass.end());
+    where = parts(input.scene) ? "corners of the triangles" : "surface points";
+  }
+  const std::size_t count = root.size();
+  file.write("strand/root", {count, 3}, flat<float>(root), "R", where);
+  file.write("strand/rest", {count, 3}, flat<float>(rest), "R", "tips at rest");
+  file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R", "tips in this frame");
+  file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R", "q, tips minus roots in this frame");
+  file.write("strand/velocity", {count, 3}, flat<float>(output.velocities), "R/s",
+             "velocities of the tips in this frame");
+  if (has_springs(input.scene.dynamics))
+    file.write("stick/normal", {input.stick_normal.size(), 3}, flat<float>(input.stick_normal), "1",
+               "per surface point, unit: the direction in which its stick rests");
+  else
+    write_strand_rules(file, input.strands);
+}
+
+void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  const auto side = static_cast<std::size_t>(input.scene.wetness.size);
+  const std::size_t drops = input.droplets.size();
+  std::vector<glm::vec2> centre;
+  std::vector<glm::vec3> point;
+  std::vector<float> radius, wetness, reach;
+  for (const Droplet& drop : input.droplets) {
+    centre.push_back(drop.centre);
+    point.push_back(drop.point);
+    radius.push_back(drop.radius);
+    wetness.push_back(drop.wetness);
+    reach.push_back(drop.reach);
+  }
+  const auto column = [](const std::vector<float>& values) { return std::span<const float>(values); };
+  file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV", "c_drop, in the order of blending");
+  file.write("droplet/radius", {drops}, column(radius), "UV", "r_drop");
+  file.write("droplet/wetness", {drops}, column(wetness), "1", "rho_drop");
+  file.write("droplet/point", {drops, 3}, flat<float>(point), "R", "the surface point under the centre");
+  file.write("droplet/reach", {drops}, column(reach), "R",
+             "largest distance of a wetted texel's surface point from the droplet's point");
+  file.write("mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
+             "v, u, the surface point under the texel's centre");
+  file.write("mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
+             "v, u, (c_u, c_v, r, rho) of Algorithm 1; all 0 where dry");
+}
+
+void write_textures(Hdf5File& file, const FrameInput& input) {
+  const FurTexture& fur = input.fur;
+  const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
+  for (std::size_t level = 0; level < fur.level.size(); ++level) {
+    const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
+    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
+               flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
+               "layer, v, u, (coverage, factor on the coat's colour)");
+  }
+  file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
+             "repeats of the fur texture per unit of u and of v");
+  file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1/255",
+             "v, u, (R, G, B, unused) of the coat, gamma space");
+}
+
+void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
+  const reference::Mask mask = reference::wetness_mask(input);
+  const bool springs = has_springs(input.scene.dynamics);
+  const reference::Geometry geometry(
+      input, mask, springs ? 0 : output.frames, {}, reference::Mutant::none,
+      springs ? std::vector<glm::dvec3>(output.tips.begin(), output.tips.end()) : std::vector<glm::dvec3>());
+  const auto layers = static_cast<std::size_t>(input.scene.fur.layers);
+  std::vector<glm::vec3> offset;
+  offset.reserve(layers * geometry.slots());
+  for (std::size_t n = 0; n < layers; ++n) {
+    for (std::size_t slot = 0; slot < geometry.slots(); ++slot) {
+      const glm::dvec3 base(input.mesh->position[geometry.vertex(slot)]);
+      offset.push_back(glm::vec3(geometry.position(slot, static_cast<int>(n)) - base));
+    }
+  }
+  const bool separate = parts(input.scene);
+  file.write(
+      "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
+      fmt::format("from the mesh's surface, per layer and {}; computed by the double-precision reference",
+                  separate ? "triangle corner" : "vertex"));
+}
+
+void write_camera(Hdf5File& file, const Camera& camera) {
+  const auto numbers = [](std::initializer_list<glm::vec3> vectors) {
+    std::vector<float> values;
+    for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
+    return values;
+  };
+  std::vector<float> rows;
+  for (const glm::vec4& row : {camera.row_x, camera.row_y, camera.row_w})
+    rows.insert(rows.end(), {row.x, row.y, row.z, row.w});
+  file.write("camera/rows", {3, 4}, rows, "pixels R, pixels R, R",
+             "row_x, row_y, row_w: dot with (p, 1) gives X, Y and w");
+  file.write("camera/eye", {3}, numbers({camera.eye}), "R", "the eye");
+  file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
+             "direction through the picture's centre, and its change per pixel in x and in y; not unit");
+  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1",
+             "side of a pixel over its view depth: R per R");
+  file.write("camera/near", {1}, std::array{camera.near}, "R", "view depth of the near plane");
+  file.write("camera/size", {2}, std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)},
+             "pixels", "width and height of the picture");
+  write_matrices(file, camera);
+}
+
+}  // namespace pelage::dump

@@ -1,0 +1,179 @@
+#!/usr/bin/python3
+"""Applies planted mistakes (mutants) one by one and runs the test that must see each.
+
+    scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
+
+The data file (tests/mutants/survivors.toml) says per mutant: `name`; `original`, a text that occurs exactly once in
+the tracked files of harness/ and kernels/ (runs of blanks and line ends are equal); `replacement`; `target`, the
+test executable; `filter`, the GoogleTest filter of the tests that must fail; `why`, what the mistake does. A mutant
+with `equivalent`, the reason why no test can see it, is not run.
+
+The named tests must pass without the mutant. A mutant of a kernel needs no build: kernels are compiled when a test
+runs. Every file is restored at the end, also after Ctrl-C. Exit status: 0 all killed, 1 some survived or could not
+be run, 2 a mistake in the data or the command line.
+"""
+import argparse
+import contextlib
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import time
+import tomllib
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+KEYS = {"name", "original", "replacement", "target", "filter", "why", "equivalent"}
+NEEDED = {"name", "original", "replacement", "target", "filter", "why"}
+TEST_LIMIT_S = 600  # a test that runs longer has seen the mutant: it hangs
+
+
+class Mistake(Exception):
+    """One line for the user."""
+
+
+def read_data(file):
+    try:
+        mutants = tomllib.loads(file.read_text()).get("mutant", [])
+    except (OSError, tomllib.TOMLDecodeError) as error:
+        raise Mistake(f"{file}: {error}") from error
+    names = set()
+    for number, mutant in enumerate(mutants, 1):
+        name = mutant.get("name", f"number {number}")
+        if unknown := mutant.keys() - KEYS:
+            raise Mistake(f"{file}: {name}: unknown key {', '.join(sorted(unknown))}")
+        if missing := NEEDED - mutant.keys():
+            raise Mistake(f"{file}: {name}: no {', '.join(sorted(missing))}")
+        if name in names:
+            raise Mistake(f"{file}: {name}: twice")
+        names.add(name)
+    return mutants
+
+
+def tracked_sources():
+    listed = subprocess.run(["git", "ls-files", "-z", "harness", "kernels"], cwd=ROOT, check=True, stdout=subprocess.PIPE)
+    files = [ROOT / name for name in listed.stdout.decode().split("\0") if name]
+    return {file: file.read_text() for file in files if file.is_file()}
+
+
+def find(mutant, sources):
+    """The file that holds the mutant's original text, and where: (file, begin, end)."""
+    pattern = re.compile(r"\s+".join(re.escape(word) for word in mutant["original"].split()))
+    places = [(file, m.start(), m.end()) for file, text in sources.items() for m in pattern.finditer(text)]
+    if len(places) != 1:
+        files = ", ".join(str(file.relative_to(ROOT)) for file, _, _ in places)
+        raise Mistake(f"{mutant['name']}: its original text occurs {len(places)} times, must be once"
+                      + (f": {files}" if files else "; the code changed: follow it in the data file"))
+    return places[0]
+
+
+@contextlib.contextmanager
+def planted(file, begin, end, replacement, built):
+    """The file with the mutant in it, for the length of a with statement."""
+    text, times = file.read_text(), file.stat()
+    try:
+        file.write_text(text[:begin] + replacement + text[end:])
+        yield
+    finally:
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            signal.signal(number, signal.SIG_IGN)  # a second Ctrl-C must not stop this
+        file.write_text(text)
+        # What was built from the mutant has to be older than its source; where nothing was built, nothing is to be.
+        if not built:
+            os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
+        take_signals()
+
+
+def build(folder, jobs, target):
+    """The end of the compiler's output where it fails, else an empty text."""
+    run = subprocess.run(["cmake", "--build", folder, "--parallel", str(jobs), "--target", target],
+                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return "" if run.returncode == 0 else run.stdout[-2000:]
+
+
+def run_tests(folder, mutant):
+    """(whether all passed, how many ran, seconds)"""
+    program = pathlib.Path(folder) / "tests" / mutant["target"]
+    begin = time.monotonic()
+    try:
+        run = subprocess.run([program, f"--gtest_filter={mutant['filter']}"], stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT, text=True, errors="replace", timeout=TEST_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        return False, 1, time.monotonic() - begin
+    ran = re.search(r"Running (\d+) tests?", run.stdout)
+    return run.returncode == 0, int(ran[1]) if ran else 0, time.monotonic() - begin
+
+
+def verdict(folder, jobs, mutant, place):
+    file, begin, end = place
+    kernel = file.is_relative_to(ROOT / "kernels")
+    if fault := build(folder, jobs, mutant["target"]):
+        return "does not build without the mutant\n" + fault
+    passed, ran, _ = run_tests(folder, mutant)
+    if ran == 0:
+        return f"no test matches {mutant['filter']}"
+    if not passed:
+        return f"{mutant['filter']} fails without the mutant"
+    with planted(file, begin, end, mutant["replacement"], not kernel):
+        if not kernel and (fault := build(folder, jobs, mutant["target"])):
+            return "the mutant does not build\n" + fault
+        passed, _, seconds = run_tests(folder, mutant)
+    return "SURVIVED" if passed else f"killed in {seconds:.1f} s"
+
+
+def take_signals():
+    def interrupted(number, _):
+        raise KeyboardInterrupt(number)
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, interrupted)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("name", nargs="*", help="mutants to apply; all without one")
+    parser.add_argument("--data", type=pathlib.Path, default=ROOT / "tests/mutants/survivors.toml")
+    parser.add_argument("--build", default=str(ROOT / "build/release"), help="a configured build folder")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--check", action="store_true", help="only look for the original texts; applies nothing")
+    options = parser.parse_args()
+    take_signals()
+
+    mutants = read_data(options.data)
+    known = {mutant["name"] for mutant in mutants}
+    if unknown := [name for name in options.name if name not in known]:
+        raise Mistake(f"no mutant is named {', '.join(unknown)}: {', '.join(sorted(known))}")
+    bad, counts = 0, {"killed": 0, "equivalent": 0}
+    for mutant in mutants:
+        if options.name and mutant["name"] not in options.name:
+            continue
+        try:
+            place = find(mutant, tracked_sources())
+            if "equivalent" in mutant:
+                said = "equivalent: " + mutant["equivalent"]
+            elif options.check:
+                said = "found in " + str(place[0].relative_to(ROOT))
+            else:
+                said = verdict(options.build, options.jobs, mutant, place)
+        except Mistake as mistake:
+            said = "not applied: " + str(mistake)
+        word = said.split()[0].rstrip(":")
+        if word in counts:
+            counts[word] += 1
+        elif not (options.check and word == "found"):
+            bad += 1
+        print(f"{mutant['name']}: {said}", flush=True)
+    if not options.check:
+        print(f"{counts['killed']} killed, {counts['equivalent']} equivalent, {bad} not killed")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except Mistake as mistake:
+        print(f"mutants.py: {mistake}", file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        print("interrupted; every file is as it was", file=sys.stderr)
+        sys.exit(130)

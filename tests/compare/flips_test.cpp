@@ -1,0 +1,100 @@
+// Flipped pixels: counted, judged by their share, and reported beside the PSNR of all pixels and of the
+// others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "harness/compare/pictures.hpp"
+#include "harness/compare/tolerances.hpp"
+
+namespace pelage {
+namespace {
+
+/// Fur everywhere, of random colours.
+Picture furry(int width, int height) {
+  Picture picture{width, height, {}};
+  std::mt19937 random(3);
+  const auto channel = [&] { return float(random() % 1000) / 1000; };
+  for (int i = 0; i < width * height; ++i) picture.pixel.emplace_back(channel(), channel(), channel(), 1.0f);
+  return picture;
+}
+
+/// Every channel off by `by`, as rounding leaves it.
+Picture rounded(Picture picture, float by) {
+  for (glm::vec4& pixel : picture.pixel) pixel += glm::vec4(by, -by, by, 0);
+  return picture;
+}
+
+std::string broken(const Agreement& agreement) {
+  std::string names;
+  for (const Check& check : picture_checks("reference", agreement))
+    if (!check.holds()) names += check.metric + " ";
+  return names;
+}
+
+// What one pixel of 160 x 100 does to the PSNR, and what is reported of it. It is still judged by the PSNR of
+// all pixels.
+TEST(Flips, OneOfASmallPicture) {
+  const Picture reference = furry(160, 100);
+  Picture ours = rounded(reference, 1e-5f);
+  const Agreement before = compare(ours, reference);
+  EXPECT_EQ(before.flips, 0u);
+  EXPECT_EQ(before.psnr, before.psnr_without_flips);
+  EXPECT_TRUE(within(before));
+
+  ours.at(80, 50).x += 0.4f;
+  const Agreement after = compare(ours, reference);
+  EXPECT_EQ(after.flips, 1u);
+  EXPECT_LT(after.psnr, before.psnr - 40);
+  EXPECT_NEAR(after.psnr_without_flips, before.psnr, 0.1);
+  EXPECT_EQ(broken(after), "psnr ");
+  EXPECT_FALSE(within(after));
+
+  ours.at(80, 50).x -= 0.3f;
+  EXPECT_EQ(broken(compare(ours, reference)), "") << "a flip of 0.1 leaves 66 dB";
+}
+
+// At most one pixel of a thousand: the same pictures pass as by the 99.9th percentile.
+TEST(Flips, AreTheRuleOfThePercentile) {
+  for (const int pixels : {1, 2, 999, 1000, 1001, 1999, 2000, 2001, 15001, 16384, 100000}) {
+    const Picture reference = furry(pixels, 1);
+    for (const int flips : {0, pixels / 1000, pixels / 1000 + 1, pixels}) {
+      Picture ours = reference;
+      for (int i = 0; i < flips; ++i) ours.pixel[std::size_t(i)].y += 3.0f / 255;
+      const Agreement found = compare(ours, reference);
+      EXPECT_EQ(found.flips, std::size_t(flips));
+      EXPECT_EQ(found.flip_share() <= tolerance::flip_share, found.p999 <= tolerance::flip)
+          << flips << " of " << pixels;
+      EXPECT_EQ(found.flip_share() <= tolerance::flip_share, flips * 1000 <= pixels);
+    }
+  }
+}
+
+// A share of small flips that costs the PSNR little is no picture that passes.
+TEST(Flips, TooManySmallOnesFail) {
+  const Picture reference = furry(200, 100);
+  Picture ours = rounded(reference, 1e-5f);
+  for (std::size_t i = 0; i < 21; ++i) ours.pixel[900 * i].z += 3.0f / 255;
+  const Agreement found = compare(ours, reference);
+  EXPECT_GT(found.psnr, tolerance::picture_psnr);
+  EXPECT_EQ(broken(found), "p99.9 flips ");
+  EXPECT_FALSE(within(found));
+}
+
+TEST(Flips, AnyChannelAndAnythingThatIsNoNumberCounts) {
+  const Picture reference = furry(4, 1);
+  Picture ours = reference;
+  ours.pixel[0].w = 0.98f;
+  ours.pixel[1].x = std::numeric_limits<float>::quiet_NaN();
+  ours.pixel[2].y += 1.9f / 255;
+  EXPECT_EQ(compare(ours, reference).flips, 2u);
+  EXPECT_GT(compare(ours, reference).psnr_without_flips, 40);
+  for (glm::vec4& pixel : ours.pixel) pixel.w = 0.5f;
+  EXPECT_EQ(compare(ours, reference).flips, 4u);
+  EXPECT_EQ(compare(ours, reference).psnr_without_flips, 0) << "of no pixels";
+}
+
+}  // namespace
+}  // namespace pelage

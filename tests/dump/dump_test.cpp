@@ -1,0 +1,185 @@
+// docs/frame.md, section 8, and a dump hold the same datasets, of the same shapes and units.
+#include "harness/dump/dump.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A dataset as the document's table or a file has it.
+struct Dataset {
+  std::string written;  ///< "always", "silva" or "topology"; of a file empty
+  std::string type, units, description;
+  std::vector<std::string> shape;  ///< numbers, or the document's symbols
+};
+using Datasets = std::map<std::string, Dataset>;
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+Datasets documented() {
+  std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const auto begin = text.find("<!-- dump begins"), end = text.find("<!-- dump ends");
+  Datasets found;
+  if (begin == std::string::npos || end == std::string::npos) return found;
+  static const std::regex row(R"(\| `([^`]+)` \| (\w+) \| ([^|]+), (\w+) \| ([^|]+) \| ([^|]+) \|)");
+  std::istringstream lines(text.substr(begin, end - begin));
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch m;
+    if (!std::regex_match(line, m, row)) {
+      EXPECT_FALSE(line.starts_with("| `")) << "no row of the table: " << line;
+      continue;
+    }
+    EXPECT_TRUE(found.emplace(m[1], Dataset{m[2], m[4], m[5], m[6], words_of(m[3])}).second) << m[1];
+  }
+  return found;
+}
+
+std::string attribute_of(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return "";
+  const hid_t attribute = H5Aopen(object, name, H5P_DEFAULT), type = H5Aget_type(attribute);
+  std::string text(H5Tget_size(type), '\0');
+  H5Aread(attribute, type, text.data());
+  H5Tclose(type);
+  H5Aclose(attribute);
+  return text;
+}
+
+herr_t add_dataset(hid_t file, const char* name, const H5O_info_t* info, void* data) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT), space = H5Dget_space(set), type = H5Dget_type(set);
+  std::vector<hsize_t> size(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+  H5Sget_simple_extent_dims(space, size.data(), nullptr);
+  Dataset found;
+  for (const hsize_t n : size) found.shape.push_back(fmt::format("{}", n));
+  found.type = fmt::format("{}{}", H5Tget_class(type) == H5T_FLOAT ? 'f' : 'u', H5Tget_size(type));
+  found.units = attribute_of(set, "units");
+  found.description = attribute_of(set, "description");
+  static_cast<Datasets*>(data)->emplace(name, found);
+  H5Tclose(type);
+  H5Sclose(space);
+  H5Dclose(set);
+  return 0;
+}
+
+/// The datasets of a dump of `input` by the reference.
+Datasets dumped(const FrameInput& input) {
+  std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
+  if (!mkdtemp(folder.data())) std::abort();
+  const fs::path path = fs::path(folder) / "frame.h5";
+  dump_frame(path, input, reference_output(input, 2, false));
+  Datasets found;
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  EXPECT_GE(file, 0);
+  H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, add_dataset, &found, H5O_INFO_BASIC);
+  for (const char* name : {"pelage", "pipeline", "frames", "mesh_hash", "scene_hash"})
+    EXPECT_NE(attribute_of(file, name), "") << name;
+  H5Fclose(file);
+  fs::remove_all(folder);
+  return found;
+}
+
+FrameInput frame_of(const std::string& topology, const std::string& binding) {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.layers = 3;
+  scene.fur.binding = binding;
+  scene.dynamics.topology = topology;
+  return synthetic::frame(scene, synthetic::torus(), 12, 8, 5);
+}
+
+/// The row of the table that stands for a dataset of a file.
+std::string row_of(const std::string& dataset) {
+  return dataset.starts_with("fur_mip/") ? "fur_mip/L" : dataset;
+}
+
+struct Dumps : testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Dumps, HoldWhatTheDocumentSaysAndNothingElse) {
+  const auto [topology, binding] = GetParam();
+  const FrameInput input = frame_of(topology, binding);
+  const bool springs = has_springs(input.scene.dynamics);
+  const Datasets file = dumped(input), table = documented();
+  ASSERT_GT(table.size(), 30u);
+
+  const std::size_t vertices = input.mesh->position.size(), faces = input.mesh->triangle.size(),
+                    points = input.mesh->welded;
+  const std::size_t corners = 3 * faces, strands = !springs ? faces : parts(input.scene) ? corners : points;
+  const std::map<std::string, std::size_t> symbols{{"V", vertices},
+                                                   {"W", points},
+                                                   {"W+1", points + 1},
+                                                   {"F", faces},
+                                                   {"D", input.droplets.size()},
+                                                   {"S", std::size_t(input.scene.wetness.size)},
+                                                   {"N", std::size_t(input.scene.fur.layers)},
+                                                   {"Q", strands},
+                                                   {"P", parts(input.scene) ? corners : vertices},
+                                                   {"entries", input.strands.face.size()},
+                                                   {"height", std::size_t(input.camera.height)},
+                                                   {"width", std::size_t(input.camera.width)}};
+  for (const auto& [name, found] : file) {
+    SCOPED_TRACE(name);
+    ASSERT_TRUE(table.contains(row_of(name))) << "the document has no such dataset";
+    const Dataset& row = table.at(row_of(name));
+    EXPECT_NE(row.written, springs ? "silva" : "topology") << "written for another motion";
+    EXPECT_EQ(found.type, row.type);
+    EXPECT_EQ(found.units, row.units);
+    EXPECT_NE(found.description, "");
+    ASSERT_EQ(found.shape.size(), row.shape.size());
+    for (std::size_t i = 0; i < row.shape.size(); ++i) {
+      const std::string& symbol = row.shape[i];
+      if (symbol == "side" || symbol == "bytes") continue;
+      EXPECT_EQ(found.shape[i], symbols.contains(symbol) ? fmt::format("{}", symbols.at(symbol)) : symbol)
+          << symbol;
+    }
+  }
+  for (const auto& [name, row] : table) {
+    const bool expected = row.written == "always" || row.written == (springs ? "topology" : "silva");
+    const bool there = std::any_of(file.begin(), file.end(), [&, &wanted = name](const auto& one) {
+      return row_of(one.first) == wanted;
+    });
+    EXPECT_EQ(there, expected) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Dumps,
+                         testing::Values(std::pair("silva", "shared"), std::pair("silva", "separate"),
+                                         std::pair("sticks", "shared"),
+                                         std::pair("separable-prisms", "shared")),
+                         [](const auto& given) {
+                           std::string text = std::string(given.param.first) + "_" + given.param.second;
+                           std::replace(text.begin(), text.end(), '-', '_');
+                           return text;
+                         });
+
+// Every dataset with a slash that the sections before the table name stands in the table.
+TEST(Document, NamesOnlyDatasetsOfItsTable) {
+  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  const std::string rules = text.substr(0, text.find("<!-- dump begins"));
+  static const std::regex name("`((?:mesh|tangent|curl|strand|weight|stick|droplet|layer|camera)/\\w+)`");
+  const Datasets table = documented();
+  std::size_t named = 0;
+  for (std::sregex_iterator m(rules.begin(), rules.end(), name), end; m != end; ++m, ++named)
+    EXPECT_TRUE(table.contains((*m)[1])) << (*m)[1];
+  EXPECT_GT(named, 20u);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,99 @@
+// Numbers by which a result is accepted stand in harness/compare/tolerances.hpp, with their reasons, and
+// nowhere else.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = PELAGE_SOURCE_DIR;
+
+bool starts_with(const std::string& text, const std::string& prefix) {
+  return text.rfind(prefix, 0) == 0;
+}
+
+/// Lines of a source at `path` (relative to the repository) that write a tolerance of their own.
+std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
+  if (path == "harness/compare/tolerances.hpp") return {};
+  // A Check's limit. 0 is a count: no texel may differ. So is what double(...) is compared with.
+  static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
+  static const std::regex constant(
+      R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");
+  static const std::regex compared(R"([<>]=?\s*[0-9.]+e-[1-6]\b)");
+  static const std::regex expected(
+      R"(EXPECT_L[TE]\(.*\b(rms|percentile_99|worst|p999)\b, *[0-9]|EXPECT_GE\(.*\bpsnr, *[0-9]|)"
+      R"(EXPECT_L[TE]\((largest_difference|error)\b.*[0-9]e-[0-9] \* double\(fur_length\))");
+  const bool harness = starts_with(path, "harness/"), tests = starts_with(path, "tests/");
+  bool accepts = false;  // whether the folder decides about results
+  for (const char* folder : {"compare", "commands", "subjects", "tuning", "springs/studies"})
+    accepts = accepts || starts_with(path, fmt::format("harness/{}/", folder));
+  std::vector<std::string> found;
+  int number = 0;
+  for (std::string line; std::getline(source, line);) {
+    ++number;
+    std::smatch match;
+    const bool check =
+        harness && std::regex_search(line, match, limit) && match[2] != "0" && !match[1].matched;
+    if (check || std::regex_search(line, constant) || (accepts && std::regex_search(line, compared)) ||
+        (tests && std::regex_search(line, expected)))
+      found.push_back(fmt::format("{}:{}: {}", path, number, line));
+  }
+  return found;
+}
+
+std::size_t count_in(const std::string& path, const std::string& text) {
+  std::istringstream stream(text);
+  return written_tolerances(path, stream).size();
+}
+
+}  // namespace
+
+TEST(Tolerances, StandInOnePlace) {
+  std::size_t files = 0;
+  for (const char* folder : {"harness", "tests", "bench"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string path = entry.path().lexically_relative(root).generic_string();
+      const auto kind = entry.path().extension();
+      if ((kind != ".cpp" && kind != ".hpp") || starts_with(path, "tests/house/")) continue;
+      ++files;
+      std::ifstream stream(entry.path());
+      for (const std::string& line : written_tolerances(path, stream)) ADD_FAILURE() << line;
+    }
+  EXPECT_GT(files, 200u);
+}
+
+TEST(Tolerances, PlantedOnesAreFound) {
+  const std::pair<const char*, const char*> planted[] = {
+      {"harness/commands/check.cpp", "constexpr double most_tip_error = 1e-3, usual_tip_error = 1e-5;"},
+      {"harness/subjects/opengl.cpp", "constexpr double least_psnr = 55.0;  // dB"},
+      {"tests/shells/opengl/picture_test.cpp", "constexpr double least_psnr = 55.0;"},
+      {"harness/compare/masses.cpp", R"(  return {{against, "worst", found.worst, 1e-4, false}};)"},
+      {"harness/springs/studies/duel.cpp", R"(        {"reference", "residual", left, 1e-3, false},)"},
+      {"harness/compare/sticks.cpp",
+       R"({"masses", "rms error / L0", std::sqrt(square / double(error.size())), 1e-3, false},)"},
+      {"harness/compare/windows.cpp", R"(  {"reference", "psnr", all.psnr, 60.0, true},)"},
+      {"harness/commands/check.cpp", R"({"mappings", name, compare(a, b).worst, 1.0 / 255.0, false}};)"},
+      {"harness/tuning/contenders.cpp", "bad = bad || !(std::abs(a - b) <= 1e-5);"},
+      {"tests/portability/pictures_test.cpp", "EXPECT_GE(with_here.psnr, 60) << describe(with_here);"},
+      {"tests/portability/pictures_test.cpp", "EXPECT_LE(with_here.worst, 1.0 / 255) << x;"},
+      {"tests/springs/opencl/steps_test.cpp", "EXPECT_LT(error.rms, 1e-3) << name(solver);"},
+      {"tests/springs/opencl/steps_test.cpp",
+       "EXPECT_LT(largest_difference(a, offsets), 1e-4 * double(fur_length));"}};
+  for (const auto& [path, line] : planted) EXPECT_EQ(count_in(path, line), 1u) << path << ": " << line;
+  const std::pair<const char*, const char*> allowed[] = {
+      {"harness/compare/tolerances.hpp", "inline constexpr double picture_psnr = 60.0;"},
+      {"harness/compare/masks.cpp", R"({"reference", "texels wet in one only", other, 0, false},)"},
+      {"harness/compare/pictures.cpp", R"({against, "fur pixels", double(agreement.pixels), 1, true},)"},
+      {"harness/compare/masses.cpp", "{{against, \"worst\", found.worst, tolerance::stick_top, false}};"},
+      {"harness/prepare/camera.cpp", "if (glm::length(right) < 1e-6 * glm::length(up))"},
+      {"tests/support/fake.hpp", R"(row.check = {{"reference", "psnr", 71.5, 60, true}};)"},
+      {"tests/shells/reference/render_test.cpp", "EXPECT_GT(agreement.psnr, 35);"}};
+  for (const auto& [path, line] : allowed) EXPECT_EQ(count_in(path, line), 0u) << path << ": " << line;
+}

@@ -1,0 +1,56 @@
+// The map of surface points: texels under a triangle hold its point, the gutter holds the nearest one's.
+#include "harness/prepare/surface_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/mesh/mesh.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr int size = 32;
+
+/// The point (u, v, 0) at every (u, v) of [low, 1] x [0, 1].
+Mesh strip(float low, bool periodic) {
+  Mesh mesh;
+  mesh.uv = {{low, 0}, {1, 0}, {1, 1}, {low, 1}};
+  for (const glm::vec2& uv : mesh.uv) mesh.position.push_back({uv, 0});
+  mesh.triangle = {{0, 1, 2}, {0, 2, 3}};
+  mesh.weld = {0, 1, 2, 3};
+  mesh.welded = 4;
+  mesh.periodic_uv = periodic;
+  return mesh;
+}
+
+glm::vec2 centre(int x, int y) {
+  return {(float(x) + 0.5f) / size, (float(y) + 0.5f) / size};
+}
+
+TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
+  const auto map = surface_map(strip(0, false), size);
+  ASSERT_EQ(map.size(), std::size_t(size * size));
+  for (int y = 0; y < size; ++y)
+    for (int x = 0; x < size; ++x) {
+      const glm::vec3 point = map[std::size_t(y * size + x)];
+      EXPECT_NEAR(point.x, centre(x, y).x, 1e-6f);
+      EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f);
+    }
+}
+
+// Columns 0 to 7 are uncovered: without wrapping the nearest covered column is 8; with it columns 0 to 3 are
+// nearer to column 31.
+TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
+  for (const bool periodic : {false, true}) {
+    const auto map = surface_map(strip(0.25f, periodic), size);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < 8; ++x) {
+        const glm::vec3 point = map[std::size_t(y * size + x)];
+        EXPECT_NEAR(point.x, centre(periodic && x < 4 ? 31 : 8, y).x, 1e-6f)
+            << x << ' ' << y << ' ' << periodic;
+        EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f) << x << ' ' << y << ' ' << periodic;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,31 @@
+// The kernels' forms for processors without AVX-512 and for compilers without Clang's builtins, on a machine
+// that has both: build options of kernels/opencl.clh choose them.
+#include <gtest/gtest.h>
+
+#include "tests/shells/opencl/picture_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+struct Forms : testing::TestWithParam<const char*> {};
+
+TEST_P(Forms, LookLikeTheReference) {
+  const cl::Device device = pictures::device();
+  if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
+  for (const char* shading : {"curling", "wet"}) {
+    const auto input = pictures::small_frame(shading);
+    // A tuning becomes the kernels' build options.
+    Shells shells(device, input, {"tile", {{GetParam(), 1}}});
+    shells.advance(pictures::frames - 1);
+    shells.frame();
+    const Agreement agreement = compare(pictures::drawn_by_reference(*input), shells.read());
+    EXPECT_TRUE(within(agreement)) << shading << ": " << pictures::describe(agreement);
+    EXPECT_GT(agreement.pixels, 5000u);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SixteenLanes, Forms, testing::Values("NO_AVX512", "NO_BUILTINS"),
+                         [](const auto& given) { return std::string(given.param); });
+
+}  // namespace
+}  // namespace pelage

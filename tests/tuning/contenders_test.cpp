@@ -1,0 +1,65 @@
+// A contender that computes something else has a fault, whichever stage it is of.
+#include "harness/tuning/contenders.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/cl/program.hpp"
+#include "tests/support/fake.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::shared_ptr<const FrameInput> small() {
+  return std::make_shared<FrameInput>(
+      synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
+}
+
+/// The fault of a stage's contender after a run, with `text` of the kernels' `file` replaced; "" for none.
+std::string fault_of(const std::string& stage, const std::string& file = {}, const std::string& text = {},
+                     const std::string& replacement = {}) {
+  const fs::path original = cl::kernel_folder();
+  const test::Folder folder;
+  fs::copy(original, folder.path / "kernels", fs::copy_options::recursive);
+  if (!file.empty()) {
+    std::string source = test::text_of(folder.path / "kernels" / file);
+    const auto at = source.find(text);
+    EXPECT_NE(at, std::string::npos) << file << ": " << text;
+    if (at != std::string::npos) source.replace(at, text.size(), replacement);
+    test::write_text(folder.path / "kernels" / file, source);
+  }
+  cl::set_kernel_folder(folder.path / "kernels");
+  std::string fault;
+  try {
+    const auto contender = tuning_scene(stage, "torus", cl::choose_device(""), small()).make({});
+    contender->run_ms();
+    fault = contender->fault();
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what();
+  }
+  cl::set_kernel_folder(original);
+  return fault;
+}
+
+TEST(Contenders, HaveNoFaultAsTheyAre) {
+  EXPECT_EQ(fault_of("simulate"), "");
+  EXPECT_EQ(fault_of("wet"), "");
+}
+
+// The first 16 of some 1500 strands, more than 1e-5 of a strand's length off.
+TEST(Contenders, MayMoveNoStrandElsewhere) {
+  EXPECT_NE(fault_of("simulate", "simulate/simulate.cl", "  store_column3(a.tip, state, TIP_X",
+                     "  if (block * LANES < 16) a.tip.x += 1e-3f;\n"
+                     "  store_column3(a.tip, state, TIP_X"),
+            "");
+}
+
+TEST(Contenders, MayWetNoTexelMore) {
+  EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.wetness;", "= 0.5f * m.wetness;"), "");
+  EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.radius;", "= 0.5f * m.radius;"), "");
+}
+
+}  // namespace
+}  // namespace pelage
