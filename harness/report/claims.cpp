@@ -219,9 +219,8 @@ std::string text_of(const std::vector<Claim>& claims) {
 std::string html_of(const std::vector<Claim>& claims) {
   if (claims.empty()) return {};
   std::string html =
-      "<h2>What the paper says of Figures 9 to 11</h2>\n<p class=\"soft\">Each sentence read as a number "
-      "that "
-      "is asked of every cell it speaks of; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
+      "<h2>The paper's statements on Figures 9 to 11</h2>\n<p class=\"soft\">Each statement is tested by a "
+      "number in every cell that it covers; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
   for (const Claim& c : claims)
     html += fmt::format("<li><b>{}</b>: &ldquo;{}&rdquo; ({})<br><span class=\"soft\">{}: {}</span></li>\n",
                         to_text(c.held), c.sentence, c.source, c.reading, c.found);
