@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# From a bare Debian 12 to a built, tested, measured pelage. Twice in a row is as good as once.
+# Installs the packages that pelage needs on Debian 12, builds pelage, tests it and times Table 1. A second run installs nothing
+# and rebuilds only changed files.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build/release
@@ -7,12 +8,12 @@ binary=$build/pelage
 
 usage() {
   cat <<'TEXT'
-Usage: ./bootstrap.sh table1 [options of pelage run]   set up, build, time Table 1, print it beside the paper's
+Usage: ./bootstrap.sh table1 [options of pelage run]   set up, build, time Table 1, print it beside the paper's figures
        ./bootstrap.sh test [options of ctest]          set up, build, run the whole test suite
        ./bootstrap.sh build                            set up and build build/release/pelage
-       ./bootstrap.sh setup [FILE...]                  install what packages.txt (and each FILE) lists, no more
-  --no-install before the command: never touch the system, list what is missing instead.
-  PELAGE_JOBS=N: compile N files at once (default: by cores and memory).
+       ./bootstrap.sh setup [FILE...]                  install the packages of packages.txt (and of each FILE) only
+  --no-install before the command: do not change the system; list the missing packages instead.
+  PELAGE_JOBS=N: compile N files at once (default: from cores and memory).
 TEXT
 }
 
@@ -28,48 +29,48 @@ missing() {
   done
 }
 
-# apt as root, with nothing to answer; another apt at work is waited for.
+# Runs apt as root without questions. It waits up to 600 s for another apt process.
 as_root() { if ((EUID == 0)); then "$@"; else sudo "$@"; fi; }
 run_apt() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 "$@" >>"$log" 2>&1 ||
-    { tail -n 20 "$log" >&2; fail "apt-get $1 failed; all it said is in $log"; }
+    { tail -n 20 "$log" >&2; fail "apt-get $1 failed; its complete output is in $log"; }
 }
 
 set_up() {
   local install=$1; shift
   if ! command -v dpkg-query >/dev/null; then
-    [[ $install == no ]] && return  # CMake will say what it does not find
-    fail "this is not Debian: install what packages.txt lists in your own way, then ./bootstrap.sh --no-install ..."
+    [[ $install == no ]] && return  # CMake reports what it does not find
+    fail "this system is not Debian: install the equivalents of packages.txt, then run ./bootstrap.sh --no-install ..."
   fi
   local wanted
   mapfile -t wanted < <(missing "$root/packages.txt" "$@")
   if ((${#wanted[@]} == 0)); then
-    say "every package is installed"
+    say "all packages are installed"
   elif [[ $install == no ]]; then
     say "missing: ${wanted[*]}"
     fail "install them: apt-get install --no-install-recommends ${wanted[*]}"
   else
     ((EUID == 0)) || command -v sudo >/dev/null ||
-      fail "not root, and no sudo; have root run: apt-get install --no-install-recommends ${wanted[*]}"
+      fail "this needs root or sudo; run as root: apt-get install --no-install-recommends ${wanted[*]}"
     mkdir -p "$root/build"
     log=$root/build/install.log
     : >"$log"
-    say "installing ${#wanted[@]} packages and what they need (minutes; log: build/install.log):"
+    say "installing ${#wanted[@]} packages and their dependencies (takes minutes; log: build/install.log):"
     say "  ${wanted[*]}"
     run_apt update
     run_apt install --no-install-recommends "${wanted[@]}"
     say "installed"
   fi
-  # Slim container images drop /usr/share/doc, where Debian ships CGAL's meshes.
+  # Slim container images omit /usr/share/doc, the folder of CGAL's meshes in Debian.
   if [[ $install == yes && ! -e /usr/share/doc/libcgal-dev/data.tar.gz ]]; then
     mkdir -p "$root/build"
     log=$root/build/install.log
-    say "fetching CGAL's meshes again: this system leaves out /usr/share/doc"
+    say "reinstalling CGAL's meshes, because this system omits /usr/share/doc"
     run_apt install --reinstall -o DPkg::Options::=--path-include='/usr/share/doc/libcgal-dev/*' libcgal-demo
   fi
 }
 
-# One compiler per core, as far as each has 2 GB: CGAL's headers need them.
+# Prints the number of compilers to run at once: one per core, and at most one per 2 GB of memory, which CGAL's headers need.
 compilers() {
   local memory=$(($(awk '/^MemAvailable/ { print $2 }' /proc/meminfo) / 1024)) limit
   limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
@@ -81,14 +82,14 @@ compilers() {
 }
 
 build() {
-  # A build folder that was moved or copied names files of its old place.
+  # A moved or copied build folder contains paths of its old location.
   if [[ -e $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-    say "build/release belongs to another checkout: building anew"
+    say "build/release belongs to another checkout: rebuilding from scratch"
     rm -rf "$build"
   fi
   [[ -e $build/build.ninja ]] || { say "configuring"; (cd "$root" && cmake --preset release >&2); }
   local n=${PELAGE_JOBS:-$(compilers)}
-  say "building $* with $n at once"
+  say "building $* with $n compilers at once"
   cmake --build "$build" --parallel "$n" --target "$@" >&2
   say "built: $binary"
 }
@@ -118,9 +119,9 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # 1: some case failed its check or its device; the report says which. Anything else leaves nothing to report.
+  # Status 1: a case failed its check or its device, and the report names it. Other errors leave no results to report.
   if ((status == 130 || status == 143)); then
-    say "interrupted; to go on: ./bootstrap.sh table1 --resume $folder"
+    say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi
   ((status <= 1)) || exit "$status"
   "$binary" report "$folder" -o "$folder/report"
@@ -139,9 +140,9 @@ case $command in
   test)
     set_up "$install"
     build all
-    say "testing"
+    say "running the tests"
     ctest --test-dir "$build" --output-on-failure --parallel 2 "$@"
-    say "tested"
+    say "the test suite succeeded"
     ;;
   help | -h | --help) usage ;;
   *) usage >&2; exit 2 ;;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws the seven looks of examples/ at 800 x 600 with 64 layers and with 16 and four sub-steps, and puts them together
-# as docs/look/contact_sheet.jpg: straight, wavy, large and small curls, 64 layers above 16; then dry, wet and grass.
+# Draws seven scenes of examples/ at 800 x 600, with 64 layers and with 16 layers and four sub-steps, and combines the pictures
+# to docs/look/contact_sheet.jpg: straight, wavy, large and small curls, 64 layers above 16; then dry, wet and grass.
 # Usage: scripts/contact_sheet.sh [options of pelage render]; $PELAGE names another binary.
 set -eu
 cd "$(dirname "$0")/.."
@@ -12,8 +12,8 @@ looks="straight wavy large-curls small-curls dry wet grass"
 for layers in 64 16; do
   for look in $looks; do
     set_few=
-    # Few layers: each fragment looks into its layer four times, so that blades need less widening; a wide curl or a bent
-    # blade still moves too far from one layer to the next, so narrower and straighter ones stand in.
+    # With 16 layers each fragment samples its layer four times, so blades need less widening. A wide curl or a bent blade
+    # still moves too far from one layer to the next. Narrower curls and straighter blades therefore replace them.
     [ "$layers" = 16 ] && set_few="--set fur.substeps=4"
     [ "$layers $look" = "16 grass" ] && set_few="$set_few --set fur.sweep=0.25 --set fur.bend=12"
     [ "$layers $look" = "16 large-curls" ] && set_few="$set_few --set curl.radius=0.032 --set curl.turns=1.1"
@@ -23,7 +23,7 @@ for layers in 64 16; do
   done
 done
 
-# 500 pixels around each bunny; dry and wet get 600 and the meadow its whole width: 2000 in each band.
+# Each bunny is cut to a width of 500 pixels, dry and wet to 600 pixels, and the meadow keeps 800: each band is 2000 pixels wide.
 cut() { oiiotool "$pictures/$1.png" --cut "$2" -o "$pictures/$1-cut.png"; }
 place() { oiiotool "$pictures/$1-cut.png" "$pictures/sheet.png" --paste "$2" -o "$pictures/sheet.png"; }
 oiiotool --create 2000x2320 3 -d uint8 -o "$pictures/sheet.png"

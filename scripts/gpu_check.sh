@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# On a machine with a GPU: everything that pelage claims of a device, checked and timed there, gathered in one folder with
-# its provenance. Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]; DEVICE as --device takes it (default: the first
-# GPU), PRESET of the runs (default quick). Nothing is installed, and a device's settings are left alone. A step that fails
-# is told at the end, and the others run all the same. PELAGE: the binary.
+# Runs pelage's checks and timings on a machine with a GPU, and stores the results in one folder with their provenance.
+# Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]; DEVICE as --device takes it (default: the first GPU), PRESET of the
+# runs (default quick). The script installs nothing and does not change the settings of a device. If a step fails, the
+# others still run, and the last line names the failed step. PELAGE: the binary.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 if (($# < 1 || $# > 3)); then
-  sed -n 's/^# //p' "$0" | sed -n 2,5p >&2
+  sed -n 's/^# //p' "$0" | sed -n 2,4p >&2
   exit 2
 fi
 out=$1 device=${2:-} preset=${3:-quick}
@@ -21,7 +21,7 @@ on=()
 [[ -z $device ]] || on=(--device "$device")
 
 failed=()
-# What a step prints stays beside what it wrote.
+# Stores the output of a step beside the step's files.
 step() {
   local name=$1 from=$SECONDS
   shift
@@ -59,4 +59,4 @@ if ((${#failed[@]})); then
   echo "gpu_check: FAILED: ${failed[*]}"
   exit 1
 fi
-echo "gpu_check: all of it passed; results in $out"
+echo "gpu_check: all steps passed; results in $out"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and puts them together as
+# Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and combines them to
 # docs/look/banisch2006.jpg, 400 x 300 pixels each:
 #   2a structure, b colour, c self-shadow, d diffuse shading;
 #   6a linear, b bent, 7 after two seconds without and with the return force;
-#   8a elephant, b dog, c grass, 12 grass that parts;
+#   8a elephant, b dog, c grass, 12 parting of grass;
 #   13 grass waving, every fifth of a second.
-# And Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
+# It also draws Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
 # Usage: scripts/grass_sheet.sh [options of pelage render]; $PELAGE names another binary.
 set -eu
 cd "$(dirname "$0")/.."
@@ -20,7 +20,7 @@ draw() {
   "$pelage" render "examples/$scene.toml" --size 400x300 -o "$pictures/$picture.png" "$@"
 }
 
-# Without a lamp, self-shadow, colour: three steps back from the lit elephant.
+# The three steps before the lit elephant: without the lamp, without self-shadow too, without colour too.
 dark='shading.light=[{direction=[0.0,1.0,0.0],intensity=0.0}]'
 draw 01 elephant --set "$dark" --set shading.ambient=0.9 --set shading.occlusion=0 --set coat.pattern=plain --set 'coat.colour=[1.0,1.0,1.0]' \
   "$@"

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Records Table 1 as this machine runs it: the rows under results/, and what the README shows of them (docs/table1/ and
-# the lines between its markers). Usage: scripts/record.sh [options of pelage run]; replaces an earlier recording.
+# Times Table 1 on this machine and records it: the rows under results/, docs/table1/, and the lines between the markers of
+# README.md. Usage: scripts/record.sh [options of pelage run]. The script replaces an earlier recording.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-command -v oiiotool >/dev/null || { echo "record.sh: no oiiotool for the sheet of models: install openimageio-tools" >&2; exit 2; }
+command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }
 pelage=${PELAGE:-build/release/pelage}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -30,7 +30,7 @@ for model in $models; do
 done
 oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/table1/models.jpg
 
-# Covered fragments per second of every cell, from the same rows.
+# Computes the covered fragments per second of every cell from the same rows.
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
          $at["status"] == "ok" && $at["median_ms"] > 0 {
            rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6

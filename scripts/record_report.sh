@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Keeps what a machine found: rows under results/, and their report's tables, charts and claims in a folder of docs/.
-# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote; an earlier recording is replaced.
+# Records results of a machine: the rows under results/, and the tables, charts and claims of their report in a folder of docs/.
+# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote. It replaces an earlier recording.
 #
 # docs/topology, about 30 minutes on two cores, all with --preset quick:
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
@@ -10,8 +10,8 @@
 # docs/rivals, about 25 minutes:
 #   pelage run rivals --anonymous --preset quick -o RESULTS
 #   pelage run rivals --anonymous --preset tori -o TORI
-#   pelage run rival-options --anonymous --preset quick -o RESULTS      (ends with 1: some of the ways draw another picture)
-# docs/scaling, about 10 minutes, each of the presets quick, beyond and millions into a folder of its own:
+#   pelage run rival-options --anonymous --preset quick -o RESULTS      (ends with 1: some variants draw another picture)
+# docs/scaling, about 10 minutes, with a separate folder for each of the presets quick, beyond and millions:
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
 #   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail
@@ -30,7 +30,7 @@ for folder in "$@"; do
   done
 done
 for folder in "$@"; do
-  # The same experiment may have been run in parts: one file each.
+  # An experiment may have run in several parts. Each part becomes a separate file.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
     place=results/$(basename "$(dirname "$rows")")
     mkdir -p "$place"
@@ -43,6 +43,6 @@ rm -rf "$docs"
 mkdir -p "$docs"
 cp "$work"/report/plots/*.{svg,pdf} "$docs/"
 find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
-rm -f "$docs/all-phases.csv" # in the rows, and made anew by any report
+rm -f "$docs/all-phases.csv" # the rows contain it, and every report rebuilds it
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
 cp "$work/report.txt" "$docs/report.txt"

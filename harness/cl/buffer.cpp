@@ -32,10 +32,10 @@ void Queue::finish() const {
 }
 
 Memory::Memory(const Device& device, std::size_t bytes) : bytes_(bytes) {
-  // Drivers allocate lazily and fail later, inside a kernel: say what is wrong while the size is still known.
+  // Drivers allocate lazily and fail later, inside a kernel, where the size is not known: test the size here.
   if (bytes > device.info().max_allocation)
     throw DeviceError(
-        fmt::format("clCreateBuffer: {} MB asked for, but {} allocates at most {} MB at once: try a smaller "
+        fmt::format("clCreateBuffer: {} MB requested, but {} allocates at most {} MB at once: try a smaller "
                     "picture or mesh, fewer layers or another --device",
                     bytes >> 20, device.info().name, device.info().max_allocation >> 20));
   cl_int code = CL_SUCCESS;

@@ -9,7 +9,7 @@ namespace pelage::cl {
 /// The name of an OpenCL error code, as CL/cl.h writes it.
 std::string error_name(cl_int code);
 
-/// Throws DeviceError naming the call, the OpenCL error by name and what the user can do.
+/// Throws DeviceError if `code` is an error. The message names the call, the OpenCL error and the remedy.
 void check(cl_int code, std::string_view call);
 
 class Queue {
@@ -31,7 +31,7 @@ class Queue {
 class Memory {
  public:
   Memory() = default;
-  Memory(const Device& device, std::size_t bytes);  ///< at least one byte is allocated
+  Memory(const Device& device, std::size_t bytes);  ///< allocates at least one byte
   ~Memory();
   Memory(Memory&& other) noexcept;
   Memory& operator=(Memory&& other) noexcept;
@@ -45,7 +45,7 @@ class Memory {
   std::size_t bytes_ = 0;
 };
 
-/// `count` values of T on the device.
+/// Memory for `count` values of T on the device.
 template <class T>
 class Buffer {
  public:

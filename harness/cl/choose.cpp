@@ -50,8 +50,8 @@ std::optional<int> number(std::string_view text) {
   return std::stoi(std::string(text));
 }
 
-// "PLATFORM:INDEX", where PLATFORM is an index, part of the platform's name, or the loader's short name for
-// it.
+// "PLATFORM:INDEX", where PLATFORM is an index, part of the platform's name, or the loader's short name of
+// the platform.
 std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo>& all,
                                                     std::string_view wanted) {
   const auto colon = wanted.rfind(':');
@@ -66,7 +66,7 @@ std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo
   });
 }
 
-// The whole name of a device beats a part of one, and a part of one beats its platform's name.
+// A complete device name has precedence over a part of one, and a part of one over its platform's name.
 std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string_view wanted) {
   const Test tests[] = {[&](const DeviceInfo& info) { return lower(info.name) == lower(wanted); },
                         [&](const DeviceInfo& info) { return contains(info.name, wanted); },
@@ -83,7 +83,7 @@ std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, 
     throw NoDeviceError(
         "no OpenCL device found: install a driver (Debian: pocl-opencl-icd for the CPU, nvidia-opencl-icd "
         "for NVIDIA) "
-        "and see that clinfo lists it");
+        "and check that clinfo lists it");
   if (wanted.empty()) {
     if (auto gpus = matching(all, &DeviceInfo::gpu); !gpus.empty()) return gpus.front();
     if (auto cpus = matching(all, &DeviceInfo::cpu); !cpus.empty()) return cpus.front();
@@ -93,7 +93,7 @@ std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, 
   const std::vector<std::size_t> found = by_index ? *std::move(by_index) : by_name(all, wanted);
   if (found.size() == 1) return found.front();
   if (found.empty())
-    throw InputError(fmt::format("{} {}: no such device; there are: {}", origin, wanted,
+    throw InputError(fmt::format("{} {}: no such device; available: {}", origin, wanted,
                                  described(all, matching(all, [](const DeviceInfo&) { return true; }))));
   throw InputError(fmt::format("{} {}: names several devices, write PLATFORM:INDEX: {}", origin, wanted,
                                described(all, found)));

@@ -1,4 +1,4 @@
-// Which device a user means.
+// Selection of a device by the user's text.
 #pragma once
 #include <vector>
 
@@ -6,9 +6,9 @@
 
 namespace pelage::cl {
 
-/// The position in `all` of the device that `wanted` names, by the rules of choose_device; `origin`
-/// (--device, PELAGE_DEVICE) stands in the message when it names none or several. Empty: the first GPU, else
-/// the first CPU, else the first of all.
+/// Returns the index in `all` of the device that `wanted` names, by the rules of choose_device. If `wanted`
+/// is empty: the first GPU, else the first CPU, else the first device. Throws InputError if `wanted` names no
+/// device or several devices; the message begins with `origin` (--device, PELAGE_DEVICE).
 std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin);
 
 }  // namespace pelage::cl

@@ -20,12 +20,12 @@ struct DeviceInfo {
   std::size_t max_work_group = 0;
   std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
   bool fp64 = false;
-  int lanes = 1;  ///< 16 where float16 work-items pay (CPU devices of PoCL), else 1
+  int lanes = 1;  ///< 16 where float16 work-items are faster (CPU devices of PoCL), else 1
 
   std::string spec() const;  ///< "0:0", platform and device index, as --device takes it
 };
 
-/// A device with a context of its own. Copies share both.
+/// A device with its own context. Copies share both.
 class Device {
  public:
   const DeviceInfo& info() const;
@@ -43,20 +43,20 @@ class Device {
 struct PlatformInfo {
   std::string name, version;
   int index = 0;    ///< as in DeviceInfo::platform_index
-  int devices = 0;  ///< 0 for Mesa's Clover, and for rusticl where RUSTICL_ENABLE names no driver
+  int devices = 0;  ///< 0 for Mesa's Clover, and for rusticl if RUSTICL_ENABLE names no driver
 };
 
-/// Every platform that the loader knows, in its order; none when it finds no driver.
+/// Returns every platform that the loader knows, in its order; none if it finds no driver.
 std::vector<PlatformInfo> platforms();
 
-/// Every device of every platform, platforms in the loader's order. A platform without devices is passed
-/// over.
+/// Returns every device of every platform, platforms in the loader's order. Skips platforms without
+/// devices.
 std::vector<Device> devices();
 
-/// The device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or part of a
-/// device's name, or of its platform's where no device's name has it; empty: $PELAGE_DEVICE, else the first
-/// GPU, else the first CPU. Throws InputError when nothing or several match (naming the candidates),
-/// NoDeviceError when there is no device at all.
+/// Returns the device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or
+/// part of a device's name, or part of its platform's name if no device's name matches. If `wanted` is empty:
+/// $PELAGE_DEVICE, else the first GPU, else the first CPU. Throws InputError with the candidates if nothing
+/// or several match, NoDeviceError if there is no device at all.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -104,7 +104,7 @@ void announce_drivers() {
     for (fs::directory_iterator entry(vendors, failed), end; !failed && entry != end; entry.increment(failed))
       fs::copy_file(entry->path(), folder / entry->path().filename(), failed);
     std::ofstream(folder / "nvidia.icd") << fs::absolute(*library).string() << '\n';
-    // The loader reads the folder at its first call, and never again; child processes look for themselves.
+    // The loader reads the folder at its first call only. Child processes run this search themselves.
     const std::string before = text_of("OPENCL_VENDOR_PATH");
     ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
     cl_uint count = 0;

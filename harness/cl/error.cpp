@@ -1,4 +1,4 @@
-// OpenCL's error codes by name, and what the person at the keyboard can do about each.
+// OpenCL's error codes by name, and the remedy for each.
 #include "harness/error.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +16,8 @@ struct Named {
   const char* name;
 };
 
-// CL/cl.h of OpenCL 1.2, the loader's own code of cl_khr_icd, and NVIDIA's for a kernel that touched foreign
-// memory.
+// The codes of CL/cl.h of OpenCL 1.2, the loader's code of cl_khr_icd, and NVIDIA's code for a kernel that
+// accessed memory outside its buffers.
 constexpr Named names[] = {
     {-1, "CL_DEVICE_NOT_FOUND"},
     {-2, "CL_DEVICE_NOT_AVAILABLE"},
@@ -92,7 +92,7 @@ const char* advice(cl_int code) {
     case CL_DEVICE_NOT_FOUND:
     case CL_DEVICE_NOT_AVAILABLE:
     case -1001:
-      return "the device is gone or taken: see what `pelage devices` lists";
+      return "the device is not available: see the list of `pelage devices`";
     case CL_COMPILER_NOT_AVAILABLE:
     case CL_LINKER_NOT_AVAILABLE:
       return "this driver cannot compile kernels: choose another --device";
@@ -104,7 +104,8 @@ const char* advice(cl_int code) {
     case CL_INVALID_CONTEXT:
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:
     case -9999:
-      return "an earlier kernel failed or the driver was reset: run again, and report it if it comes back";
+      return "an earlier kernel failed or the driver was reset: run again, and report the error if it occurs "
+             "again";
     default:
       return "a fault of pelage or of the driver: please report it with the output of `pelage devices`";
   }

@@ -1,4 +1,4 @@
-// Where the kernel sources are.
+// The search for the folder of kernel sources.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace pelage::cl {
 namespace fs = std::filesystem;
 namespace {
 
-// --kernels names one folder for the whole process, as $PELAGE_DATA does.
+// --kernels and $PELAGE_DATA each name one folder for the whole process.
 fs::path& chosen() {
   static fs::path folder;
   return folder;

@@ -35,8 +35,8 @@ std::string build_log(cl_program program, cl_device_id device) {
   return log;
 }
 
-// Build options are split at spaces and PoCL knows no quotes: a folder with a space in its name is reached
-// through a link, which lives as long as the build.
+// Drivers split build options at spaces, and PoCL does not parse quotes. A folder with a space in its name is
+// therefore passed as a symbolic link, which exists until the build ends.
 class IncludePath {
  public:
   explicit IncludePath(const fs::path& folder) : path_(folder) {
@@ -100,7 +100,7 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   const std::size_t length = source.size();
   std::string all =
       fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
-  // NVIDIA's cache of binaries does not look into included files: their hash tells it that they changed.
+  // NVIDIA's binary cache does not check included files; their hash in the options makes it notice a change.
   if (device.info().platform.find("NVIDIA") != std::string::npos)
     all += " -D PELAGE_KERNELS=0x" + hash_of(sources_);
 

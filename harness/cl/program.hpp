@@ -14,24 +14,26 @@
 
 namespace pelage::cl {
 
-/// The folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else beside the
-/// binary's source tree, else the installed share folder. Throws InputError when none exists.
+/// Returns the folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else the
+/// folder of the binary's source tree, else the installed share folder. Throws InputError if none exists.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
 /// Kernel files by their path in the kernel folder, each with the hash of its contents.
 using Sources = std::map<std::string, std::uint64_t>;
 
-/// `file` and every file that it includes, directly or not. Throws InputError for a file that is not there.
+/// Returns `file` and every file that it includes, directly or indirectly. Throws InputError for a missing
+/// file.
 Sources sources_of(const std::filesystem::path& file);
 
-/// 16 hex digits (FNV-1a) over the paths and contents of the files; equal files give equal digits, in
-/// whatever order programs were built.
+/// Returns 16 hex digits (FNV-1a) over the paths and contents of the files. Equal files give equal digits;
+/// the order in which programs were built has no influence.
 std::string hash_of(const Sources& sources);
 
 class Program {
  public:
-  /// Builds kernels/<file> with -I kernels and `options`; DeviceError carries the build log and the options.
+  /// Builds kernels/<file> with -I kernels and `options`. Throws DeviceError with the build log and the
+  /// options.
   Program(const Device& device, const std::filesystem::path& file, const std::string& options = {});
   ~Program();
   Program(Program&& other) noexcept;
@@ -48,7 +50,7 @@ class Program {
   double build_ms_ = 0;
 };
 
-/// The same over the sources of all these programs together.
+/// The same over the sources of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
 
 class Event {
@@ -59,12 +61,12 @@ class Event {
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
-  /// End minus start in ms, once finished; empty when the device's timer is not real (resolution 0, or end <=
-  /// start).
+  /// End minus start in ms, after the command has finished; empty if the device's timer is not real
+  /// (resolution 0, or end <= start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
-  const std::string& kernel() const { return kernel_; }  ///< whose launch it was
-  std::size_t bytes() const { return bytes_; }  ///< of all the buffers it was given, each counted once
+  const std::string& kernel() const { return kernel_; }  ///< the kernel of this launch
+  std::size_t bytes() const { return bytes_; }           ///< of all buffers of the launch, each counted once
 
  private:
   cl_event event_ = nullptr;

@@ -9,7 +9,7 @@
 namespace pelage::cl {
 namespace {
 
-// The kernels are built with these (kernels/common/prefix_sum.clh, radix_sort.cl).
+// Build constants of the kernels (kernels/common/prefix_sum.clh, radix_sort.cl).
 constexpr std::size_t scan_items = 64, scan_block = scan_items * 16;
 constexpr std::size_t sort_items = 64, sort_run = 32;
 constexpr int sort_bits = 4;
@@ -39,7 +39,7 @@ RadixSort::RadixSort(const Device& device)
 
 std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
                              std::vector<Event>* events, bool read_sum) {
-  // Sums of blocks, then of blocks of blocks, until one block is left; then back.
+  // Sums of blocks, then of blocks of blocks, until one block is left; then the offsets are added downwards.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

@@ -46,11 +46,11 @@ TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batc
     if (s.queued > s.submitted || s.submitted > s.started)
       return fake("a command starts before it is queued");
     if (i > 0 && s.started < batch[i - 1].ended)
-      return fake("a command of an in-order queue overlaps the one before");
+      return fake("a command of an in-order queue overlaps the command before it");
   }
   if (result.event_ms < 0.5 * wall_ms || result.event_ms > 1.02 * wall_ms)
-    return fake(fmt::format("events add up to {:.3g} ms where the wall clock saw {:.3g} ms", result.event_ms,
-                            wall_ms));
+    return fake(fmt::format("the event times sum to {:.3g} ms, the wall clock measured {:.3g} ms",
+                            result.event_ms, wall_ms));
   result.real = true;
   return result;
 }
@@ -61,8 +61,8 @@ TimerCheck check_timer(const Queue& queue) {
   constexpr std::size_t items = 1 << 14;
   const Buffer<float> out(queue.device(), items);
 
-  // Rounds are doubled until one launch takes 20 ms: short enough to wait for, long enough to drown a
-  // launch's own cost.
+  // The number of rounds is doubled until one launch takes 20 ms. This is short enough to wait for, and long
+  // enough that the cost of the launch is negligible.
   const auto run = [&](int rounds) {
     const auto start = std::chrono::steady_clock::now();
     load.with(rounds, 0.5f, out).enqueue(queue, items);

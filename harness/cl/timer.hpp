@@ -1,4 +1,4 @@
-// Is a device's event timer real? Some drivers count calls instead of time.
+// Test whether a device's event timer is real: some drivers count calls instead of time.
 #pragma once
 #include <span>
 #include <string>
@@ -13,19 +13,19 @@ struct Stamps {
 };
 
 struct TimerCheck {
-  bool real = false;    ///< event times may be published
-  std::string reason;   ///< why not, in one line; empty when real
+  bool real = false;    ///< true: event times may be published
+  std::string reason;   ///< why the timer is not real, in one line; empty if real
   double event_ms = 0;  ///< sum of the batch's event times
-  double wall_ms = 0;   ///< wall time from the first enqueue to the finish
+  double wall_ms = 0;   ///< wall time from the first enqueue to the end of clFinish
 };
 
-/// Judges a batch of commands of an in-order queue that kept the device busy for `wall_ms`: resolution above
-/// 0, stamps in order within and between commands, and a sum between half the wall time and all of it (2% for
-/// the clocks' drift).
+/// Tests a batch of commands of an in-order queue that kept the device busy for `wall_ms`. A real timer has a
+/// resolution above 0, stamps in order within and between commands, and a sum of event times between half the
+/// wall time and the whole wall time (plus 2% for the clocks' drift).
 TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batch, double wall_ms);
 
-/// Runs such a batch, about 0.2 s of it, on the queue's device and judges it. A machine busy with other work
-/// may starve the batch, so up to three are tried; a fake timer fails them all.
+/// Runs such a batch of about 0.2 s on the queue's device and tests it. Other work on the machine may delay
+/// the batch, so the function tries up to three batches; a fake timer fails all of them.
 TimerCheck check_timer(const Queue& queue);
 
 }  // namespace pelage::cl

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}: {}: {}", file.string(), what, std::strerror(code)));
 }
 
-/// A folder's entries are only as durable as the folder's own sync.
+/// Entries of a folder are durable only after the folder itself is synced.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) fail(folder, "cannot open the folder", errno);
@@ -31,21 +31,21 @@ void sync_folder(const fs::path& folder) {
   if (code != 0 && code != EINVAL) fail(folder, "cannot sync the folder", code);
 }
 
-/// Makes `folder` and what is missing above it, each new entry synced into its parent.
+/// Creates `folder` and its missing parents; syncs the parent of each new entry.
 void make_folder(const fs::path& folder) {
   if (folder.empty() || fs::is_directory(folder)) return;
   const fs::path parent = folder.parent_path();
   make_folder(parent);
   std::error_code error;
   fs::create_directory(folder, error);
-  if (error) fail(folder, "cannot make the folder", error.value());
+  if (error) fail(folder, "cannot create the folder", error.value());
   sync_folder(parent.empty() ? fs::path(".") : parent);
 }
 
 struct Contents {
   std::vector<Row> rows;
   std::set<std::string> keys;
-  std::size_t good = 0;  ///< bytes up to and with the last line feed
+  std::size_t good = 0;  ///< bytes up to and including the last line feed
   std::size_t torn = 0;  ///< bytes after it
 };
 
@@ -93,16 +93,16 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK)
         throw InputError(fmt::format(
-            "{}: another pelage is writing it: wait for it, or give -o another folder", file.string()));
+            "{}: another pelage process is writing it: wait, or use another folder with -o", file.string()));
       fail(file, "cannot be locked", errno);
     }
     if (!existed) sync_folder(file.parent_path().empty() ? fs::path(".") : file.parent_path());
     Contents contents = parse(file, read_text(file));
     if (contents.torn > 0) {
       if (mode == Mode::fresh)
-        throw InputError(fmt::format("{}: its last row was cut off: go on with --resume", file.string()));
+        throw InputError(fmt::format("{}: its last row is truncated: continue with --resume", file.string()));
       if (::ftruncate(descriptor_, off_t(contents.good)) != 0 || ::fdatasync(descriptor_) != 0)
-        fail(file, "cannot drop the row that was cut off", errno);
+        fail(file, "cannot drop the truncated row", errno);
     }
     rows_ = std::move(contents.rows);
     keys_ = std::move(contents.keys);
@@ -130,14 +130,15 @@ Journal::Journal(Journal&& other) noexcept
 
 void Journal::append(const Row& row) {
   if (broken_)
-    throw InputError(fmt::format("{}: a write failed before: nothing more is written", file_.string()));
+    throw InputError(
+        fmt::format("{}: an earlier write failed: pelage writes no further rows", file_.string()));
   const std::string key = row_key(row);
   if (keys_.contains(key)) throw InputError(fmt::format("{}: already holds {}", file_.string(), key));
   const std::string line = to_line(row) + "\n";
   write_all(line);
   if (calls_.fdatasync(descriptor_) != 0) {
-    // After a failed sync the kernel may have dropped the pages: nothing can be known, so nothing is tried
-    // again.
+    // After a failed sync the kernel may have dropped the pages. The state of the file is unknown, so the
+    // journal does not retry.
     broken_ = true;
     fail(file_, "cannot be synced to the disk", errno);
   }

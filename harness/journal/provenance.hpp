@@ -1,4 +1,4 @@
-// Where a row comes from: program, machine, device, time.
+// Provenance of a row: program, machine, device, time.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,21 +8,22 @@
 
 namespace pelage {
 
-std::string utc_stamp();  ///< "20261121T001502Z", fit for a file name
+std::string utc_stamp();  ///< "20261121T001502Z", usable in a file name
 std::string utc_now();    ///< "2026-11-21T00:15:02Z"
-double load_average();    ///< over the last minute
+double load_average();    ///< average over the last minute
 std::string host_name();  ///< up to the first dot
-std::string cpu_model();  ///< /proc/cpuinfo's model name; "" where it cannot be read
-std::string governor();   ///< of the first CPU's frequency; "" where it cannot be read
+std::string cpu_model();  ///< /proc/cpuinfo's model name; "" if it cannot be read
+std::string governor();   ///< frequency governor of the first CPU; "" if it cannot be read
 
-/// A name fit for a file: letters, digits, '.', '_' and '-', the rest '_'.
+/// Returns a name that is usable in a file name: keeps letters, digits, '.', '_' and '-', replaces others by
+/// '_'.
 std::string file_name_of(const std::string& text);
 
-/// The host's part, without the device. `anonymous` leaves out the host's name and reduces paths in argv to
-/// names.
+/// Returns the host's part, without the device. `anonymous` omits the host's name and reduces paths in argv
+/// to file names.
 nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous);
 
-/// Platform, driver, device and its timer.
+/// Returns platform, driver, device and its timer.
 nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info);
 
 }  // namespace pelage

@@ -18,7 +18,7 @@ std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
     if (fs::is_directory(place)) {
       for (const auto& entry : fs::recursive_directory_iterator(place))
         if (entry.is_regular_file() && entry.path().extension() == ".jsonl") journals.push_back(entry.path());
-      if (journals.empty()) throw InputError(fmt::format("{}: holds no results (*.jsonl)", place));
+      if (journals.empty()) throw InputError(fmt::format("{}: contains no results (*.jsonl)", place));
     } else if (fs::is_regular_file(place)) {
       journals.emplace_back(place);
     } else {
@@ -37,8 +37,8 @@ void refuse_recordings(const fs::path& folder) {
   const auto [end, unused] =
       std::mismatch(recordings.begin(), recordings.end(), wanted.begin(), wanted.end());
   if (end == recordings.end())
-    throw InputError(
-        fmt::format("{}: holds recordings, which no run may touch: give -o another folder", folder.string()));
+    throw InputError(fmt::format(
+        "{}: contains recordings, which a run must not change: use another folder with -o", folder.string()));
 }
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Folders of results: which there are, and all rows that they hold.
+// Folders of results and their rows.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,17 +8,17 @@
 
 namespace pelage {
 
-/// A row and the journal that holds it.
+/// A row and the journal that contains it.
 struct FoundRow {
   Row row;
   std::filesystem::path journal;
 };
 
-/// Every row of journals (*.jsonl) and of folders that hold some at any depth, in the order of their paths.
-/// Throws InputError: a place that does not exist, that holds no journal, a damaged journal.
+/// Returns every row of the journals (*.jsonl) and of the folders with journals at any depth, in the order of
+/// their paths. Throws InputError for a missing path, a folder without a journal, or a damaged journal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
-/// The repository's results/ holds recordings: nothing is run into it. Throws InputError.
+/// Throws InputError for the repository's results/, which contains recordings and must not receive a run.
 void refuse_recordings(const std::filesystem::path& folder);
 
 }  // namespace pelage

@@ -28,7 +28,7 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:08x}", crc32_z(0, bytes, text.size()));
 }
 
-/// Numbers stay numbers in JSON ("16" -> 16), so that a reader need not convert them.
+/// Texts of numbers become JSON numbers ("16" -> 16), so that readers need not convert them.
 Json typed(const std::string& text) {
   double number = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -53,7 +53,7 @@ std::map<std::string, std::string> strings(const Json& values) {
   return result;
 }
 
-/// JSON has no infinity or NaN; a PSNR of two equal pictures is infinite.
+/// JSON has no infinity and no NaN, but the PSNR of two equal pictures is infinite.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
 }
@@ -166,7 +166,8 @@ std::string to_line(const Row& row) {
                   {"tuning", Json(row.tuning)},
                   {"image_hash", row.image_hash},
                   {"provenance", row.provenance}};
-  // Driver strings and logs need not be UTF-8: replace what is not, rather than lose the row.
+  // Driver strings and logs may contain bytes that are not UTF-8. They are replaced, so that the row is not
+  // lost.
   std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   body.pop_back();
   return fmt::format("{}{}{}\"}}", body, kCrcMark, checksum(body));

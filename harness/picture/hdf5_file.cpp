@@ -22,7 +22,7 @@ constexpr unsigned deflate_level = 1;
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
-    if (id < 0) throw InputError(what + ": HDF5 refuses to write it");
+    if (id < 0) throw InputError(what + ": HDF5 cannot write it");
   }
   ~Handle() { close_(id_); }
   Handle(const Handle&) = delete;
@@ -36,20 +36,21 @@ class Handle {
 
 void write_text(hid_t object, const std::string& name, const std::string& text) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, name);
-  // HDF5 has no strings of length 0.
+  // HDF5 does not support strings of length 0.
   H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
   H5Tset_cset(type, H5T_CSET_UTF8);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, name);
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                          name);
   const std::string padded = text.empty() ? std::string(1, '\0') : text;
-  if (H5Awrite(attribute, type, padded.data()) < 0) throw InputError(name + ": HDF5 refuses to write it");
+  if (H5Awrite(attribute, type, padded.data()) < 0) throw InputError(name + ": HDF5 cannot write it");
 }
 
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our errors are exceptions, not its stack on stderr
+  // pelage reports errors as exceptions, not as HDF5's error stack on stderr.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) throw InputError(name_ + ": cannot be written");
 }
@@ -90,7 +91,7 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
                          const std::string& description) {
   const std::string what = fmt::format("{}: dataset {}", name_, name);
   if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count) {
-    throw InputError(fmt::format("{}: its shape does not hold {} values", what, count));
+    throw InputError(fmt::format("{}: its shape does not match {} values", what, count));
   }
   std::vector<hsize_t> size(shape.begin(), shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, what);
@@ -99,7 +100,7 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
   if (count > 0) {
     std::vector<hsize_t> chunk = size;
-    // Whole trailing dimensions, as many as fit.
+    // A chunk contains complete trailing dimensions, as many as fit.
     hsize_t held = std::accumulate(chunk.begin(), chunk.end(), hsize_t{1}, std::multiplies<>());
     for (hsize_t& side : chunk) {
       const hsize_t rest = held / side;

@@ -1,4 +1,4 @@
-// An HDF5 file being written: named arrays with their units. Move-only; HDF5 itself stays behind this header.
+// A writer of HDF5 files: named arrays with their units. Move-only; no other header includes HDF5.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -10,15 +10,15 @@ namespace pelage {
 
 class Hdf5File {
  public:
-  /// Creates or replaces the file; errors call it `name`. Throws InputError when it cannot.
+  /// Creates or replaces the file. Error messages call it `name`. Throws InputError if it cannot be created.
   Hdf5File(const std::filesystem::path& path, std::string name);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
 
-  /// Writes `values` as the dataset `name` ("mesh/uv": groups are made as needed) of `shape`, whose product
-  /// is the count of values, compressed, with the string attributes "units" and "description". Throws
-  /// InputError.
+  /// Writes `values` as the compressed dataset `name` ("mesh/uv": creates groups as needed) of `shape`, with
+  /// the string attributes "units" and "description". Throws InputError if the product of `shape` is not the
+  /// number of values, or if the dataset cannot be written.
   void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const float> values,
              const std::string& units, const std::string& description);
   void write(const std::string& name, const std::vector<std::size_t>& shape,
@@ -26,10 +26,11 @@ class Hdf5File {
   void write(const std::string& name, const std::vector<std::size_t>& shape,
              std::span<const std::uint8_t> values, const std::string& units, const std::string& description);
 
-  /// A string attribute of the file.
+  /// Writes a string attribute of the file.
   void note(const std::string& name, const std::string& text);
 
-  /// Flushes and closes; throws InputError when the disk refuses. The destructor closes without a word.
+  /// Flushes and closes. Throws InputError if the file cannot be written. The destructor closes without
+  /// errors.
   void close();
 
  private:

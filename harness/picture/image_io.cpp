@@ -56,14 +56,14 @@ Picture read_picture(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(fmt::format("{}: there is no such file", path.string()));
   if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: not a file", path.string()));
-  // The format is chosen by the extension alone: OpenImageIO would otherwise try every reader it has.
+  // Only the extension selects the format; otherwise OpenImageIO would try all its readers.
   static constexpr std::pair<const char*, const char*> kinds[] = {{".png", "png"},   {".jpg", "jpeg"},
                                                                   {".jpeg", "jpeg"}, {".tif", "tiff"},
                                                                   {".tiff", "tiff"}, {".exr", "openexr"}};
   for (const auto& [ending, kind] : kinds)
     if (extension(path) == ending) return image_module().read(path, kind);
   throw InputError(
-      fmt::format("{}: not a picture that pelage reads; PNG, JPEG, TIFF and EXR are", path.string()));
+      fmt::format("{}: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR", path.string()));
 }
 
 }  // namespace pelage

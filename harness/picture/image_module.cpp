@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside pelage, above the tests of a build folder, or where it is installed. A run path would do, were it
-// not that AddressSanitizer's dlopen forgets whose it is.
+// Searches beside pelage, in the folder above the tests of a build folder, and in the installation folder. A
+// run path is not sufficient: under AddressSanitizer, dlopen does not use the run path of its caller.
 fs::path module_file() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* place : {".", "..", PELAGE_MODULE_FOLDER}) {
@@ -19,18 +19,18 @@ fs::path module_file() {
     if (fs::exists(file)) return file;
   }
   throw InputError(fmt::format(
-      "{} is missing, which reads pictures and writes EXR and TIFF: it belongs beside {} or in {}",
-      PELAGE_IMAGE_MODULE, folder.string(), (folder / PELAGE_MODULE_FOLDER).lexically_normal().string()));
+      "{} is missing; it reads pictures and writes EXR and TIFF: put it into {} or {}", PELAGE_IMAGE_MODULE,
+      folder.string(), (folder / PELAGE_MODULE_FOLDER).lexically_normal().string()));
 }
 
 }  // namespace
 
 const ImageModule& image_module() {
-  // Never closed: OpenImageIO keeps threads of its own.
+  // The module is never closed, because OpenImageIO keeps its own threads.
   static const auto* const module = [] {
     void* const library = ::dlopen(module_file().c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = library ? ::dlsym(library, "pelage_image_module") : nullptr;
-    if (!symbol) throw InputError(fmt::format("the module of image files cannot be loaded: {}", ::dlerror()));
+    if (!symbol) throw InputError(fmt::format("the image module cannot be loaded: {}", ::dlerror()));
     return static_cast<const ImageModule*>(symbol);
   }();
   return *module;

@@ -1,4 +1,4 @@
-// What the module of image files (harness/picture/module) offers to the rest of pelage.
+// Interface of the image module (harness/picture/module).
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace pelage {
 
-/// Both throw InputError, which calls the file `name`.
+/// Both functions throw InputError; its message calls the file `name`.
 struct ImageModule {
-  /// Reads a file that exists; `kind` is the format's usual extension without its dot.
+  /// Reads an existing file; `kind` is the format's usual extension without the dot.
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
-  /// Writes 32-bit float RGBA in the format that the file's extension names.
+  /// Writes 32-bit float RGBA in the format of the file's extension.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);
 };
 
-/// The module, loaded at the first call. Throws InputError when it is missing or cannot be loaded.
+/// Returns the module; the first call loads it. Throws InputError if it is missing or cannot be loaded.
 const ImageModule& image_module();
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// A picture in memory.
+// Pictures in memory.
 #pragma once
 #include <cstddef>
 #include <glm/vec4.hpp>
@@ -6,13 +6,13 @@
 
 namespace pelage {
 
-/// A rectangle of pixels; (x, y) is its top left one.
+/// A rectangle of pixels; (x, y) is its top left pixel.
 struct Window {
   int x, y, width, height;
 };
 
-/// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on pure background, 1 on the base
-/// surface and in between the fur's coverage; colour already includes the background. Values are not clamped.
+/// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on background, 1 on the base surface,
+/// and the coverage of the fur elsewhere. The colour already includes the background. Values are not clamped.
 struct Picture {
   int width = 0;
   int height = 0;

@@ -1,4 +1,4 @@
-// PNG files, written by libpng itself: a render needs no other format.
+// Writes PNG files with libpng, so that a render does not load OpenImageIO.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace pelage {
 
-/// 8-bit RGB, marked as sRGB. Throws InputError, which calls the file `name`, when it cannot be written.
+/// Writes 8-bit RGB, marked as sRGB. Throws InputError if the file cannot be written; the message calls it
+/// `name`.
 void write_png(const std::filesystem::path& file, const std::string& name, const Picture& picture);
 
 }  // namespace pelage

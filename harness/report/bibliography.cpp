@@ -1,4 +1,4 @@
-// references.bib: what to cite with these figures.
+// references.bib: the works to cite with these figures.
 #include <fmt/format.h>
 
 #include <map>
@@ -45,7 +45,7 @@ const std::map<std::string, std::string>& papers() {
   return entries;
 }
 
-/// The shipped experiment of that name.
+/// Returns the shipped experiment of that name.
 std::optional<Experiment> shipped(const std::string& name) {
   for (const auto& file : experiment_files())
     if (file.stem() == name) return read_experiment(file);
@@ -81,7 +81,7 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 }
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
-  // What differs from row to row by its nature is left to the rows themselves.
+  // Fields that always differ between rows are omitted; the rows contain them.
   static const std::set<std::string> of_a_row{
       "utc",       "load",      "prepare_s",  "load_after", "other_cpu_share", "check_s",      "kernel_hash",
       "converged", "mesh_hash", "scene_hash", "check_seed", "bad_input",       "mesh_warnings"};

@@ -43,7 +43,7 @@ std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   return tables;
 }
 
-/// A number of one cell; nothing where it was not measured.
+/// A number of one cell; no value if the cell was not measured.
 using Number = std::optional<double> (*)(const Table&, const Key&);
 
 std::optional<Times> times(const Table& table, const Key& key) {
@@ -60,7 +60,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, "backward-euler"}),
              fast = times(table, {model, topology, "explicit-euler"});
-  // By the device's timer: what else a frame takes is the same, and less steady than this difference.
+  // Uses the device's timer, because the rest of a frame is equal and its noise is larger than this
+  // difference.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
@@ -218,9 +219,8 @@ std::string text_of(const std::vector<Claim>& claims) {
 std::string html_of(const std::vector<Claim>& claims) {
   if (claims.empty()) return {};
   std::string html =
-      "<h2>What the paper says of Figures 9 to 11</h2>\n<p class=\"soft\">Each sentence read as a number "
-      "that "
-      "is asked of every cell it speaks of; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
+      "<h2>The paper's statements on Figures 9 to 11</h2>\n<p class=\"soft\">Each statement is tested by a "
+      "number in every cell that it covers; <a href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
   for (const Claim& c : claims)
     html += fmt::format("<li><b>{}</b>: &ldquo;{}&rdquo; ({})<br><span class=\"soft\">{}: {}</span></li>\n",
                         to_text(c.held), c.sentence, c.source, c.reading, c.found);

@@ -1,4 +1,4 @@
-// What a paper says of its own figures, held against ours: does it hold here?
+// Statements of a paper on its own figures, tested with our measurements.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,16 +12,17 @@ std::string_view to_text(Held held);  ///< "holds", "does not hold", "not measur
 
 struct Claim {
   std::string device;
-  std::string sentence;  ///< as the paper has it
+  std::string sentence;  ///< the paper's own words
   std::string source;
-  std::string reading;  ///< the number that is asked of every cell, and its limit
+  std::string reading;  ///< the number that is computed in every cell, and its limit
   Held held = Held::not_measured;
-  std::string found;  ///< the numbers' range and the cell that is farthest on the wrong side
+  std::string found;  ///< the range of the numbers, and the cell with the worst number
 };
 
-/// The sentences of Banisch and Wüthrich on Figures 9 to 11, per device, from the rows of
-/// banisch2006-update-time that are ok and the experiment's own. A claim is measured once every cell that it
-/// speaks of is there. Frames by the wall clock, simulation by the device's timer. Empty without such rows.
+/// Tests the statements of Banisch and Wüthrich on Figures 9 to 11, per device, with the rows of
+/// banisch2006-update-time that are ok and have no overrides. A claim counts as measured if every cell that
+/// it covers has a time. Frame times are wall times; simulation times come from the device's timer. Returns
+/// no claims without such rows.
 std::vector<Claim> claims_of(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<Claim>& claims);

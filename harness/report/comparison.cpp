@@ -16,7 +16,7 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Everything that must agree. The case's name is made of its axes, so the axes stand in for it.
+/// All properties that must agree. The axes determine the case's name, so they replace it.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
@@ -79,7 +79,7 @@ std::string_view to_text(Verdict verdict) {
 double threshold_from_text(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, std::regex(R"(([0-9]{1,6}(?:\.[0-9]{1,9})?)(%?))")))
-    throw InputError(fmt::format("--threshold '{}' is no fraction: write 5% or 0.05", text));
+    throw InputError(fmt::format("--threshold '{}' is not a fraction: write 5% or 0.05", text));
   return std::stod(match[1]) * (match[2].length() > 0 ? 0.01 : 1.0);
 }
 

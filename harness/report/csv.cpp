@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-/// Columns that only some rows have: the union over all of them.
+/// Columns that only some rows have: the union over all rows.
 struct Columns {
   std::set<std::string> axes, metrics;
   explicit Columns(const std::vector<FoundRow>& rows) {

@@ -7,15 +7,15 @@
 
 namespace pelage {
 
-/// One line, its line feed included; a field with a comma, a quote or a line break is quoted.
+/// Returns one line with its line feed; quotes fields that contain a comma, a quote or a line break.
 std::string csv_line(const std::vector<std::string>& fields);
 
-/// Tidy long form, one line per row of results, phase and clock ("wall", "event"): what it was, how many
-/// samples, their median and its 95% interval, ms. A row that is not ok has one line without times. Axes are
-/// columns of their own names, metrics of "metric.NAME".
+/// Returns tidy long form, one line per row of results, phase and clock ("wall", "event"): the case, the
+/// number of samples, their median and its 95% interval, ms. A row that is not ok has one line without times.
+/// Each axis is a column with its own name; each metric is a column "metric.NAME".
 std::string csv_by_phase(const std::vector<FoundRow>& rows);
 
-/// The same with one line per sample.
+/// Returns the same with one line per sample.
 std::string csv_by_sample(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// index.html: the report as one page that needs nothing from outside its folder.
+// index.html: the report as one page without resources from outside its folder.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -61,7 +61,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The drawing itself, without the XML prologue that has no place inside a page.
+/// Returns the drawing without the XML prologue, which is not allowed inside a page.
 std::string svg_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -125,7 +125,7 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
-/// A heading, where the CSV is, and the table, for each of them.
+/// Returns for each table a heading, a link to its CSV file, and the table.
 template <class Table>
 std::string sections(const char* title, const std::vector<Table>& tables,
                      const std::vector<std::string>& stems) {
@@ -164,12 +164,12 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
   }
   for (std::size_t i = 0; i < report.topologies.size(); ++i)
     body += fmt::format(
-        "<h2>Which topology costs what</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
+        "<h2>Cost of each topology</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
         "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
         escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
         report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
-  body += sections("Against the paper's own pipeline", report.rivals, report.rival_stems);
-  body += sections("Ways to draw the same", report.ways, report.way_stems);
+  body += sections("Comparison with the paper's own pipeline", report.rivals, report.rival_stems);
+  body += sections("Variants that draw the same picture", report.ways, report.way_stems);
   body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);

@@ -1,5 +1,5 @@
-// The paper's own table, ours beside theirs: a block per layer count, a row per model, columns per picture
-// size.
+// The paper's own table with our figures beside the paper's: a block per layer count, a row per model,
+// columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>
@@ -14,7 +14,7 @@ struct PaperTable {
   struct Row {
     std::string model;
     std::string triangles;                   ///< "9360"
-    std::string note;                        ///< footnote mark, "a", "b" ...; "" for none
+    std::string note;                        ///< footnote mark, "a", "b" ...; "" without a footnote
     std::vector<std::optional<Cell>> cells;  ///< per size
   };
   struct Block {
@@ -22,35 +22,36 @@ struct PaperTable {
     std::vector<Row> rows;
   };
   std::string experiment, variant, device, host, reading;
-  std::string title, source, hardware;  ///< what the paper's table is, and what its figures were taken on
+  std::string title, source, hardware;  ///< name of the paper's table; machine of its figures
   std::vector<std::string> sizes;
   std::vector<Block> blocks;
   std::vector<std::string> footnotes;  ///< "a: stand-in ..."
 };
 
-/// A cell as every form of the table shows it: ours (or the status), the paper's, the ratio; "-" for none.
+/// The texts of a cell in every form of the table: ours (or the status), the paper's, the ratio; "-" for
+/// none.
 struct CellText {
   std::string ours, paper, ratio;
 };
 CellText cell_text(const Cell& cell);
 
-/// What a footnote must say of a model; "" for a model that needs none.
+/// Returns the footnote of a model; "" for a model without one.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// One table per experiment, device and reading out of the cells that are the experiment's own (no overrides)
-/// and have the axes model, layers and size.
+/// Returns one table per experiment, device and reading. It uses the cells without overrides that have the
+/// axes model, layers and size.
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
-/// As text for a terminal, with a legend.
+/// Returns text for a terminal, with a legend.
 std::string text_of(const PaperTable& table);
-/// One line per cell, for programs.
+/// Returns one line per cell, for programs.
 std::string csv_of(const PaperTable& table);
-/// A LaTeX table (booktabs, threeparttable), to be \input.
+/// Returns a LaTeX table (booktabs, threeparttable) for \input.
 std::string latex_of(const PaperTable& table);
-/// A name fit for a file, unique among the tables of one report.
+/// Returns a file name that is unique among the tables of one report.
 std::string file_stem_of(const PaperTable& table, bool several_devices);
 
-/// Text with LaTeX's special characters escaped.
+/// Returns the text with LaTeX's special characters escaped.
 std::string latex_text(const std::string& text);
 
 }  // namespace pelage

@@ -22,7 +22,7 @@ struct Outcome {
   std::string messages;
 };
 
-/// Runs a program without a shell and collects what it prints.
+/// Runs a program without a shell and collects its output.
 Outcome run_program(std::vector<std::string> words) {
   std::array<int, 2> pipe_ends{};
   if (pipe2(pipe_ends.data(), O_CLOEXEC) != 0) return {-1, "no pipe"};

@@ -49,7 +49,7 @@ void write_tables(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
-/// Draws plots/STEM by the program of that name; what went wrong is noted once.
+/// Draws plots/STEM by the program of that name; adds each error to the notes once.
 void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";
@@ -74,7 +74,7 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
          "Frame time against triangles: " + title_of(report.tables[i], several_devices));
   for (std::size_t i = 0; i < report.topologies.size(); ++i)
     draw(report, folder, "topologies", report.topology_stems[i] + "-cost", csv_of(report.topologies[i]),
-         "What a topology costs: " + report.topology_stems[i]);
+         "Cost of each topology: " + report.topology_stems[i]);
   for (std::size_t i = 0; i < report.rivals.size(); ++i)
     draw(report, folder, "rivals", report.rival_stems[i], csv_of(report.rivals[i]),
          "Times as fast as the paper's pipeline: " + report.rivals[i].experiment);
@@ -82,7 +82,7 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// tables/STEM.* of a table that is one of its experiment, device and host.
+/// Returns STEM of tables/STEM.* for a table per experiment, device and host.
 template <class Table>
 std::string stem_of(const Table& table, const char* suffix, bool several_devices) {
   return file_name_of(table.experiment + suffix +
@@ -114,7 +114,7 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   }
 }
 
-/// What more layers cost where they were drawn in turns with fewer.
+/// The cost of more layers, from frames drawn in turns with fewer layers.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -122,8 +122,7 @@ void write_in_turns(Report& report, const fs::path& folder) {
   report.scaling += in_turns_text(cells);
 }
 
-/// How time grows with layers, pixels and triangles: a table, a plot, and the fit that the plot's program
-/// makes.
+/// The growth of time with layers, pixels and triangles: a table, a plot, and the fit of the plot program.
 void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;

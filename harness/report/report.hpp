@@ -32,29 +32,29 @@ struct Report {
   std::vector<std::string> rival_stems;  ///< tables/STEM.csv, one per such table
   std::vector<WayTable> ways;
   std::vector<std::string> way_stems;  ///< tables/STEM.csv, one per such table
-  std::vector<SolverLine> solvers;     ///< tables/topology-solvers.csv where there are any
-  std::vector<Claim> claims;           ///< tables/claims.csv where there are any
+  std::vector<SolverLine> solvers;     ///< tables/topology-solvers.csv if not empty
+  std::vector<Claim> claims;           ///< tables/claims.csv if not empty
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
-  std::string scaling;             ///< what doubling the layers costs; tables/scaling.txt has the fit as well
-  std::vector<std::string> notes;  ///< what is missing and why
+  std::string scaling;             ///< cost of doubling the layers; tables/scaling.txt also contains the fit
+  std::vector<std::string> notes;  ///< missing parts and the reasons
 };
 
-/// Fills in what the experiment's own file says of it; a file of the user's is not looked for.
+/// Fills in the titles from the shipped experiment files; does not search for files of the user.
 void add_titles(std::vector<PaperTable>& tables);
 
-/// Writes everything into `folder` (made when missing) and returns what it holds. Throws InputError for a
-/// place that cannot be written.
+/// Writes all parts into `folder` (created if missing) and returns them. Throws InputError for a path that
+/// cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note);
 
-/// The page, without any resource from outside the folder.
+/// Returns the page, without any resource from outside the folder.
 std::string html_of(const Report& report, const std::filesystem::path& folder);
 
-/// BibTeX of pelage and of the papers whose experiments are among the rows.
+/// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);
 
-/// Who ran what, where and when: one block per run and device, differing fields listed with all their values.
+/// Returns the provenance: one block per run and device; fields that differ are listed with all their values.
 std::string provenance_of(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace {
 
 using Group = std::tuple<std::string, std::string, std::string>;  // experiment, device, host
 
-/// What cells do not hold: the rival's own times, and what it ran on.
+/// Data that cells do not contain: the baseline's times and its renderer.
 struct Theirs {
   std::map<std::pair<Group, std::string>, std::vector<double>> wall_ms;  ///< by case
   std::map<Group, std::string> renderer;

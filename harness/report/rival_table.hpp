@@ -1,5 +1,5 @@
-// How many times as fast as the paper's own pipeline: the ratios of an experiment that draws with both in
-// turns.
+// Speed ratios to the paper's own pipeline (the OpenGL baseline, called rival in file names), from an
+// experiment that draws with both in turns.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,7 +13,7 @@ namespace pelage {
 struct RivalTable {
   struct Entry {
     Cell cell;
-    std::optional<Metric> ratio;  ///< median over the rounds and its 95% interval; only where the cell is ok
+    std::optional<Metric> ratio;      ///< median over the rounds and its 95% interval; only if the cell is ok
     std::optional<double> opengl_ms;  ///< median
   };
   struct Column {
@@ -31,9 +31,9 @@ struct RivalTable {
     double least = 0;
     std::string least_cell;
   };
-  /// What the scene's curls and clumps cost over plain shells: frame time of "default" over that of "plain".
+  /// The cost of the scene's curls and clumps: frame time of "default" over that of "plain" shells.
   struct Overhead {
-    std::size_t cells = 0;        ///< in which both were timed
+    std::size_t cells = 0;        ///< number of cells in which both were timed
     double ours = 0, opengl = 0;  ///< geometric means
   };
   std::string experiment, device, host, renderer;
@@ -43,12 +43,12 @@ struct RivalTable {
   Overhead overhead;
 };
 
-/// One table per experiment, device and host with rows that hold opengl_ratio, out of the cells that are the
-/// experiment's own (no overrides).
+/// Returns one table per experiment, device and host with rows that have opengl_ratio. It uses the cells
+/// without overrides.
 std::vector<RivalTable> rival_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const RivalTable& table);
-/// One line per cell, for programs and for plots/rivals.py.
+/// Returns one line per cell, for programs and for plots/rivals.py.
 std::string csv_of(const RivalTable& table);
 std::string html_of(const RivalTable& table);
 

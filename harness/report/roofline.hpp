@@ -1,4 +1,4 @@
-// Where a frame's time goes: its kernels' times, bytes and operations against what the device can do at best.
+// Times, bytes and operations of a frame's kernels, compared with the peak rates of the device.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@ namespace pelage {
 struct KernelWork {
   std::string kernel, phase;
   double ms = 0;          ///< median over frames of its events, all launches of a frame together
-  double bytes = 0;       ///< of the buffers it is given, each counted once
-  double operations = 0;  ///< floating-point, of the equations; 0 where there are none
+  double bytes = 0;       ///< of the kernel's buffers, each counted once
+  double operations = 0;  ///< floating-point, of the equations; 0 without any
 };
 
 struct FrameWork {
@@ -21,18 +21,19 @@ struct FrameWork {
   std::vector<KernelWork> kernels;
 };
 
-/// What `pelage devices --measure` says of the device.
+/// The peak rates that `pelage devices --measure` reports.
 struct Ceilings {
   std::string device;
   double gb_s = 0, gflop_s = 0;
 };
 
-/// Operations per second that the two ceilings allow a kernel of this intensity (operations per byte), 1e9/s.
+/// Returns the rate that the two ceilings allow a kernel of this intensity (operations per byte), 1e9
+/// operations per second.
 double allowed_gflop_s(const Ceilings& ceilings, double intensity);
 
-/// For a terminal: a table of frames, then one of kernels.
+/// Returns text for a terminal: a table of frames, then a table of kernels.
 std::string text_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
-/// One line per case and kernel, for programs and for plots/roofline.py.
+/// Returns one line per case and kernel, for programs and for plots/roofline.py.
 std::string csv_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
 
 }  // namespace pelage

@@ -29,7 +29,7 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
 }
 
-/// The same case with another number of layers; null when there is none.
+/// Returns the same case with another number of layers; null if there is none.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&

@@ -1,5 +1,5 @@
-// What the experiment "scaling" says: what doubling the layers costs, how much memory the cases take, and the
-// table that plots/scaling.py fits its model to.
+// Results of the experiment "scaling": the cost of doubling the layers, the memory of the cases, and the
+// table to which plots/scaling.py fits its model.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,23 +8,25 @@
 
 namespace pelage {
 
-/// Cells of that experiment as shipped that have a time, a triangle count, layers and a size.
+/// Returns the cells of that experiment without overrides that have a time, a triangle count, layers and a
+/// size.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
-/// One line per cell, for programs and for plots/scaling.py.
+/// Returns one line per cell, for programs and for plots/scaling.py.
 std::string scaling_csv(const std::vector<Cell>& cells);
 
-/// Twice and four times the layers against the same case with fewer, and the most memory; for a terminal.
+/// Returns text for a terminal: the cost of twice and four times the layers of the same case, and the largest
+/// memory.
 std::string scaling_text(const std::vector<Cell>& cells);
 
-/// Cells, of any experiment, that were drawn in turns with half and a quarter of their layers
-/// (layers_subject.hpp) and are ok.
+/// Returns the ok cells of any experiment that were drawn in turns with half and a quarter of their layers
+/// (harness/subjects/fewer_layers.hpp).
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 
-/// One line per cell: the ratios with their intervals.
+/// Returns one line per cell: the ratios with their intervals.
 std::string in_turns_csv(const std::vector<Cell>& cells);
 
-/// The same for a terminal, and the greatest of each.
+/// Returns the same as text for a terminal, with the largest ratios.
 std::string in_turns_text(const std::vector<Cell>& cells);
 
 }  // namespace pelage

@@ -108,7 +108,7 @@ std::string three(std::optional<double> value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
-/// Frame and simulation, ms; the status of a cell without a time.
+/// Returns frame and simulation time, ms; for a cell without a time its status.
 std::pair<std::string, std::string> shown(const std::optional<TopologyTable::Entry>& entry) {
   if (!entry) return {"-", "-"};
   if (!timed(entry)) return {std::string(to_text(entry->cell.status)), "-"};

@@ -1,4 +1,4 @@
-// Which topology costs what on which model: frame and simulation times of every topology side by side.
+// The cost of each topology on each model: frame and simulation times of all topologies side by side.
 #pragma once
 #include <optional>
 #include <string>
@@ -13,8 +13,7 @@ struct TopologyTable {
   struct Entry {
     Cell cell;
     std::optional<double> simulate_ms, raster_ms;  ///< medians of the phases' event times
-    /// Median frame time over that of the first topology of the row, which Silva's strand is where it is
-    /// there.
+    /// Median frame time over that of the row's first topology, which is Silva's strand if the row has it.
     std::optional<double> ratio;
   };
   struct Row {
@@ -24,9 +23,9 @@ struct TopologyTable {
   };
   struct Summary {
     std::optional<double> ratio;     ///< geometric mean over the rows
-    std::optional<double> simulate;  ///< median share of the frame that simulation takes, 0..1
+    std::optional<double> simulate;  ///< median share of simulation in the frame, 0..1
     std::optional<double> worst;     ///< largest such share ...
-    std::string worst_row;           ///< ... and where
+    std::string worst_row;           ///< ... and its row
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;
@@ -34,15 +33,15 @@ struct TopologyTable {
   std::vector<Summary> summary;
 };
 
-/// True for a cell whose experiment has the topology as an axis.
+/// Returns true for a cell whose experiment has the topology as an axis.
 bool has_topology_axis(const Cell& cell);
 
-/// One table per experiment, device and host out of the cells that are the experiment's own (no overrides)
-/// and have the axes model, layers, size and dynamics.topology.
+/// Returns one table per experiment, device and host. It uses the cells without overrides that have the axes
+/// model, layers, size and dynamics.topology.
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);
-/// One line per cell, for programs and for plots/topologies.py.
+/// Returns one line per cell, for programs and for plots/topologies.py.
 std::string csv_of(const TopologyTable& table);
 std::string latex_of(const TopologyTable& table);
 std::string html_of(const TopologyTable& table);

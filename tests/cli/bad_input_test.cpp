@@ -92,7 +92,7 @@ const Bad images[] = {
     {"--set coat.image=half.jpg", 2, "half.jpg: "},
     {"--set coat.image=huge.png", 2, "huge.png: "},
     {"--set coat.image=text.gif", 2,
-     "text.gif: not a picture that pelage reads; PNG, JPEG, TIFF and EXR are"},
+     "text.gif: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR"},
     {"--set wetness.image=missing.png --set wetness.random=10", 2, "missing.png: there is no such file"},
 };
 

@@ -1,5 +1,5 @@
-// The module of image files, a shared library of its own: OpenImageIO brings 250 libraries along, a third of
-// a second of every start of pelage if they were linked to it.
+// The image module, a separate shared library. OpenImageIO loads 250 libraries; if pelage were linked to
+// them, every start would take a third of a second longer.
 #include "harness/picture/image_module.hpp"
 
 #include <OpenImageIO/imageio.h>
@@ -17,28 +17,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with room
+constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with a margin
 
-/// The first line of OpenImageIO's own words; it repeats itself for every scanline.
+/// Returns the first line of OpenImageIO's message, which repeats itself for every scanline.
 std::string one_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   return line.empty() ? "no reason given" : line;
 }
 
-/// PNG and JPEG end with a marker. OpenImageIO returns a truncated JPEG as a picture with grey in it.
+/// Tests the end marker of PNG and JPEG, because OpenImageIO returns a truncated JPEG as a picture with grey
+/// areas.
 void require_end(const fs::path& file, const std::string& kind) {
   using namespace std::string_literals;
   if (kind != "png" && kind != "jpeg") return;
   const std::string marker = kind == "png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.tellg();
-  // Some writers pad behind the marker.
+  // Some writers add padding after the marker.
   std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
   stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
   stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
   if (!stream || tail.find(marker) == std::string::npos) {
     throw InputError(
-        fmt::format("{}: damaged picture: the file ends before the picture does", file.string()));
+        fmt::format("{}: damaged picture: the file ends before the end of the picture", file.string()));
   }
 }
 
@@ -55,7 +56,8 @@ Picture read(const fs::path& file, const std::string& kind) {
         fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
                     file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
-  // A few bytes of header must not claim gigabytes: deflate, the densest of these codecs, reaches 1 to 1032.
+  // The header of a small file must not request gigabytes: deflate, the densest of these codecs, reaches 1 to
+  // 1032.
   std::error_code error;
   if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
@@ -66,7 +68,7 @@ Picture read(const fs::path& file, const std::string& kind) {
   const int channels = std::min(spec.nchannels, 4);
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
   const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
-  // A truncated TIFF reads "well" and leaves only a message.
+  // Reading a truncated TIFF succeeds and leaves only a message.
   const std::string complaint = input->geterror();
   if (!read || !complaint.empty()) {
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Frame time against triangles, per layer count and picture size, log-log; the paper's own figures beside.
+"""Frame time against triangles, per layer count and picture size, log-log, with the paper's own figures.
 
 usage: frame_time.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Only matplotlib is needed.
+TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, told apart by everyone; also different markers, for print in grey.
+# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 MARKERS = ["o", "s", "^", "D"]
 
@@ -54,7 +54,7 @@ def main(table, outputs):
                     x, y, yerr=error, color=colour, marker=marker, markersize=5, linewidth=1.4, capsize=2)
             paper = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] != "<"]
             if paper:
-                # A whole number of frames per second stands for all that rounds to it.
+                # A whole number of frames per second represents all values that round to it.
                 y = [1000 / float(r["paper_fps"]) for r in paper]
                 error = [[m - 1000 / (number(r["paper_fps_high"]) or 1000 / m) for m, r in zip(y, paper)],
                          [1000 / (number(r["paper_fps_low"]) or 1000 / m) - m for m, r in zip(y, paper)]]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The paper's pipeline in OpenGL against ours: the ratio of their times per model, layers and size.
+"""Ratio of the times of the paper's OpenGL pipeline and ours, per model, layers and size.
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Only matplotlib is needed.
+TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, told apart by everyone; also different markers, for print in grey.
+# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
 COLOURS = ["#0072B2", "#D55E00", "#56B4E9", "#E69F00"]
 MARKERS = ["o", "s", "^", "D"]
 

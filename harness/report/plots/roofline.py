@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Where a frame's time goes, kernel by kernel, and each kernel against the device's measured ceilings.
+"""Time of each kernel of a frame, and each kernel against the device's measured ceilings.
 
 usage: roofline.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Only matplotlib is needed.
+TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -14,7 +14,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
-# Okabe and Ito's colours, told apart by everyone; cases also differ by marker, phases by hatching, for print in grey.
+# Okabe and Ito's colours, which colour-blind readers can distinguish. For print in grey, cases differ by marker and phases by hatching.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
 PHASES = ["simulate", "transform", "bin", "raster"]
@@ -70,7 +70,7 @@ def main(table, outputs):
             roof.plot(float(r["operations_per_byte"]), float(r["gflop_s"]), marker=MARKERS[i % 6],
                       color=COLOURS[i % 6], markersize=6, markeredgecolor="white", markeredgewidth=0.6,
                       linestyle="none", zorder=3)
-    # A name per kernel, below the lowest of its points: the roof is above.
+    # The name of a kernel is below the lowest of its points, because the roof is above.
     for kernel in dict.fromkeys(r["kernel"] for r in counted):
         least = min((r for r in counted if r["kernel"] == kernel), key=lambda r: float(r["gflop_s"]))
         roof.annotate(kernel, (float(least["operations_per_byte"]), float(least["gflop_s"])), xytext=(0, -13),
@@ -79,7 +79,7 @@ def main(table, outputs):
     roof.set_yscale("log")
     roof.set_xlim(low / 1.5, high)
     roof.set_ylim(floor, peak * 2.5)
-    # Along the slope, whose angle the limits and the panel's shape decide.
+    # The text follows the slope; its angle depends on the limits and the panel's shape.
     figure.canvas.draw()
     a = roof.transData.transform((low, low * bandwidth))
     b = roof.transData.transform((ridge, peak))

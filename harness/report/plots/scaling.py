@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Frame time against layers, pixels and triangles: a model fitted to the smaller cases, tested on those left out.
+"""Frame time against layers, pixels and triangles: a model fitted to the smaller cases, tested on the cases left out.
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Writes the fit beside the first output, as .txt.
+TABLE.csv is the table beside this file in a report. The program writes the fit beside the first output, as .txt.
 The model is a sum of costs, none of them negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
-fitted by least squares of relative errors. Intervals are percentiles over 1000 resamplings of the cases. Left out of the fit
-are a third of the cases, spread so that each number of triangles, layers and pixels is in both parts, and all that lie
-beyond: more than 64 layers, more pixels than 1680 x 1050, more than a million triangles. Only matplotlib and numpy are
-needed.
+fitted by least squares of relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit leaves out a
+third of the smaller cases, spread so that each number of triangles, layers and pixels is in both parts, and all larger cases:
+more than 64 layers, more pixels than 1680 x 1050, or more than a million triangles. The program needs only matplotlib and
+numpy.
 """
 import csv
 import os
@@ -35,7 +35,7 @@ def features(case):
 
 
 def fitted(cases):
-    """Non-negative least squares of relative errors: the term that would be most negative is dropped until none is."""
+    """Non-negative least squares of relative errors. Drops the most negative term until no term is negative."""
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:

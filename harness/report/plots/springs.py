@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The charts of the mass-spring experiments: which one is drawn follows from the experiment that the table names.
+"""Charts of the mass-spring experiments. The experiment named in the table selects the chart.
 
 usage: springs.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Only matplotlib is needed.
+TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, told apart by everyone; also different markers, for print in grey.
+# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 MARKERS = ["o", "s", "^", "D"]
 TOPOLOGIES = ["sticks", "prisms", "separable-sticks", "separable-prisms"]
