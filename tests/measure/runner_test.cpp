@@ -222,7 +222,8 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
 
 /// What a row says, timings and the time of day aside.
 std::string without_times(Row row) {
-  for (const char* key : {"utc", "load", "prepare_s", "check_s"}) row.provenance.erase(key);
+  for (const char* key : {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "check_s"})
+    row.provenance.erase(key);
   for (auto& [phase, samples] : row.samples) samples = {};
   row.first_launch_ms = 0;
   return to_line(row);

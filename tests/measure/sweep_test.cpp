@@ -57,6 +57,7 @@ std::set<std::string> said(const std::string& folder) {
     for (auto& [phase, samples] : row.samples) {
       std::fill(samples.wall_ms.begin(), samples.wall_ms.end(), 0.0);
       std::fill(samples.event_ms.begin(), samples.event_ms.end(), 0.0);
+      std::fill(samples.cpu_ms.begin(), samples.cpu_ms.end(), 0.0);
     }
     for (const char* key : {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "check_s", "argv",
                             "order_seed", "converged"})

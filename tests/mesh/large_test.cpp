@@ -89,15 +89,15 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   const FlatDisk flat = flatten(surface, disk, "roll", [&](double part) { told.push_back(part); });
   EXPECT_TRUE(flat.rigid);
   EXPECT_EQ(flat.flipped, 0u);
-  double worst = 0;
+  double greatest = 0;
   for (const auto& t : disk.triangle)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t p = t[k], q = t[(k + 1) % 3];
       const double ratio =
           glm::distance(flat.uv[p], flat.uv[q]) / glm::distance(surface.point[p], surface.point[q]);
-      worst = std::max(worst, std::abs(ratio - 1));
+      greatest = std::max(greatest, std::abs(ratio - 1));
     }
-  EXPECT_LT(worst, 0.05);
+  EXPECT_LT(greatest, 0.05);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_GE(told.size(), 10u);
   EXPECT_LE(told.back(), 1.0);

@@ -21,7 +21,7 @@ struct Setting {
   long steps = 0;  ///< done by then
 };
 
-/// The studies of docs/topology.md, Experiments, of the case's scene. They throw InputError where the scene
+/// The studies of docs/topology.md, Studies, of the case's scene. They throw InputError where the scene
 /// names no topology, and OutOfBounds where a mass is lost.
 std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which);
