@@ -94,6 +94,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
 int tune(const TuneOptions& options) {
   const std::vector<std::string> stages = options.stages.empty() ? tunable_stages() : options.stages;
   std::vector<std::vector<TuningAxis>> axes;
+  axes.reserve(stages.size());
   for (const std::string& stage : stages) axes.push_back(tuning_axes(stage));
   const Experiment experiment = read_experiment(experiment_file("silva2010-table1"));
   const std::vector<Case> cases =
@@ -118,6 +119,7 @@ int tune(const TuneOptions& options) {
   fmt::print("{}\nstage\tconfiguration\ttime by the incumbent's (95% interval)\n", device.info().name);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::vector<TuningScene> scenes;
+    scenes.reserve(inputs.size());
     for (const NamedInput& n : inputs) scenes.push_back(tuning_scene(stages[i], n.name, device, n.input));
     const TuningSearch found =
         search_tuning(axes[i], scenes, options.rounds, [&stage = stages[i]](const Candidate& c) {

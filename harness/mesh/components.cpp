@@ -179,6 +179,7 @@ std::vector<Surface> split(const Surface& surface) {
 
 Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name) {
   std::vector<Chart> charts;
+  charts.reserve(parts.size());
   for (const Surface& part : parts) charts.push_back(measured(part, name));
   const double side = pack(charts);
   const std::vector<std::uint32_t> component = components(surface);

@@ -223,7 +223,7 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
     }
   }
   mesh.triangle.reserve(surface.triangle.size());
-  for (const std::uint32_t f : morton_order(centroid))
+  for (const std::size_t f : morton_order(centroid))
     mesh.triangle.emplace_back(copy[3 * f], copy[3 * f + 1], copy[3 * f + 2]);
   mesh.hash = content_hash(mesh);
   return mesh;

@@ -124,7 +124,7 @@ bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vect
   LaplaceSolver::Matrix matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   Triplets().swap(entries);
-  if (!LaplaceSolver(std::move(matrix)).solve(b, inner)) return false;
+  if (!LaplaceSolver(matrix).solve(b, inner)) return false;
   for (std::size_t v = 0; v < number.size(); ++v)
     if (number[v] != none) x.row(Eigen::Index(v)) = inner.row(number[v]);
   return true;

@@ -99,7 +99,7 @@ LaplaceSolver::LaplaceSolver(Matrix matrix) {
   matrix.makeCompressed();
   for (;;) {
     Level level;
-    level.a = std::move(matrix);
+    level.a.swap(matrix);
     level.diagonal = level.a.diagonal();
     int count = 0;
     std::vector<int> group;
