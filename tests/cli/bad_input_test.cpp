@@ -225,8 +225,7 @@ TEST(BadInput, TheModuleOfImageFilesIsMissedOnlyWhereItIsNeeded) {
   folder.write("pelage_image_module.so", "not a library");
   const Outcome broken = alone("-o a.exr");
   EXPECT_EQ(broken.code, 2);
-  EXPECT_NE(broken.err.find("pelage: the image module cannot be loaded: "), std::string::npos)
-      << broken.err;
+  EXPECT_NE(broken.err.find("pelage: the image module cannot be loaded: "), std::string::npos) << broken.err;
 }
 
 TEST(BadInput, Outputs) {
