@@ -136,6 +136,7 @@ std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows) {
       groups[{c.experiment, c.device, c.host}].push_back(c);
   const Phases phases = event_times(rows);
   std::vector<TopologyTable> tables;
+  tables.reserve(groups.size());
   for (const auto& [key, cells] : groups) tables.push_back(build(cells, phases));
   return tables;
 }

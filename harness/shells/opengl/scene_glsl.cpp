@@ -18,6 +18,7 @@ std::vector<float> list(const glm::vec3& v) {
 /// A row of the camera in units of half the picture: pixels to -1..1.
 std::vector<float> scaled(const glm::vec4& row, double factor) {
   std::vector<float> out;
+  out.reserve(4);
   for (int i = 0; i < 4; ++i) out.push_back(float(double(row[i]) * factor));
   return out;
 }
