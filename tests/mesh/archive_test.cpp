@@ -29,7 +29,7 @@ class Archive : public testing::Test {
     std::string noise;
     for (unsigned i = 0, x = 1; i < 100000; ++i) noise += char((x = x * 1664525 + 1013904223) >> 24);
     std::ofstream(folder_.path() / "meshes/noise.off", std::ios::binary) << noise;
-    std::ofstream(folder_.path() / "meshes/empty.off");
+    std::ofstream(folder_.path() / "meshes/empty.off") << "";
     std::ofstream(folder_.path() / long_name) << "OFF long";
     noise_ = noise;
     const std::string command =

@@ -91,7 +91,7 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
             if (x + dx < 0 || y + dy < 0 || x + dx >= side || y + dy >= side) continue;
-            int& o = owner[std::size_t((y + dy) * side + x + dx)];
+            int& o = owner[std::size_t(y + dy) * std::size_t(side) + std::size_t(x + dx)];
             ASSERT_TRUE(o == -1 || o == int(chart[f])) << x << " " << y;
             o = int(chart[f]);
           }

@@ -33,7 +33,8 @@ LaplaceSolver::Matrix grid(int side) {
       }
     }
   }
-  LaplaceSolver::Matrix matrix(side * side, side * side);
+  const auto unknowns = Eigen::Index(side) * side;
+  LaplaceSolver::Matrix matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
@@ -42,13 +43,14 @@ LaplaceSolver::Matrix grid(int side) {
 TEST(LaplaceSolver, NeedsFewIterationsHoweverManyUnknowns) {
   for (const int side : {100, 200, 400}) {
     const LaplaceSolver::Matrix matrix = grid(side);
-    LaplaceSolver::Columns wanted(side * side, 2);
+    const auto unknowns = Eigen::Index(side) * side;
+    LaplaceSolver::Columns wanted(unknowns, 2);
     for (int i = 0; i < side * side; ++i) {
       wanted(i, 0) = std::sin(0.02 * i);
       wanted(i, 1) = double(i % side) / side;
     }
     const LaplaceSolver::Columns b = matrix * wanted;
-    LaplaceSolver::Columns x = LaplaceSolver::Columns::Zero(side * side, 2);
+    LaplaceSolver::Columns x = LaplaceSolver::Columns::Zero(unknowns, 2);
     const auto iterations = LaplaceSolver(matrix).solve(b, x);
     ASSERT_TRUE(iterations) << side;
     EXPECT_LE(*iterations, 60) << side;

@@ -63,12 +63,14 @@ TEST(Rotate, KeepsTheSurfaceAndTheMap) {
   using Sides = std::array<float, 9>;
   const auto fingerprints = [](const Mesh& mesh) {
     std::vector<Sides> all;
+    all.reserve(mesh.triangle.size());
     for (const glm::uvec3& t : mesh.triangle) {
       Sides sides{};
       for (int k = 0; k < 3; ++k) {
-        sides[std::size_t(2 * k)] = mesh.uv[t[k]].x;
-        sides[std::size_t(2 * k + 1)] = mesh.uv[t[k]].y;
-        sides[std::size_t(6 + k)] = glm::distance(mesh.position[t[k]], mesh.position[t[(k + 1) % 3]]);
+        const auto side = std::size_t(k);
+        sides[2 * side] = mesh.uv[t[k]].x;
+        sides[2 * side + 1] = mesh.uv[t[k]].y;
+        sides[6 + side] = glm::distance(mesh.position[t[k]], mesh.position[t[(k + 1) % 3]]);
       }
       all.push_back(sides);
     }
