@@ -76,6 +76,7 @@ std::string_view leaf(std::string_view name) {
 /// "no such key", with the nearest one that there is.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
+  names.reserve(keys.size() + 2);
   for (const Key& key : keys) names.push_back(key.name);
   if (lists) names.insert(names.end(), {droplet_list, light_list});
   std::string_view best;

@@ -119,7 +119,7 @@ class Mask : public Contender {
 }  // namespace
 
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
-                         std::shared_ptr<const FrameInput> input) {
+                         const std::shared_ptr<const FrameInput>& input) {
   if (stage == "rasterize")
     return {name, [=](const Tuning& t) { return std::make_unique<Frame>(device, input, t); }};
   if (stage == "simulate")

@@ -9,6 +9,6 @@ namespace pelage {
 /// The scene for the stage of that name on `device`: rasterize (a whole frame, by the wall clock), simulate
 /// (a frame's strand step) or wet (Algorithm 1). Throws InputError for another stage.
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
-                         std::shared_ptr<const FrameInput> input);
+                         const std::shared_ptr<const FrameInput>& input);
 
 }  // namespace pelage

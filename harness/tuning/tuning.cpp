@@ -97,6 +97,7 @@ std::vector<TuningAxis> tuning_axes(const std::string& stage) {
     axes.emplace_back(node.source().begin.line, axis_of(file, std::string(key.str()), node));
   std::sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<TuningAxis> result;
+  result.reserve(axes.size());
   for (auto& [line, axis] : axes) result.push_back(std::move(axis));
   return result;
 }

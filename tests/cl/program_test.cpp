@@ -104,7 +104,7 @@ TEST_F(Programs, FromAFolderWithASpace) {
 TEST_F(Programs, ThatDoNotBuildShowLogAndOptions) {
   write("broken.cl", "__kernel void broken(__global float *out) { out[0] = no_such_name; }\n");
   try {
-    cl::Program(device_, "broken.cl", "-D SOMETHING=1");
+    const cl::Program program(device_, "broken.cl", "-D SOMETHING=1");
     FAIL() << "built";
   } catch (const DeviceError& error) {
     const std::string text = error.what();
@@ -122,7 +122,7 @@ TEST_F(Programs, KeepTheLogOfWarnings) {
 
 TEST_F(Programs, ThatAreMissingNameTheFile) {
   try {
-    cl::Program(device_, "absent.cl");
+    const cl::Program program(device_, "absent.cl");
     FAIL() << "built";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("absent.cl"), std::string::npos);
@@ -135,7 +135,7 @@ TEST_F(Programs, NameAnUnknownKernelAndAWrongArgument) {
   write("scaling.cl", scaling);
   const cl::Program program(device_, "scaling.cl", "-D FACTOR=1");
   try {
-    cl::Kernel(program, "absent");
+    const cl::Kernel kernel(program, "absent");
     FAIL() << "found";
   } catch (const DeviceError& error) {
     EXPECT_NE(std::string(error.what()).find("CL_INVALID_KERNEL_NAME"), std::string::npos) << error.what();

@@ -193,6 +193,7 @@ TEST(Experiment, FilterAndOrder) {
 
   auto names = [](const std::vector<Case>& list) {
     std::vector<std::string> result;
+    result.reserve(list.size());
     for (const Case& c : list) result.push_back(c.name);
     return result;
   };

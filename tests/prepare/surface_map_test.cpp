@@ -31,7 +31,7 @@ TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
   ASSERT_EQ(map.size(), std::size_t(size * size));
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
-      const glm::vec3 point = map[std::size_t(y * size + x)];
+      const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
       EXPECT_NEAR(point.x, centre(x, y).x, 1e-6f);
       EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f);
     }
@@ -44,7 +44,7 @@ TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
     const auto map = surface_map(strip(0.25f, periodic), size);
     for (int y = 0; y < size; ++y)
       for (int x = 0; x < 8; ++x) {
-        const glm::vec3 point = map[std::size_t(y * size + x)];
+        const glm::vec3 point = map[std::size_t(y) * std::size_t(size) + std::size_t(x)];
         EXPECT_NEAR(point.x, centre(periodic && x < 4 ? 31 : 8, y).x, 1e-6f)
             << x << ' ' << y << ' ' << periodic;
         EXPECT_NEAR(point.y, centre(x, y).y, 1e-6f) << x << ' ' << y << ' ' << periodic;

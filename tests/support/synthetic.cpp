@@ -54,6 +54,7 @@ std::vector<glm::vec3> normals(const Mesh& mesh) {
     for (int k = 0; k < 3; ++k) sum[mesh.weld[t[k]]] += glm::cross(b - a, c - a);
   }
   std::vector<glm::vec3> unit;
+  unit.reserve(sum.size());
   for (const glm::dvec3& n : sum) unit.emplace_back(glm::normalize(n));
   return unit;
 }

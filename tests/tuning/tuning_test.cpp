@@ -34,7 +34,7 @@ class FakeContender : public Contender {
 };
 
 TuningSearch search(const World& world,
-                    std::vector<TuningAxis> axes = {{"A", "", {1, 2, 3}, {}}, {"B", "", {1, 2}, {}}}) {
+                    const std::vector<TuningAxis>& axes = {{"A", "", {1, 2, 3}, {}}, {"B", "", {1, 2}, {}}}) {
   const TuningScene scene{"scene",
                           [&](const Tuning& t) { return std::make_unique<FakeContender>(world(t)); }};
   return search_tuning(axes, {scene, scene}, 8, [](const Candidate&) {});

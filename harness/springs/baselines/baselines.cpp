@@ -135,7 +135,7 @@ class EigenRival : public SolverRival {
     solver_->forget();
   }
   void advance(const std::vector<Moment>& moments, int steps) override {
-    for (int i = 0; i < steps; ++i) solver_->step(params_, moments[std::size_t(2 * i + 2)]);
+    for (int i = 0; i < steps; ++i) solver_->step(params_, moments[2 * std::size_t(i) + 2]);
   }
   Motions state() const override {
     Motions found;

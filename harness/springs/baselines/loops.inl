@@ -103,8 +103,8 @@ void through_blocks(const Arrays<T>& given, const Course& course) {
   for (int first = 0; first < blocks; first += tile) {
     const int end = first + tile < blocks ? first + tile : blocks;
     for (int i = 0; i < course.steps; ++i) {
-      const Outside<T> t[3] = {outside<T>(course.moments[2 * i]), outside<T>(course.moments[2 * i + 1]),
-                               outside<T>(course.moments[2 * i + 2])};
+      const Moment* moment = course.moments + 2 * std::size_t(i);
+      const Outside<T> t[3] = {outside<T>(moment[0]), outside<T>(moment[1]), outside<T>(moment[2])};
 #pragma GCC ivdep
       for (int k = first; k < end; ++k) {
         Ground<T, N> g;
@@ -161,7 +161,7 @@ void through_prisms(const Arrays<T>& a, const Course& course) {
   const Constants<T> p = constants<T>(course.params);
   const T h = p.step;
   for (int i = 0; i < course.steps; ++i) {
-    const Moment* t = course.moments + 2 * i;
+    const Moment* t = course.moments + 2 * std::size_t(i);
     if (!course.solver.multistage()) {
       all_forces<T, moving>(a, p, t[0], a.q, a.v);
       const bool in_turn = course.solver.in_turn;

@@ -16,11 +16,12 @@ using namespace reference;
 constexpr int width = 33, height = 20;  // an odd width: its pixel centres lie on whole pixels from the middle
 
 std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
-  std::vector<int> hits(width * height, 0);
+  std::vector<int> hits(std::size_t(width) * height, 0);
   for (const auto& t : triangles) {
     const Raster raster(t, width, height);
     for (int j = 0; j < height; ++j)
-      for (int i = 0; i < width; ++i) hits[std::size_t(j * width + i)] += raster.edges(i, j).covered;
+      for (int i = 0; i < width; ++i)
+        hits[std::size_t(j) * width + std::size_t(i)] += raster.edges(i, j).covered;
   }
   return hits;
 }
@@ -28,7 +29,7 @@ std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
 TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
   // Corners on the centres of pixels 3 and 6 of an even image: 3 x 3 pixels, the top row and left column
   // included.
-  const auto centre = [](int i, int size) { return 256 * std::int64_t(i) + 128 - 128 * size; };
+  const auto centre = [](int i, int size) { return 256 * std::int64_t(i) + 128 - 128 * std::int64_t(size); };
   const std::int64_t l = centre(3, width), r = centre(6, width), t = centre(2, height), b = centre(5, height);
   const std::vector<int> hits = counts({{Snapped{l, t}, {r, t}, {r, b}}, {Snapped{l, t}, {r, b}, {l, b}}});
   for (int j = 0; j < height; ++j)
@@ -47,7 +48,7 @@ TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
   for (int trial = 0; trial < 4000; ++trial) {
     std::array<Snapped, 3> c;
     for (Snapped& s : c)
-      s = trial % 2 ? Snapped{coarse(random) * 128, coarse(random) * 128}
+      s = trial % 2 ? Snapped{std::int64_t(coarse(random)) * 128, std::int64_t(coarse(random)) * 128}
                     : Snapped{fine(random), fine(random)};
     const Raster raster(c, 16, 14);
     for (int j = 0; j < 14; ++j)

@@ -26,7 +26,7 @@ FrameInput with(std::vector<Droplet> droplets, int size = 8) {
 }
 
 const Clump& texel(const Mask& mask, int i, int j) {
-  return mask.texel[std::size_t(j * mask.size + i)];
+  return mask.texel[std::size_t(j) * std::size_t(mask.size) + std::size_t(i)];
 }
 
 void expect_clump(const Clump& clump, double u, double v, double radius, double wetness) {
@@ -83,7 +83,7 @@ TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {
   FrameInput input = with({droplet(.5f, .5f, .4f, .5f)});
   input.droplets[0].point = input.mask_surface[4 * 8 + 4];
   input.droplets[0].reach = .3f;
-  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j * 8 + 3)].z = 1;  // another part of the body
+  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // another part of the body
   const Mask mask = wetness_mask(input);
   EXPECT_EQ(texel(mask, 4, 4).wetness, .5);
   EXPECT_EQ(texel(mask, 5, 4).wetness, .5);

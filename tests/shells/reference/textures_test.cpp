@@ -26,7 +26,7 @@ TEST(ReferenceTextures, TexelCentresReturnTheirTexel) {
 
 TEST(ReferenceTextures, BetweenThemTheyAreBilinearAcrossTheBorderToo) {
   const FurTexture fur = two_levels();
-  EXPECT_NEAR(sample_fur(fur, {.5, .5}, 0, 0).coverage, (0 + 255 + 51 + 102) / 4 / 255.0, 1e-12);
+  EXPECT_NEAR(sample_fur(fur, {.5, .5}, 0, 0).coverage, (0 + 255 + 51 + 102) / 4.0 / 255.0, 1e-12);
   EXPECT_NEAR(sample_fur(fur, {0, .25}, 0, 0).coverage, .5, 1e-12);
   EXPECT_NEAR(sample_fur(fur, {.375, .25}, 0, 0).coverage, .25, 1e-12);
 }

@@ -27,6 +27,8 @@ std::string opengl_renderer() {
 std::string shader_hash() {
   refuse();
 }
+// The signature is that of the class, which keeps its input.
+// NOLINTNEXTLINE(performance-unnecessary-value-param)
 OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&, const OpenGlOptions&) {
   refuse();
 }
