@@ -32,8 +32,8 @@ TEST(Devices, AreListedWithWhatTheHarnessNeeds) {
 
 TEST(Devices, CopiesShareOneContext) {
   const cl::Device device = cl::choose_device("");
-  const cl::Device copy =
-      device;  // NOLINT(performance-unnecessary-copy-initialization): the copy is the subject
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy is what is tested
+  const cl::Device copy = device;
   EXPECT_EQ(device.context(), copy.context());
   EXPECT_NE(device.context(), cl::choose_device("").context());
 }
