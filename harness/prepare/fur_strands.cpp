@@ -62,7 +62,7 @@ std::vector<FurStrand> grow_strands(const FurScene& fur) {
   const auto centres = jittered_points(fur.locks, fur.seed, lock_centres);
   const Random lock(fur.seed, lock_traits);
   std::vector<FurStrand> strands;
-  strands.reserve(std::size_t(fur.strands + fur.undercoat));
+  strands.reserve(std::size_t(fur.strands) + std::size_t(fur.undercoat));
 
   auto grow = [&](int count, std::uint32_t roots, std::uint32_t traits, bool guard) {
     const Random random(fur.seed, traits);
