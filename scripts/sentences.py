@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+"""Lists or draws the sentences of pelage's prose: documents, comments and messages, for a reader who judges them.
+
+A drawn sentence is printed with its file, its line and the paragraph in which it stands; a comment with the code that
+follows it.
+
+  scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
+  scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
+"""
+import argparse
+import ast
+import hashlib
+import io
+import random
+import re
+import subprocess
+import tokenize
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+C_LIKE = {".cpp", ".hpp", ".h", ".cl", ".clh", ".inl", ".glsl", ".vert", ".frag"}
+HASH_COMMENTS = {".py", ".sh", ".toml", ".cmake", ".txt"}
+FEWEST_WORDS = 4
+
+
+@dataclass(frozen=True)
+class Paragraph:
+    path: str
+    line: int
+    kind: str  # document, comment or message
+    text: str
+
+
+def tracked(prefixes):
+    names = subprocess.run(["git", "ls-files", *prefixes], cwd=ROOT, check=True, capture_output=True, text=True)
+    for name in names.stdout.split("\n"):
+        path = ROOT / name
+        generated = name.startswith("docs/") and name.count("/") > 1
+        if name and path.is_file() and not generated and not name.startswith(".ci/full-packages"):
+            yield name, path
+
+
+def paragraphs_of_lines(name, kind, lines):
+    """lines: pairs of a line number and its text without the comment sign; an empty text ends a paragraph."""
+    start, words, last = None, [], None
+    for number, text in [*lines, (None, "")]:
+        if words and (not text.strip() or (last is not None and number != last + 1)):
+            yield Paragraph(name, start, kind, " ".join(words))
+            words = []
+        if text.strip():
+            if not words:
+                start = number
+            words.append(text.strip())
+        last = number
+
+
+def markdown(name, text):
+    lines, fenced = [], False
+    for number, line in enumerate(text.split("\n"), 1):
+        if line.lstrip().startswith("```"):
+            fenced = not fenced
+            line = ""
+        if fenced or line.startswith(("#", "    ", "![", "<")):
+            line = ""
+        if line.startswith("|"):  # a cell of a table is a paragraph of its own
+            for cell in line.strip("|").split("|"):
+                yield Paragraph(name, number, "document", cell.strip())
+            line = ""
+        item = re.match(r"\s*(?:[-*]|\d+\.) (.*)", line)
+        if item:
+            lines.append((number, ""))
+            line = item.group(1)
+        lines.append((number, line))
+    # An item of a list begins a paragraph on its own line; the numbers of lines only separate paragraphs here.
+    yield from paragraphs_of_lines(name, "document", [(i, t) for i, (_, t) in enumerate(lines)])
+
+
+C_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
+
+
+def c_like(name, text):
+    """Comments on lines of their own, comments behind code (each a paragraph), and string literals of harness/."""
+    own_lines, behind_code, messages = [], [], []
+    end_of_last = -1
+    for match in C_TOKEN.finditer(text):
+        token, line = match.group(), text.count("\n", 0, match.start()) + 1
+        before = text[text.rfind("\n", 0, match.start()) + 1:match.start()]
+        if token.startswith("//"):
+            (behind_code if before.strip() else own_lines).append((line, token.lstrip("/<")))
+        elif token.startswith("/*"):
+            own_lines += [(line + i, part.lstrip(" *")) for i, part in enumerate(token[2:-2].split("\n"))]
+        elif token.startswith('"') and not before.lstrip().startswith("#"):
+            body = token[1:-1].replace('\\"', '"').replace("\\n", " ")
+            if messages and not text[end_of_last:match.start()].strip():  # adjacent literals are one string
+                messages[-1][1] += body
+            else:
+                messages.append([line, body])
+            end_of_last = match.end()
+    yield from paragraphs_of_lines(name, "comment", own_lines)
+    for line, body in behind_code:
+        yield Paragraph(name, line, "comment", body.strip())
+    if name.startswith("harness/"):
+        for line, body in messages:
+            if not re.search(r"</?[a-z]+[ >]", body):  # HTML and SVG
+                yield Paragraph(name, line, "message", body.strip())
+
+
+def hash_comments(name, text):
+    lines = []
+    for number, line in enumerate(text.split("\n"), 1):
+        found = re.match(r"\s*#(?!!)\s?(.*)", line) or re.search(r'\s#\s([^"\']*)$', line)
+        if found:
+            lines.append((number, found.group(1)))
+    yield from paragraphs_of_lines(name, "comment", lines)
+
+
+def python(name, text):
+    yield from paragraphs_of_lines(name, "comment", [
+        (t.start[0], t.string.lstrip("# ")) for t in tokenize.generate_tokens(io.StringIO(text).readline)
+        if t.type == tokenize.COMMENT and not t.string.startswith("#!")])
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.Module, ast.FunctionDef, ast.ClassDef)) and ast.get_docstring(node):
+            for part in ast.get_docstring(node).split("\n\n"):
+                if not part.startswith(" "):
+                    yield Paragraph(name, getattr(node, "lineno", 1), "comment", " ".join(part.split()))
+
+
+def man_page(name, text):
+    lines = [(n, "" if line.startswith((".", "'")) else line.replace("\\-", "-").replace("\\f", ""))
+             for n, line in enumerate(text.split("\n"), 1)]
+    yield from paragraphs_of_lines(name, "document", lines)
+
+
+def paragraphs(prefixes):
+    for name, path in tracked(prefixes):
+        suffix = path.suffix
+        try:
+            text = path.read_text()
+        except UnicodeDecodeError:
+            continue
+        if suffix == ".md":
+            yield from markdown(name, text)
+        elif suffix in C_LIKE:
+            yield from c_like(name, text)
+        elif suffix == ".py":
+            yield from python(name, text)
+        elif suffix == ".1":
+            yield from man_page(name, text)
+        elif suffix in HASH_COMMENTS and not name.startswith("results/"):
+            yield from hash_comments(name, text)
+
+
+def sentences_of(paragraph):
+    """Sentences of at least FEWEST_WORDS words; a formula or a path alone is none."""
+    for part in re.split(r'(?<=[.?!;])["\')]*\s+(?=[A-Z`"(\[])', paragraph.text):
+        part = part.strip(" ;")
+        words = re.findall(r"\b[A-Za-z][a-z']+\b", part)
+        if len(words) >= FEWEST_WORDS and len(set(words)) > 2:
+            yield part
+
+
+def code_at(paragraph):
+    """The line of a comment behind code, or the first line of code below a comment."""
+    for text in (ROOT / paragraph.path).read_text().split("\n")[paragraph.line - 1:]:
+        if text.strip() and not text.strip().startswith(("//", "#", "*", "/*")):
+            return text.strip()
+    return ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--draw", type=int, metavar="N")
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("paths", nargs="*")
+    options = parser.parse_args()
+    found = [(p, s) for p in paragraphs(options.paths) for s in sentences_of(p)]
+    if not options.draw:
+        for p, sentence in found:
+            print(f"{p.path}:{p.line}: {p.kind}: {sentence}")
+        return
+    head = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.strip()
+    seed = int(hashlib.sha256(head.encode()).hexdigest(), 16)
+    print(f"{options.draw} of {len(found)} sentences, seed: {head}\n")
+    for i, (p, sentence) in enumerate(random.Random(seed).sample(found, options.draw), 1):
+        print(f"{i}. {p.path}:{p.line} ({p.kind})\n   sentence: {sentence}")
+        if sentence != p.text:
+            print(f"   stands in: {p.text}")
+        if p.kind == "comment":
+            print(f"   code: {code_at(p)}")
+        print()
+
+
+if __name__ == "__main__":
+    main()
