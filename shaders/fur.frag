@@ -98,6 +98,7 @@ void main() {
   exponent *= 1.0 + WET_SPECULAR * (rho - 1.0);
 #endif
   t = unit(t);
+  nu = lit_normal(nu, e);
   vec2 light = vec2(AMBIENT, 0.0);
   add_light(LIGHT_0, INTENSITY_0, t, nu, e, exponent, light);
 #if LIGHTS > 1

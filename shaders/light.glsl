@@ -4,6 +4,14 @@ vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // 0 stays
 // From the eye to the surface. RAY is the ray through the window's origin.
 vec3 view() { return unit(RAY + gl_FragCoord.x * RAY_DX + gl_FragCoord.y * RAY_DY); }
 
+// The normal that light reaches; e points from the eye to the surface.
+vec3 lit_normal(vec3 nu, vec3 e) {
+#ifdef TWO_SIDED
+  if (dot(nu, e) > 0.0) return -nu;
+#endif
+  return nu;
+}
+
 // max(0, (n.l + .4) / 1.4)
 float wrapped(float n_dot_l) { return max(0.0, (n_dot_l + 0.4) / 1.4); }
 

@@ -6,7 +6,7 @@ layout(binding = 2) uniform sampler2D mask;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  vec3 nu = unit(normal);
+  vec3 nu = lit_normal(unit(normal), view());
   float light = AMBIENT + INTENSITY_0 * lambert(dot(nu, LIGHT_0));
 #if LIGHTS > 1
   light += INTENSITY_1 * lambert(dot(nu, LIGHT_1));

@@ -167,7 +167,8 @@ struct ShadingScene {
   float occlusion = 0.85f;        ///< sigma_occ
   float darkening = 0.3f;         ///< sigma_wet
   float wet_specular = 0.5f;      ///< sigma_spec, < 1
-  std::string tangent = "paper";  ///< wet.tangent: "paper" | "drawn"
+  std::string tangent = "paper";  ///< "paper" | "drawn"
+  std::string sides = "one";      ///< "one" | "two": which sides of the surface receive light
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two
 };
 

@@ -139,6 +139,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"shading.darkening", &shading.darkening, "", 0, 1, "sigma_wet of the wet model"},
       {"shading.wet_specular", &shading.wet_specular, "", 0, 0.99, "sigma_spec of the wet model, below 1"},
       {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump's lean in W Eq. 4: as printed, or as drawn", .choices = {"paper", "drawn"}},
+      {.name = "shading.sides", .slot = &shading.sides, .unit = "", .help = "sides of the surface that receive light; two: for open meshes that are seen from behind", .choices = {"one", "two"}},
 
       {.name = "coat.image", .slot = &coat.image, .unit = "", .help = "colour texture in UV; \"\": procedural"},
       {.name = "coat.pattern", .slot = &coat.pattern, .unit = "", .help = "of a procedural coat", .choices = {"plain", "patches", "stripes", "spots", "grass"}},

@@ -38,7 +38,10 @@ typedef struct {
   int substeps;                               // looks into a fragment's layer: 1, 2, 4 or 8
   int coat_size;
   // Light (S Eq. 6; W Eq. 2-5).
-  int wet_model;                              // 0: S Eq. 6, 1: W Eq. 2-5
+  // The models of shading (harness/scene/shading_models.cpp). "curling": surface_light 0. "wet": surface_light 1.
+  // "lambert": surface_light 1, and the host sets specular, wrap and darkening to 0.
+  int surface_light;                          // 1: diffuse light and shadow of the surface, W Eq. 2-5; 0: of the strand, S Eq. 6
+  int two_sided;                              // 1: normals that face away from the eye are reversed before light
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
   float exponent;                             // p

@@ -100,12 +100,13 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.substeps = scene.fur.substeps;
   p.coat_size = input.coat.size;
   const ShadingModel& model = shading_model(scene.shading.model);
-  p.wet_model = model.surface_light;
+  p.surface_light = model.surface_light;
+  p.two_sided = scene.shading.sides == "two";
   p.shadow = scene.shading.shadow;
   copy(scene.shading.specular, p.specular, 3);
   p.exponent = scene.shading.exponent;
   const bool whole = p.exponent >= 1 && p.exponent <= 1024 && std::floor(p.exponent) == p.exponent;
-  p.whole_exponent = whole && !p.wet_model ? int(p.exponent) : 0;
+  p.whole_exponent = whole && !p.surface_light ? int(p.exponent) : 0;
   p.ambient = scene.shading.ambient;
   p.wrap = scene.shading.wrap;
   p.occlusion = scene.shading.occlusion;
@@ -117,7 +118,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
     p.intensity[i] = scene.shading.lights[i].intensity;
   }
-  // The wet model's diffuse term and occlusion, dry and without our additions, are the model of B.
+  // The wet model with dry fur, no highlight and no wrapped light is Lambert's model of B, section 3.
   if (model.plain) {
     copy(glm::vec3(0.0f), p.specular, 3);
     p.wrap = 0;

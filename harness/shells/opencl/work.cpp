@@ -6,7 +6,7 @@ namespace pelage::shells {
 namespace {
 
 double per_shaded(const RasterParams& p, double wet_share) {
-  const int tables = 1 + (p.wet_model || p.substeps > 1) + (p.substeps > 1);
+  const int tables = 1 + (p.surface_light || p.substeps > 1) + (p.substeps > 1);
   double sum = operations::point + tables * operations::record + operations::square +
                operations::dry_fragment + wet_share * operations::clump;
   if (p.substeps > 1) sum += operations::substeps + (p.substeps - 1) * operations::substep;
@@ -14,7 +14,7 @@ double per_shaded(const RasterParams& p, double wet_share) {
 }
 
 double per_blended(const RasterParams& p) {
-  return operations::blend + (p.wet_model ? operations::wet_colour + p.lights * operations::wet_light
+  return operations::blend + (p.surface_light ? operations::wet_colour + p.lights * operations::wet_light
                                           : operations::colour + p.lights * operations::light);
 }
 

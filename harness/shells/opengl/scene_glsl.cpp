@@ -94,6 +94,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(scene.clump.scale == "literal", "LITERAL_CLUMPS");
   define(scene.clump.cells == "separate", "SEPARATE_CELLS");
   define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
+  define(scene.shading.sides == "two", "TWO_SIDED");
   return text;
 }
 

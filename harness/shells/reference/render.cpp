@@ -174,11 +174,12 @@ class Painter {
     if (!(sample.inverse_w > tile.base[at])) return;
     tile.base[at] = sample.inverse_w;
     const glm::dvec2 where = uv(face, sample);
-    const glm::dvec3 normal = unit(bend(face, sample).a);
+    const glm::dvec3 eye = view(sample);
+    const glm::dvec3 normal = lit_normal(input_.scene.shading, unit(bend(face, sample).a), eye);
     const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
                             normal,
                             normal,
-                            view(sample),
+                            eye,
                             0.0,
                             mask_.nearest(where).wetness};
     tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
@@ -205,9 +206,12 @@ class Painter {
     const glm::dvec3 along =
         wet ? wet_tangent(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d)
             : unit(step);
-    const Fragment fragment{
-        sample_coat(input_.coat, where + clump.d) * fur.shade,   along,        normal, eye,
-        layer_height(layer_, scene.fur.layers, options_.mutant), clump.wetness};
+    const Fragment fragment{sample_coat(input_.coat, where + clump.d) * fur.shade,
+                            along,
+                            lit_normal(scene.shading, normal, eye),
+                            eye,
+                            layer_height(layer_, scene.fur.layers, options_.mutant),
+                            clump.wetness};
     const glm::dvec3 colour = wet           ? wet_colour(scene.shading, fragment)
                               : model.plain ? plain_colour(scene.shading, fragment)
                                             : curling_colour(scene.shading, fragment);

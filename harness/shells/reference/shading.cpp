@@ -51,6 +51,10 @@ double wet_shadow(const ShadingScene& shading, double h, double rho) {
 
 }  // namespace
 
+glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view) {
+  return shading.sides == "two" && glm::dot(normal, view) > 0.0 ? -normal : normal;
+}
+
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& f) {
   double diffuse = double(shading.ambient), specular = 0.0;
   for (const LightScene& light : shading.lights) {

@@ -17,6 +17,10 @@ struct Fragment {
   double wetness = 0;  ///< rho
 };
 
+/// The normal that light reaches: with `shading.sides` "two" a normal that faces away from the eye is reversed.
+/// `view` points from the eye to the surface.
+glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
+
 /// S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment);
 

@@ -109,7 +109,7 @@ TEST_F(Fragment, IsLitForWhatTheRooflineSays) {
   const double two = lit();
   c::expect_near(cost::light, two - one, "light");
   c::expect_near(cost::colour, one - (two - one), "colour");
-  s.wet_model = 1;
+  s.surface_light = 1;
   s.whole_exponent = 0;
   const double wet_two = lit();
   s.lights = 1;

@@ -118,6 +118,21 @@ TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   }
 }
 
+TEST(OpenGlPicture, AnOpenSurfaceLitOnBothSides) {
+  Scene scene = synthetic::lively_scene();
+  scene.fur.length = .05f;
+  scene.shading.sides = "two";
+  scene.shading.lights = {LightScene{{.2f, .3f, -1}, 1.5f}};
+  scene.camera.eye = {.3f, .4f, -1.6f};
+  scene.camera.target = {0, 0, 0};
+  scene.camera.up = {0, 1, 0};
+  for (const char* shading : {"curling", "wet"}) {
+    SCOPED_TRACE(shading);
+    scene.shading.model = shading;
+    expect_same(synthetic::frame(scene, synthetic::square(1.4), 12, 12, 30), 2000);
+  }
+}
+
 struct Writings : testing::TestWithParam<const char*> {};
 
 TEST_P(Writings, GiveTheSamePicture) {

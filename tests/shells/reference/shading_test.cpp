@@ -156,5 +156,18 @@ TEST(ReferenceSkin, IsTheWetModelsDiffuseTermAtTheRoot) {
   expect_colour(skin_colour(shading, fragment), .5 * (1 - .25 * .4) * 2.0 * coat);
 }
 
+TEST(ReferenceTwoSided, LightReachesTheSideThatFacesTheEye) {
+  ShadingScene one = bare(), two = bare();
+  two.sides = "two";
+  // E runs from the eye to the surface: z faces away where E has a component along z.
+  for (const double tilt : {.1, .8, 1.5}) {
+    const glm::dvec3 away(std::cos(tilt), 0, std::sin(tilt)), towards(std::cos(tilt), 0, -std::sin(tilt));
+    expect_colour(lit_normal(one, z, away), z);
+    expect_colour(lit_normal(one, z, towards), z);
+    expect_colour(lit_normal(two, z, away), -z);
+    expect_colour(lit_normal(two, z, towards), z);
+  }
+}
+
 }  // namespace
 }  // namespace pelage
