@@ -49,34 +49,37 @@ FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> inp
 std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& which,
                                     const std::set<std::string>& stages) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
-  const FrameOutput tile = draw(device, input, "tile");
+  const std::string& first = mappings().front();
+  const FrameOutput drawn = draw(device, input, first);
   std::vector<StageCheck> all;
   const auto add = [&](const std::string& stage, const std::string& mapping,
                        const std::vector<Check>& checks) {
     for (Check check : checks) {
-      if (!mapping.empty()) check.metric += ", " + mapping;
+      if (!mapping.empty()) check.metric += fmt::format(", {}", mapping);
       all.push_back({stage, check});
     }
   };
-  const bool picture = stages.contains("picture"), mappings = stages.contains("mappings");
+  const bool picture = stages.contains("picture"), others = stages.contains("mappings");
   const FrameOutput reference =
       picture ? reference_output(*input, frames, false) : reference_motion(*input, frames);
   if (which.motion && stages.contains("simulate")) {
-    const TipErrors errors = tip_errors(double(which.scene.fur.length), tile.tips, reference.tips);
+    const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
   }
   // Two dry masks agree whatever the kernel does.
   if (which.motion && stages.contains("mask") && !input->droplets.empty())
-    add("mask", "", check_mask(tile.mask, reference.mask));
-  const auto add_picture = [&](const FrameOutput& drawn) {
-    add("picture", drawn.pipeline, picture_checks("reference", compare(drawn.image, reference.image)));
+    add("mask", "", check_mask(drawn.mask, reference.mask));
+  const auto add_picture = [&](const FrameOutput& output) {
+    add("picture", output.pipeline,
+        picture_checks(against_reference, compare(output.image, reference.image)));
   };
-  if (picture) add_picture(tile);
-  if (!picture && !mappings) return all;
-  for (const char* mapping : {"pixel", "group"}) {
+  if (picture) add_picture(drawn);
+  if (!picture && !others) return all;
+  for (const std::string& mapping : mappings()) {
+    if (mapping == first) continue;
     const FrameOutput other = draw(device, input, mapping);
     if (picture) add_picture(other);
-    if (mappings) add("mappings", mapping, mapping_checks("tile", tile.image, other.image));
+    if (others) add("mappings", mapping, mapping_checks(first, drawn.image, other.image));
   }
   return all;
 }
@@ -96,13 +99,13 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   const auto mesh = load_scene_mesh(which.scene);
   for (const springs::Kind kind : springs::kinds) {
     Scene scene = which.scene;
-    scene.dynamics.topology = springs::name(kind);
+    scene.dynamics.topology = std::string(kind.name);
     FrameInput input = *prepare(scene, mesh);
     for (const springs::Solver solver : springs::solvers) {
-      input.scene.dynamics.solver = springs::name(solver);
+      input.scene.dynamics.solver = std::string(solver.name);
       const std::string what = fmt::format("{}, {}", springs::name(kind), springs::name(solver));
       ShellOptions options;
-      options.mapping = "tile";
+      options.mapping = mappings().front();
       Shells shells(device, std::make_shared<FrameInput>(input), options);
       try {
         if (solver == springs::default_solver) {

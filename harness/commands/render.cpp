@@ -2,80 +2,45 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cstdio>
-
+#include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/dump/dump.hpp"
-#include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"
-#include "harness/shells/opengl/opengl.hpp"
 
 namespace pelage {
 namespace {
 
 struct RenderOptions {
   SceneOptions scene;
-  std::string output, dump, device;
-  std::string pipeline = "shells", mapping, opengl;
-  int bits = 32;
+  std::string output, dump;
+  RendererOptions renderer;
 };
 
-FrameOutput shells_output(const RenderOptions& options, const cl::Device& device,
-                          const std::shared_ptr<const FrameInput>& input) {
-  ShellOptions shell_options;
-  shell_options.mapping = options.mapping;
-  Shells shells(device, input, shell_options);
-  shells.advance(frames_before(input->scene.dynamics));
-  const FrameTiming timing = shells.frame();
-  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold; time with `pelage run`\n",
-             device.info().name, timing.wall_ms);
-  return {fmt::format("shells on {}", device.info().name),
-          shells.frames_simulated(),
-          shells.tips(),
-          shells.velocities(),
-          shells.mask(),
-          shells.read()};
-}
-
-FrameOutput opengl_output(const OpenGlOptions& options, const std::string& renderer,
-                          const std::shared_ptr<const FrameInput>& input) {
-  FrameOutput output = reference_motion(*input, frames_before(input->scene.dynamics) + 1);
-  OpenGl opengl(input, output.mask, options);
-  opengl.bend(output.tips);
-  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold\n", renderer, opengl.frame());
-  output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
-  output.image = opengl.read();
-  return output;
-}
-
 int render(const RenderOptions& options) {
-  if (options.bits == 8 && options.pipeline != "reference") {
-    throw InputError("--reference-bits 8: only the reference rounds; add --pipeline reference");
-  }
-  if (!options.opengl.empty() && options.pipeline != "opengl") {
-    throw InputError("--opengl: only the OpenGL rival reads it; add --pipeline opengl");
-  }
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
   const Scene scene = resolve_scene(options.scene);
-  const bool shells = options.pipeline == "shells";
-  // Before the mesh, which may take minutes.
-  std::optional<cl::Device> device;
-  if (shells) device = cl::choose_device(options.device);
-  const bool opengl = options.pipeline == "opengl";
-  const std::string renderer = opengl ? opengl_renderer() : "";
-  const OpenGlOptions opengl_choice = opengl ? opengl_options(options.opengl) : OpenGlOptions{};
+  const DrawPicture draw = open_renderer(options.renderer);  // before the mesh, which may take minutes
   const auto input = prepare(scene, load_scene_mesh(scene));
-  const FrameOutput output =
-      shells   ? shells_output(options, *device, input)
-      : opengl ? opengl_output(opengl_choice, renderer, input)
-               : reference_output(*input, frames_before(scene.dynamics) + 1, options.bits == 8);
+  const FrameOutput output = draw(input);
   write_picture(options.output, output.image);
   if (!options.dump.empty()) dump_frame(options.dump, *input, output);
   return 0;
+}
+
+std::vector<std::string> renderer_names() {
+  std::vector<std::string> names;
+  for (const Renderer& renderer : renderers()) names.emplace_back(renderer.name);
+  return names;
+}
+
+std::string renderers_help() {
+  std::string text;
+  for (const Renderer& renderer : renderers())
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", renderer.name, renderer.what);
+  return text;
 }
 
 }  // namespace
@@ -87,29 +52,25 @@ void add_render(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--output", options->output, "Picture to write: .png (8-bit), .exr or .tif (float)")
       ->required()
       ->type_name("IMAGE");
-  command
-      ->add_option(
-          "--pipeline", options->pipeline,
-          "shells: tiles on an OpenCL device; reference: naive double precision on the host; opengl: "
-          "the paper's own N passes, by whatever OpenGL there is")
-      ->check(CLI::IsMember({"shells", "reference", "opengl"}))
+  command->add_option("--pipeline", options->renderer.pipeline, renderers_help())
+      ->check(CLI::IsMember(renderer_names()))
       ->capture_default_str();
   command
-      ->add_option("--opengl", options->opengl,
+      ->add_option("--opengl", options->renderer.opengl,
                    "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
   command
-      ->add_option("--mapping", options->mapping,
+      ->add_option("--mapping", options->renderer.mapping,
                    "How the shells' pixels are spread over work-items (default: what suits the device): " +
                        mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
-  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+  command->add_option("--device", options->renderer.device, "PLATFORM:INDEX, or part of a device's name")
       ->type_name("DEVICE");
   command->add_option("--dump", options->dump, "Write every intermediate of the frame as HDF5")
       ->type_name("FRAME.h5");
   command
-      ->add_option("--reference-bits", options->bits,
+      ->add_option("--reference-bits", options->renderer.bits,
                    "8: the reference rounds its picture to 8 bits after every layer, as a GPU of 2010 did")
       ->check(CLI::IsMember({8, 32}))
       ->capture_default_str();

@@ -4,6 +4,9 @@
 
 namespace pelage {
 
+/// Check::against of comparisons with the double-precision reference.
+inline constexpr const char* against_reference = "reference";
+
 /// One comparison of the timed frame with something trusted. Holds when `value` keeps to `limit` as
 /// `at_least` says.
 struct Check {

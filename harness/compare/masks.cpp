@@ -22,8 +22,8 @@ std::vector<Check> check_mask(const std::vector<glm::vec4>& ours, const std::vec
       worst = std::isfinite(error) ? std::max(worst, error) : 1e6;
     }
   }
-  return {{"reference", "texels wet in one only", other, 0, false},
-          {"reference", "largest texel error", worst, tolerance::mask_texel, false}};
+  return {{against_reference, "texels wet in one only", other, 0, false},
+          {against_reference, "largest texel error", worst, tolerance::mask_texel, false}};
 }
 
 }  // namespace pelage

@@ -23,11 +23,11 @@ TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
 }
 
 Check check_worst_tip(const TipErrors& errors) {
-  return {"reference", "largest tip error / L0", errors.worst, tolerance::worst_tip, false};
+  return {against_reference, "largest tip error / L0", errors.worst, tolerance::worst_tip, false};
 }
 
 Check check_usual_tip(const TipErrors& errors) {
-  return {"reference", "99.9th percentile of it", errors.p999, tolerance::usual_tip, false};
+  return {against_reference, "99.9th percentile of it", errors.p999, tolerance::usual_tip, false};
 }
 
 }  // namespace pelage

@@ -11,7 +11,8 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   options.frames = frames;
   options.sticks.assign(sticks.begin(), sticks.end());
   options.windows = fur_windows(timed, kCheckWindows, kCheckSide, seed);
-  const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
+  const Check windows{against_reference, "windows", double(options.windows.size()), double(kCheckWindows),
+                      true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
   // One flipped pixel, for which rounding chooses the neighbouring texel of the mask and changes a channel by
@@ -23,7 +24,7 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
     all = compare(timed, reference::render(input, options));
   }
   std::vector<Check> checks{windows};
-  for (Check& check : picture_checks("reference", all)) checks.push_back(std::move(check));
+  for (Check& check : picture_checks(against_reference, all)) checks.push_back(std::move(check));
   return {checks, all, sample, windows};
 }
 

@@ -105,13 +105,14 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   const auto variant = experiment.variants.find(result.variant);
   if (variant == experiment.variants.end() && result.variant != default_variant)
     throw InputError(fmt::format("{}: no variant '{}'", experiment.name, result.variant));
-  auto part = [&](const std::string& key, std::string_view otherwise) {
-    if (variant == experiment.variants.end() || !variant->second.contains(key)) return std::string(otherwise);
-    return variant->second.at(key);
+  auto part = [&](std::string_view key, std::string_view otherwise) {
+    if (variant == experiment.variants.end()) return std::string(otherwise);
+    const auto found = variant->second.find(std::string(key));
+    return found == variant->second.end() ? std::string(otherwise) : found->second;
   };
-  result.pipeline = part("pipeline", default_pipeline);
-  result.mapping = part("mapping", "");
-  result.opengl = part("opengl", "");
+  result.pipeline = part(pipeline_key, default_pipeline);
+  result.mapping = part(mapping_key, "");
+  result.opengl = part(opengl_key, "");
 
   if (result.overrides.empty()) result.require = experiment.require;
   if (result.overrides.empty())

@@ -47,6 +47,9 @@ struct Published {
 /// device. Rows of a processor's default mapping have the variant below; report tables leave it unsaid.
 inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
 
+/// Keys of a variant that are not keys of the scene.
+inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapping", opengl_key = "opengl";
+
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::filesystem::path file;

@@ -144,7 +144,7 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
 
 /// Keys of a variant that are not the scene's.
 bool says_how(std::string_view key) {
-  return key == "pipeline" || key == "mapping" || key == "opengl";
+  return key == pipeline_key || key == mapping_key || key == opengl_key;
 }
 
 void read_tables_of_axis(const fs::path& file, const std::string& axis, const toml::table& table,

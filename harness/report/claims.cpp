@@ -8,6 +8,7 @@
 
 #include "harness/measure/statistics.hpp"
 #include "harness/report/csv.hpp"
+#include "harness/scene/spring_kinds.hpp"
 
 namespace pelage {
 namespace {
@@ -19,9 +20,23 @@ using Key = std::tuple<std::string, std::string, std::string>;  // model, topolo
 using Table = std::map<Key, Times>;
 
 const std::string elephant = "banisch-elephant", dog = "banisch-dog", grass = "banisch-grass";
-const std::vector<std::string> shared{"sticks", "prisms"},
-    every{"sticks", "prisms", "separable-sticks", "separable-prisms"},
-    both{"explicit-euler", "backward-euler"};
+const std::string by_explicit(springs::Solver::explicit_euler.name),
+    by_implicit(springs::Solver::backward_euler.name);
+const std::vector<std::string> both{by_explicit, by_implicit};
+
+/// The names of the topologies whose layers can part, or of the others.
+std::vector<std::string> topologies(bool separable) {
+  std::vector<std::string> names;
+  for (const springs::Kind& kind : springs::kinds)
+    if (kind.separable == separable) names.emplace_back(kind.name);
+  return names;
+}
+
+std::vector<std::string> every_topology() {
+  std::vector<std::string> names;
+  for (const springs::Kind& kind : springs::kinds) names.emplace_back(kind.name);
+  return names;
+}
 
 std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   std::map<std::string, std::map<Key, std::pair<std::vector<double>, std::vector<double>>>> samples;
@@ -58,8 +73,8 @@ std::optional<double> share(const Table& table, const Key& key) {
 
 std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
-  const auto slow = times(table, {model, topology, "backward-euler"}),
-             fast = times(table, {model, topology, "explicit-euler"});
+  const auto slow = times(table, {model, topology, by_implicit}),
+             fast = times(table, {model, topology, by_explicit});
   // Uses the device's timer, because the rest of a frame is equal and its noise is larger than this
   // difference.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
@@ -93,7 +108,7 @@ const std::vector<Sentence>& sentences() {
        "on Figures 9 and 10",
        "simulation's share of the frame at most 1/2",
        {elephant, dog},
-       shared,
+       topologies(false),
        both,
        share,
        true,
@@ -104,8 +119,8 @@ const std::vector<Sentence>& sentences() {
        "the explicit solver's frame with the implicit one's simulation in place of its own, by that frame, "
        "at most 1.1",
        {elephant},
-       shared,
-       {"backward-euler"},
+       topologies(false),
+       {by_implicit},
        implicit_by_explicit,
        true,
        1.1},
@@ -114,7 +129,7 @@ const std::vector<Sentence>& sentences() {
        "section 4, of the separable topologies",
        "so they cost more: their simulation's time by the shared form's, at least 1",
        {elephant, dog},
-       shared,
+       topologies(false),
        both,
        separable_by_shared,
        false,
@@ -124,8 +139,8 @@ const std::vector<Sentence>& sentences() {
        "on Figure 9, the elephant",
        "at least 17 updates a second, which the paper calls near the limits of interactive application",
        {elephant},
-       {"separable-sticks", "separable-prisms"},
-       {"explicit-euler"},
+       topologies(true),
+       {by_explicit},
        updates,
        false,
        17},
@@ -133,7 +148,7 @@ const std::vector<Sentence>& sentences() {
        "on Figure 10, the dog",
        "simulation's share of the frame at most 1/20",
        {dog},
-       {"sticks"},
+       {std::string(springs::Kind::sticks.name)},
        both,
        share,
        true,
@@ -143,7 +158,7 @@ const std::vector<Sentence>& sentences() {
        "on Figure 11, the grass",
        "simulation's share of the frame at most 1/10",
        {grass},
-       every,
+       every_topology(),
        both,
        share,
        true,

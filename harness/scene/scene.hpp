@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "harness/scene/spring_kinds.hpp"
+
 namespace pelage {
 
 /// The volume texture's recipe and how it is hung on the surface.
@@ -123,15 +125,15 @@ struct PokeScene {
 };
 
 struct DynamicsScene {
-  std::string topology = "silva";              ///< what moves the fur; scene_keys.cpp lists the names
-  std::string solver = "semi-implicit-euler";  ///< of a topology; Silva's strand knows this one only
-  std::string bend = "paper";                  ///< of a topology's layers: "linear" | "paper" | "tangent"
-  float bend_power = 2.0f;                     ///< k of B Eq. 4
-  float mass = 0.001f;                         ///< kg
-  float stiffness = 0.4f;                      ///< k of Silva's strand, N/m, with 1 R = 1 m
-  float drag = 0.01f;                          ///< c, N s/m
-  float step = 1.0f / 240.0f;                  ///< dt of a substep, s
-  int substeps = 4;                            ///< per frame
+  std::string topology = "silva";                    ///< what moves the fur; scene_keys.cpp lists the names
+  std::string solver{springs::default_solver.name};  ///< of a topology; Silva's strand knows this one only
+  std::string bend = "paper";  ///< of a topology's layers: "linear" | "paper" | "tangent"
+  float bend_power = 2.0f;     ///< k of B Eq. 4
+  float mass = 0.001f;         ///< kg
+  float stiffness = 0.4f;      ///< k of Silva's strand, N/m, with 1 R = 1 m
+  float drag = 0.01f;          ///< c, N s/m
+  float step = 1.0f / 240.0f;  ///< dt of a substep, s
+  int substeps = 4;            ///< per frame
   float tolerance =
       0.0f;           ///< of a topology, fraction of the fur's length: more substeps where needed; 0: never
   float time = 0.0f;  ///< simulated before the first picture, s

@@ -4,6 +4,7 @@
 
 #include "harness/error.hpp"
 #include "harness/scene/shading_models.hpp"
+#include "harness/scene/spring_kinds.hpp"
 
 namespace pelage {
 namespace {
@@ -13,6 +14,13 @@ constexpr double most_seed = 4294967295.0;
 std::vector<std::string_view> shading_names() {
   std::vector<std::string_view> names;
   for (const ShadingModel& model : shading_models()) names.push_back(model.name);
+  return names;
+}
+
+/// Silva's strands and the spring topologies.
+std::vector<std::string_view> topology_names() {
+  std::vector<std::string_view> names = springs::kind_names();
+  names.insert(names.begin(), "silva");
   return names;
 }
 
@@ -92,8 +100,8 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "clump.scale", .slot = &clump.scale, .unit = "", .help = "factor of the displacement: gain, or the literal r_mask", .choices = {"relative", "literal"}},
       {.name = "clump.cells", .slot = &clump.cells, .unit = "", .help = "a clump also ends where its neighbour begins, or as Algorithm 2 is printed", .choices = {"separate", "literal"}},
 
-      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "what moves the fur: Silva's strand per triangle, or the masses and springs of docs/topology.md", .choices = {"silva", "sticks", "prisms", "separable-sticks", "separable-prisms"}},
-      {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "of a topology; silva knows semi-implicit Euler only", .choices = {"explicit-euler", "backward-euler", "semi-implicit-euler", "rk4"}},
+      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "what moves the fur: Silva's strand per triangle, or the masses and springs of docs/topology.md", .choices = topology_names()},
+      {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "of a topology; silva knows semi-implicit Euler only", .choices = springs::solver_names()},
       {.name = "dynamics.bend", .slot = &dynamics.bend, .unit = "", .help = "of a topology's layers: along the stick, as B Eq. 4 is printed, or its tangential part only", .choices = {"linear", "paper", "tangent"}},
       {"dynamics.bend_power", &dynamics.bend_power, "", 1, 16, "k of B Eq. 4"},
       {"dynamics.mass", &dynamics.mass, "kg", 1e-9, 1000, "m, the mass at a strand's tip"},

@@ -6,7 +6,6 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/subjects/shells.hpp"
 
 namespace pelage {
 namespace {
@@ -65,10 +64,6 @@ std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which
     return make(fewer);
   };
   return std::make_unique<FewerLayers>(with(layers), with(layers / 2), with(layers / 4));
-}
-
-std::unique_ptr<Subject> make_fewer_layers(SubjectContext& context, const Case& which) {
-  return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which);
 }
 
 }  // namespace pelage

@@ -55,7 +55,7 @@ class OpenGlSubject : public Subject {
   std::vector<Check> check(const Picture& timed) override {
     const WindowCheck result = check_against_reference(*input_, frames_, timed, seed_);
     std::vector<Check> checks{result.windows};
-    for (Check& check : other_filter_checks("reference", result.agreement))
+    for (Check& check : other_filter_checks(against_reference, result.agreement))
       checks.push_back(std::move(check));
     return checks;
   }
@@ -128,7 +128,13 @@ class Duel : public Subject {
   std::string phase_;
 };
 
-/// Says before the mesh is prepared whether there is any OpenGL.
+}  // namespace
+
+std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
+                              const std::string& phase) {
+  return std::make_unique<Duel>(std::move(ours), std::move(rival), phase);
+}
+
 void need_opengl() {
   try {
     opengl_renderer();
@@ -137,24 +143,12 @@ void need_opengl() {
   }
 }
 
-}  // namespace
-
-std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
-                              const std::string& phase) {
-  return std::make_unique<Duel>(std::move(ours), std::move(rival), phase);
-}
-
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which) {
   need_opengl();
   const OpenGlOptions options = opengl_options(which.opengl);
   const Scene scene = scene_of(context.experiment, which);
   return std::make_unique<OpenGlSubject>(prepare(scene, context.mesh_of(scene)), options,
                                          std::uint32_t(Hash().text(which.name).value()));
-}
-
-std::unique_ptr<Subject> make_shells_against_opengl(SubjectContext& context, const Case& which) {
-  need_opengl();
-  return duel(make_shells(context, which), make_opengl(context, which), "opengl");
 }
 
 }  // namespace pelage

@@ -10,8 +10,8 @@ namespace pelage {
 /// OpenGL.
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
 
-/// A duel of the OpenCL pipeline with it.
-std::unique_ptr<Subject> make_shells_against_opengl(SubjectContext& context, const Case& which);
+/// Throws Unsupported where there is no OpenGL. Fast: call it before a mesh is prepared.
+void need_opengl();
 
 /// Draws a frame of `ours` and then one of the `rival`, again and again. The row is ours, and holds besides:
 /// the rival's times as phase `phase`, the agreement of the two pictures (at least

@@ -12,9 +12,16 @@ namespace {
 
 constexpr Pipeline table[] = {
     {"shells", make_shells},
-    {"shells+fewer", make_fewer_layers},
+    {"shells+fewer",
+     [](SubjectContext& context, const Case& which) {
+       return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which);
+     }},
     {"opengl", make_opengl},
-    {"shells+opengl", make_shells_against_opengl},
+    {"shells+opengl",
+     [](SubjectContext& context, const Case& which) {
+       need_opengl();
+       return duel(make_shells(context, which), make_opengl(context, which), "opengl");
+     }},
     {"springs", springs::make_solver},
     {"springs+rivals", springs::make_solver_against_baselines},
     {"springs-error", springs::make_solver_error},

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <vector>
 
 #include "tests/cli/shell.hpp"
@@ -31,30 +34,96 @@ std::vector<Block> blocks_of(const std::filesystem::path& document) {
   return blocks;
 }
 
+/// Runs the script in the folder with the given binary as `pelage`. Returns the exit status.
+int run_in(const Folder& folder, const std::string& script, const std::filesystem::path& binary) {
+  folder.write("block.sh", "set -e\n" + script);
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
+                              PELAGE_SOURCE_DIR "/kernels' PATH=\"" + binary.parent_path().string() +
+                              ":$PATH\" sh block.sh >stdout 2>stderr";
+  return std::system(command.c_str());
+}
+
+/// The pairs "-old", "+new" of the diff as replacements in copies of the source files. Every old text must
+/// occur exactly once, so the document fails with the code that it quotes.
+void apply(const std::string& diff, const std::filesystem::path& source,
+           const std::filesystem::path& changes) {
+  std::filesystem::path file;
+  std::string before, after;
+  const auto replace = [&] {
+    if (before.empty()) return;
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::size_t at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << file << " does not contain\n" << before;
+    ASSERT_EQ(text.find(before, at + 1), std::string::npos) << file << " contains more than once\n" << before;
+    std::ofstream(file, std::ios::binary) << text.replace(at, before.size(), after);
+    before = after = "";
+  };
+  std::istringstream lines(diff);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("+++ b/", 0) == 0) {
+      replace();
+      file = changes / line.substr(6);
+      std::filesystem::create_directories(file.parent_path());
+      if (!std::filesystem::exists(file)) std::filesystem::copy_file(source / line.substr(6), file);
+    } else if (line.rfind("@@", 0) == 0) {
+      replace();
+    } else if (line.rfind("--- ", 0) != 0) {
+      if (line[0] != '+') before += line.substr(1) + "\n";
+      if (line[0] != '-') after += line.substr(1) + "\n";
+    }
+  }
+  replace();
+}
+
 TEST(Extending, EveryBlockOfTheDocumentWorks) {
   const Folder folder;
-  const std::filesystem::path source = PELAGE_SOURCE_DIR;
+  const std::filesystem::path source = PELAGE_SOURCE_DIR, changes = folder.path() / "changes";
   const auto blocks = blocks_of(source / "docs/extending.md");
-  ASSERT_GE(blocks.size(), 6u);
-  int shells = 0;
+  ASSERT_GE(blocks.size(), 16u);
+  std::filesystem::path binary = PELAGE_BINARY;
+  std::set<std::string> touched;  // existing files, since the last heading's build
+  int shells = 0, builds = 0;
+  bool changed = false;
   for (const Block& block : blocks) {
-    if (block.language != "sh") {
-      const std::string name = block.text.substr(2, block.text.find('\n') - 2);
-      ASSERT_EQ(block.text.rfind("# ", 0), 0u) << "line " << block.line;
-      const bool toml = block.language == "toml";
-      folder.write(name, toml ? block.text : block.text.substr(block.text.find('\n') + 1));
-      continue;
+    SCOPED_TRACE("docs/extending.md, line " + std::to_string(block.line));
+    if (block.language == "sh") {
+      if (changed) {
+        const std::string build =
+            "python3 '" + (source / "tests/cli/changed_build.py").string() + "' '" + source.string() + "' '" +
+            std::filesystem::path(PELAGE_BINARY).lexically_normal().parent_path().string() + "' '" +
+            changes.string() + "'";
+        ASSERT_EQ(run_in(folder, build, binary), 0) << folder.read("stdout") << folder.read("stderr");
+        EXPECT_LE(touched.size(), 3u);  // what an addition may touch besides its own files
+        touched.clear();
+        binary = changes / "pelage";
+        changed = false;
+        ++builds;
+      }
+      ++shells;
+      EXPECT_EQ(run_in(folder, block.text, binary), 0) << folder.read("stdout") << folder.read("stderr");
+    } else if (block.language == "diff") {
+      apply(block.text, source, changes);
+      for (std::size_t at = 0; (at = block.text.find("+++ b/", at)) != std::string::npos; ++at)
+        touched.insert(block.text.substr(at, block.text.find('\n', at) - at));
+      changed = true;
+    } else {
+      const std::size_t end = block.text.find('\n');
+      const bool code = block.language == "cpp";
+      ASSERT_EQ(block.text.rfind(code ? "// " : "# ", 0), 0u);
+      const std::string name = block.text.substr(code ? 3 : 2, end - (code ? 3 : 2));
+      if (code) {
+        std::filesystem::create_directories((changes / name).parent_path());
+        folder.write("changes/" + name, block.text);
+        changed = true;
+      } else {
+        folder.write(name, block.language == "toml" ? block.text : block.text.substr(end + 1));
+      }
     }
-    ++shells;
-    folder.write("block.sh", "set -e\n" + block.text);
-    const std::string command =
-        "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
-        (source / "kernels").string() +
-        "' PATH=\"$(dirname '" PELAGE_BINARY "'):$PATH\" sh block.sh >stdout 2>stderr";
-    EXPECT_EQ(std::system(command.c_str()), 0) << "line " << block.line << "\n"
-                                               << folder.read("stdout") << folder.read("stderr");
   }
-  EXPECT_GE(shells, 4);
+  EXPECT_GE(shells, 7);
+  EXPECT_EQ(builds, 3);  // a mapping, a pipeline, a topology
   for (const char* made : {"resolved.toml", "sheep.png", "tetrahedron.ply", "tetrahedron.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / made)) << made;
   }

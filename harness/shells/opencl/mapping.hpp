@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,7 @@ struct MappingKind {
   std::string_view name;                ///< as users write it: --mapping, variants, rows
   std::string_view what;                ///< one line for --help
   std::string_view kernel;              ///< that draws
+  bool one_eye_per_pixel;               ///< computes a pixel's view ray once a frame; false: once a fragment
   int (*lanes)(const cl::DeviceInfo&);  ///< of its kernels and of the vertex kernels, 1 or 16
   Tuning (*tuning)(Tuning);             ///< the axes as the mapping builds its kernels
   std::unique_ptr<Mapping> (*make)(const MappingSetup&);
@@ -48,6 +50,8 @@ struct MappingKind {
 
 // One per file; mappings.cpp lists them.
 extern const MappingKind tile_mapping, pixel_mapping, workgroup_mapping;
+
+extern const std::span<const MappingKind* const> mapping_kinds;  ///< all of them
 
 /// The mapping of that name; "": the device's default. Throws InputError naming those there are.
 const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device);

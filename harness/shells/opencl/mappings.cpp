@@ -19,6 +19,8 @@ const MappingKind& default_kind(const cl::DeviceInfo& device) {
 
 }  // namespace
 
+constinit const std::span<const MappingKind* const> mapping_kinds = kinds;
+
 const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device) {
   if (name.empty()) return default_kind(device);
   const auto found =

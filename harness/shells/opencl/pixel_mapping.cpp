@@ -43,6 +43,7 @@ std::unique_ptr<Mapping> tally_mapping(MappingSetup setup, int every) {
 const MappingKind pixel_mapping{.name = "pixel",
                                 .what = "a work-item draws a pixel, one fragment after the other",
                                 .kernel = "pixel_shells",
+                                .one_eye_per_pixel = false,
                                 .lanes = [](const cl::DeviceInfo&) { return 1; },
                                 .tuning =
                                     [](Tuning tuning) {

@@ -46,6 +46,7 @@ class TileMapping : public Mapping {
 const MappingKind tile_mapping{.name = "tile",
                                .what = "a work-item draws a tile, in 16 lanes where the device has them",
                                .kernel = "tile_shells",
+                               .one_eye_per_pixel = true,
                                .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
                                .tuning = [](Tuning tuning) { return tuning; },
                                .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {

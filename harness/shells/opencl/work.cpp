@@ -15,7 +15,7 @@ double per_shaded(const RasterParams& p, double wet_share) {
 
 double per_blended(const RasterParams& p) {
   return operations::blend + (p.surface_light ? operations::wet_colour + p.lights * operations::wet_light
-                                          : operations::colour + p.lights * operations::light);
+                                              : operations::colour + p.lights * operations::light);
 }
 
 }  // namespace
@@ -25,15 +25,17 @@ std::map<std::string, double> frame_operations(const RasterParams& raster, const
                                                double wet_share) {
   const double fragments =
       double(tally.shaded) * per_shaded(raster, wet_share) + double(tally.blended) * per_blended(raster);
-  // A tile keeps its pixels' for all layers.
-  const double eye_per_pixel = double(raster.width) * raster.height * operations::eye;
-  const double eye_per_fragment = double(tally.shaded) * operations::eye;
-  return {{"strand_frame", double(simulate.stride) * simulate.substeps * operations::strand_substep},
-          {"vertex_tips", double(geometry.weight.size()) * operations::tip_entry},
-          {"layer_vertices", double(raster.vertices) * (raster.layers + 1) * operations::vertex_layer},
-          {std::string(tile_mapping.kernel), fragments + eye_per_pixel},
-          {std::string(pixel_mapping.kernel), fragments + eye_per_fragment},
-          {std::string(workgroup_mapping.kernel), fragments + eye_per_fragment}};
+  std::map<std::string, double> per_kernel{
+      {"strand_frame", double(simulate.stride) * simulate.substeps * operations::strand_substep},
+      {"vertex_tips", double(geometry.weight.size()) * operations::tip_entry},
+      {"layer_vertices", double(raster.vertices) * (raster.layers + 1) * operations::vertex_layer},
+  };
+  for (const MappingKind* mapping : mapping_kinds) {
+    const double rays =
+        mapping->one_eye_per_pixel ? double(raster.width) * raster.height : double(tally.shaded);
+    per_kernel[std::string(mapping->kernel)] = fragments + rays * operations::eye;
+  }
+  return per_kernel;
 }
 
 }  // namespace pelage::shells

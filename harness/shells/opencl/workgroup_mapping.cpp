@@ -88,6 +88,7 @@ const MappingKind workgroup_mapping{
     .name = "group",
     .what = "a work-group draws a tile, a work-item a pixel, and all of them share its triangles",
     .kernel = "group_shells",
+    .one_eye_per_pixel = false,
     .lanes = [](const cl::DeviceInfo&) { return 1; },
     .tuning =
         [](Tuning tuning) {

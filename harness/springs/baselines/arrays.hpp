@@ -21,7 +21,7 @@ struct Arrays {
 
 /// Steps of one call; moment 2 i is at the start of step i.
 struct Course {
-  Solver solver = solvers[0];
+  Solver solver = default_solver;
   TopologyParams params{};
   const Moment* moments = nullptr;
   int steps = 0;

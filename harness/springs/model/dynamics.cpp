@@ -71,15 +71,6 @@ Moment moment(const Dynamics& d, double time) {
 
 }  // namespace
 
-Solver solver_of(const std::string& wanted) {
-  std::vector<std::string_view> names;
-  for (const Solver& solver : solvers) {
-    if (solver.name == wanted) return solver;
-    names.push_back(solver.name);
-  }
-  throw InputError(fmt::format("solver {}: none of {}", wanted, fmt::join(names, ", ")));
-}
-
 void check(const Dynamics& d) {
   above_0("time step, s", d.step);
   above_0("mass, kg", d.mass);

@@ -5,41 +5,10 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/scene/spring_kinds.hpp"
 #include "kernels/springs/params.h"
 
 namespace pelage::springs {
-
-/// A time integration scheme, as the properties that tell the schemes apart. Code asks for a property, never
-/// for a name, so that a further scheme is one more row of `solvers`.
-struct Solver {
-  std::string_view name;  ///< as users write it
-  bool implicit = false;  ///< solves a linear system per step
-  bool in_turn = false;   ///< positions move with the new velocities
-  int stages = 1;         ///< evaluations of the forces per step: 1, or 4 of the classical Runge-Kutta scheme
-
-  constexpr bool operator==(const Solver& other) const { return name == other.name; }
-  bool multistage() const { return stages > 1; }
-
-  static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4;
-};
-inline constexpr Solver Solver::explicit_euler{"explicit-euler"};  ///< the paper's first
-/// The paper's second: one linearised step (Baraff and Witkin 1998).
-inline constexpr Solver Solver::backward_euler{"backward-euler", true, true};
-inline constexpr Solver Solver::semi_implicit_euler{"semi-implicit-euler", false, true};
-inline constexpr Solver Solver::rk4{"rk4", false, false, 4};
-
-inline constexpr Solver solvers[] = {Solver::explicit_euler, Solver::backward_euler,
-                                     Solver::semi_implicit_euler, Solver::rk4};
-/// Of a step long enough for all: the scheme of the highest order.
-inline constexpr Solver highest_order = Solver::rk4;
-inline constexpr Solver default_solver = Solver::semi_implicit_euler;
-
-/// The solver's name.
-inline std::string_view name(const Solver& solver) {
-  return solver.name;
-}
-/// Throws InputError naming those there are.
-Solver solver_of(const std::string& name);
 
 /// Air that moves along `direction` with `speed` (1 + gust sin(2 pi (f t - x . direction / wavelength))), x
 /// being the stick's root at time 0.

@@ -47,15 +47,6 @@ glm::dvec3 rest_top(const SpringNetwork& topology, std::uint32_t stick) {
 
 }  // namespace
 
-Kind kind_of(const std::string& wanted) {
-  std::vector<std::string_view> names;
-  for (const Kind& kind : kinds) {
-    if (kind.name == wanted) return kind;
-    names.push_back(kind.name);
-  }
-  throw InputError(fmt::format("topology {}: none of {}", wanted, fmt::join(names, ", ")));
-}
-
 SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
   if (mesh.triangle.empty()) throw InputError(fmt::format("{}: no triangle to stand a stick on", mesh.name));
   if (!(length > 0) || !std::isfinite(length))

@@ -10,38 +10,9 @@
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
+#include "harness/scene/spring_kinds.hpp"
 
 namespace pelage::springs {
-
-/// A topology, as the properties that tell the four apart. Code asks for a property, never for a name.
-struct Kind {
-  std::string_view name;  ///< as users write it
-  bool separable;  ///< sticks stand at every triangle's own three corners: layers part between triangles
-  bool edges;      ///< springs also run along the outermost layer's edges
-
-  constexpr bool operator==(const Kind& other) const { return name == other.name; }
-  bool shared_edges() const { return edges && !separable; }  ///< a top hangs on its neighbours' tops
-  bool own_edges() const { return edges && separable; }  ///< only the three tops of a triangle hang together
-
-  static const Kind sticks, prisms, separable_sticks, separable_prisms;
-};
-inline constexpr Kind Kind::sticks{"sticks", false, false};
-inline constexpr Kind Kind::prisms{"prisms", false, true};
-inline constexpr Kind Kind::separable_sticks{"separable-sticks", true, false};
-inline constexpr Kind Kind::separable_prisms{"separable-prisms", true, true};
-
-inline constexpr Kind kinds[] = {Kind::sticks, Kind::prisms, Kind::separable_sticks, Kind::separable_prisms};
-
-/// The topology's name.
-inline std::string_view name(const Kind& kind) {
-  return kind.name;
-}
-/// Throws InputError naming those there are.
-Kind kind_of(const std::string& name);
-
-constexpr bool separable(const Kind& kind) {
-  return kind.separable;
-}
 
 /// What a vertex of the paper is. On surface points a shared topology is one piece; on vertex copies, which
 /// the paper's own counts are, it also parts along the seams of the UV map. Separable ones are the same on
@@ -52,7 +23,7 @@ enum class Vertices { points, copies };
 /// sticks() springs are the sticks; the others lie between tops, each once. Stick 3f + c of a separable
 /// topology stands on corner c of triangle f, and its springs between tops are (c, c + 1) in that order.
 struct SpringNetwork {
-  Kind kind = kinds[0];
+  Kind kind = Kind::sticks;
   std::vector<glm::vec3> mass;      ///< M, rest positions, R
   std::vector<glm::vec3> normal;    ///< M / 2, unit: the direction in which the stick rests
   std::vector<std::uint32_t> copy;  ///< M / 2, the vertex copy of the mesh that the stick stands on

@@ -79,7 +79,7 @@ class Duel : public Subject {
         checks.push_back(one);
     };
     if (!setting_.dynamics.solver.implicit || setting_.topology.sticks() <= most_factored)
-      held("reference", reference_offsets());
+      held(against_reference, reference_offsets());
     for (const auto& [name, rival] : rivals_) held(name, rival->state().offset);
     if (checks.empty() && substeps_ == 1) checks = step_checks(ours);
     return checks;
@@ -144,7 +144,7 @@ class Duel : public Subject {
     }
     const double left =
         reference::residual({setting_.topology, setting_.dynamics}, start(), setting_.steps, change);
-    return {{"reference", "residual", left, tolerance::step_residual, false},
+    return {{against_reference, "residual", left, tolerance::step_residual, false},
             {"own speeds", "worst", spread(offsets, moved, double(setting_.topology.length)).worst,
              tolerance::stick_top, false}};
   }

@@ -1,0 +1,51 @@
+#include "harness/scene/spring_kinds.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "harness/error.hpp"
+
+namespace pelage::springs {
+namespace {
+
+constexpr Kind kind_table[] = {Kind::sticks, Kind::prisms, Kind::separable_sticks, Kind::separable_prisms};
+
+constexpr Solver solver_table[] = {Solver::explicit_euler, Solver::backward_euler,
+                                   Solver::semi_implicit_euler, Solver::rk4};
+
+template <class Row>
+std::vector<std::string_view> names_in(std::span<const Row> table) {
+  std::vector<std::string_view> names;
+  for (const Row& row : table) names.push_back(row.name);
+  return names;
+}
+
+template <class Row>
+Row row_named(const std::string& wanted, std::span<const Row> table, std::string_view what) {
+  for (const Row& row : table)
+    if (row.name == wanted) return row;
+  throw InputError(fmt::format("{} {}: none of {}", what, wanted, fmt::join(names_in(table), ", ")));
+}
+
+}  // namespace
+
+constinit const std::span<const Kind> kinds = kind_table;
+constinit const std::span<const Solver> solvers = solver_table;
+
+Kind kind_of(const std::string& name) {
+  return row_named(name, kinds, "topology");
+}
+
+Solver solver_of(const std::string& name) {
+  return row_named(name, solvers, "solver");
+}
+
+std::vector<std::string_view> kind_names() {
+  return names_in(kinds);
+}
+
+std::vector<std::string_view> solver_names() {
+  return names_in(solvers);
+}
+
+}  // namespace pelage::springs

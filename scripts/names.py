@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Counts the places in harness/ and bench/ that name a mapping, pipeline, solver, topology or model of shading: as a string,
+an enumerator, a class or a factory, outside the files of that name's own and the one table of the family.
+
+Ends with 1 if a name has more than two such places. -v prints the places.
+"""
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MOST = 2
+
+# family -> its tables, {name: (pattern beside the string "name", own files)}, lines in which the string means something
+# else.
+FAMILIES = {
+    "mapping": (["harness/shells/opencl/mappings.cpp"], {
+        "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
+        "pixel": (r"shells/pixel\"|pixel_mapping\b|PixelMapping", ["harness/shells/opencl/pixel_mapping.cpp"]),
+        "group": (r"shells/group\"|workgroup_mapping\b|WorkgroupMapping", ["harness/shells/opencl/workgroup_mapping.cpp"]),
+    }, None),
+    "pipeline": (["harness/subjects/pipelines.cpp", "harness/commands/renderers.cpp"], {
+        "shells": (r"make_shells\b", ["harness/subjects/shells"]),
+        "shells+fewer": (r"fewer_layers\(", ["harness/subjects/fewer_layers"]),
+        "opengl": (r"make_opengl\b", ["harness/subjects/opengl"]),
+        "shells+opengl": (r"shells_against_opengl", []),
+        "reference": (r"open_reference\b", []),
+        "springs": (r"make_solver\b", ["harness/springs/studies/study"]),
+        "springs+rivals": (r"make_solver_against_baselines", ["harness/springs/studies/study"]),
+        "springs-error": (r"make_solver_error", ["harness/springs/studies/study"]),
+        "springs-limit": (r"make_solver_limit", ["harness/springs/studies/study"]),
+        "springs-energy": (r"make_solver_energy", ["harness/springs/studies/study"]),
+    }, r'metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),  # numbers of springs; a file
+    "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
+        "explicit-euler": (r"Solver::explicit_euler", []),
+        "backward-euler": (r"Solver::backward_euler", []),
+        "semi-implicit-euler": (r"Solver::semi_implicit_euler", []),
+        "rk4": (r"Solver::rk4", []),
+    }, None),
+    "topology": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
+        "sticks": (r"Kind::sticks\b", []),
+        "prisms": (r"Kind::prisms\b", []),
+        "separable-sticks": (r"Kind::separable_sticks\b", []),
+        "separable-prisms": (r"Kind::separable_prisms\b", []),
+    }, r'metrics\["sticks"\]'),  # the number of sticks
+    "shading": (["harness/scene/shading_models.cpp"], {
+        "curling": (r"ShadingModel::curling", []),
+        "wet": (r"ShadingModel::wet", []),
+        "lambert": (r"ShadingModel::lambert", []),
+    }, r'stage == "wet"'),  # the stage that makes the mask
+}
+
+
+def main():
+    files = subprocess.run(["git", "ls-files", "--cached", "--others", "harness/*.?pp", "bench/*.?pp"], cwd=ROOT, check=True,
+                           capture_output=True, text=True).stdout.split()
+    lines = [(f, n, line) for f in files if (ROOT / f).exists()
+             for n, line in enumerate((ROOT / f).read_text().split("\n"), 1)
+             if not line.lstrip().startswith(("//", "#include"))]
+    failed = False
+    for family, (tables, names, other_meaning) in FAMILIES.items():
+        for name, (pattern, own) in names.items():
+            named = re.compile(rf'"{re.escape(name)}"|{pattern}')
+            places = [(f, n, line) for f, n, line in lines
+                      if named.search(line.split("//")[0]) and f not in tables and not any(f.startswith(o) for o in own)
+                      and not (other_meaning and re.search(other_meaning, line))]
+            failed |= len(places) > MOST
+            print(f"{family:9} {name:20} {len(places)}{'  MORE THAN ' + str(MOST) if len(places) > MOST else ''}")
+            if "-v" in sys.argv or len(places) > MOST:
+                for f, n, line in places:
+                    print(f"          {f}:{n}: {line.strip()}")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
