@@ -25,7 +25,7 @@ std::map<std::string, double> frame_operations(const RasterParams& raster, const
                                                double wet_share) {
   const double fragments =
       double(tally.shaded) * per_shaded(raster, wet_share) + double(tally.blended) * per_blended(raster);
-  // A tile keeps its pixels' for all layers.
+  // The tile mapping computes the view direction once per pixel, the other mappings once per fragment.
   const double eye_per_pixel = double(raster.width) * raster.height * operations::eye;
   const double eye_per_fragment = double(tally.shaded) * operations::eye;
   return {{"strand_frame", double(simulate.stride) * simulate.substeps * operations::strand_substep},
