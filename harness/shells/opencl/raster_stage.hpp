@@ -59,8 +59,8 @@ class RasterStage {
   double per_mask_ms_ = 0;
 };
 
-/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. More than
-/// one layer batch is rounded down to whole batches, unless one pass can draw all layers.
+/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. A number
+/// above the layer batch is rounded down to whole batches, unless one pass can draw all layers.
 int layers_at_once(const RasterParams& params, int wanted, const cl::Device& device);
 
 }  // namespace pelage::shells

@@ -27,9 +27,9 @@ class SpringStage {
                                 const cl::Buffer<float>& vertex, PhaseEvents* events);
   /// Throws springs::Diverged if any mass has diverged so far. Waits for the queue.
   void check(const cl::Queue& queue) const { masses_.check(queue); }
-  /// Returns the top minus the base of every stick, R.
+  /// Returns the top minus the base of every stick, in R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
-  /// Returns the velocity of the top of every stick, R/s.
+  /// Returns the velocity of the top of every stick, in R/s.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
   std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
 
