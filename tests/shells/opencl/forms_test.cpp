@@ -1,5 +1,6 @@
-// Tests the code of the kernels for processors without AVX-512 and for compilers without Clang's builtins.
-// Build options of kernels/dialect.clh select this code on a machine that has both.
+// Tests the variants of the kernels for processors without AVX-512 and for compilers without Clang's
+// builtins. Build options (kernels/dialect.clh) select these variants, so this test runs on a machine that
+// has both.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"

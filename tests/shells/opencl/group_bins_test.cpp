@@ -51,7 +51,7 @@ TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
     const cl::Buffer<std::int32_t> values = on_device(queue, Values(count, each));
     const std::int32_t sum = sort.scan(queue, values, count, nullptr, true);
     EXPECT_EQ(sum, each == most / 4000 ? most : most / 5000 * 5000);
-    // The prefix sums before the last must be limited to the maximum, too.
+    // Every prefix sum must be limited to this maximum, too.
     Values expected(count);
     for (std::size_t i = 0; i < count; ++i)
       expected[i] = std::int32_t(std::min<std::int64_t>(most, std::int64_t(i) * each));

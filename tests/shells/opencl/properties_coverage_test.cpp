@@ -28,7 +28,7 @@ struct Mapping {
   int pictures;    ///< number of pictures of random triangles
   int triangles;   ///< triangles per picture; a million in total for the default mapping
   int repeats;     ///< number of repetitions of the meshes with shared edges
-  int coarser;     ///< factor by which the cells of these meshes are larger
+  int coarser;     ///< factor on the cell size of the meshes with shared edges
   int spokes;      ///< number of triangles in each star
   double samples;  ///< least number of pixel centres beside shared edges
 };
@@ -174,7 +174,8 @@ double samples(const Flat& flat) {
     for (int c = 0; c < 3; ++c) {
       const auto inside = [](double x) { return std::clamp(x, -.5 * size, .5 * size); };
       const glm::vec2 a = flat.vertex[t[c]], b = flat.vertex[t[(c + 1) % 3]];
-      // Both triangles of an edge add its length in rows or columns, which counts both sides.
+      // Each of the two triangles at an edge adds the number of rows or columns that the edge crosses. This
+      // counts the centres on both sides.
       sum += std::max(std::abs(inside(a.x) - inside(b.x)), std::abs(inside(a.y) - inside(b.y)));
     }
   return sum;

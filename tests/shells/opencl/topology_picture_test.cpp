@@ -78,7 +78,7 @@ TEST_P(Topologies, EveryFormOfTheBendAndEverySolver) {
   const Picture drawn = drawn_by_device(input, "tile");
   const Agreement agreement = compare(reference_of(*input, sticks_of(*input)), drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  other.scene.shading.model = "wet";  // the comparison must detect another model
+  other.scene.shading.model = "wet";  // a picture with another shading model must differ
   EXPECT_FALSE(within(compare(reference_of(other, sticks_of(other)), drawn)));
 }
 
