@@ -138,8 +138,8 @@ INSTANTIATE_TEST_SUITE_P(Options, Writings,
                          });
 
 TEST(OpenGlPicture, EightBitsAreThoseOfTheEightBitReference) {
-  // The pipeline rounds after every layer. Its picture must be closer to the reference that rounds, too, than
-  // to the one that does not.
+  // With target=rgba8 the baseline rounds after every layer. Its picture must be closer to the reference with
+  // 8-bit rounding than to the reference without it.
   const auto input = small_frame("curling");
   const Picture drawn = drawn_by_opengl(input, "target=rgba8");
   const double rounded = compare(drawn_by_reference(*input, reference::Mutant::none, true), drawn).psnr;

@@ -143,7 +143,7 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
   EXPECT_FALSE(relative.discarded);
   input.scene.clump.scale = "literal";  // the factor is r instead of the gain
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
-  input.scene.clump.shape = 1;  // now f is 0 on the first layer, and d is 0 below it
+  input.scene.clump.shape = 1;  // with shape 1, f is 0 on the first layer, and d is 0 below it
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
   input.scene.clump.shape = .5f;
   const Displacement first = clump_displacement(input, mask, {.56, .53}, 0);

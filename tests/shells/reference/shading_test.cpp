@@ -13,7 +13,8 @@ using namespace reference;
 
 const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), coat(.8, .6, .4);
 
-/// Returns the papers' own equations: one light along +z of intensity 2, without ambient and wrapped light.
+/// Returns the papers' equations without additions: one light of intensity 2 along +z, no ambient light, and
+/// no wrapped light.
 ShadingScene bare() {
   ShadingScene shading;
   shading.lights = {LightScene{{0, 0, 3}, 2}};

@@ -79,7 +79,7 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
     EXPECT_LE(std::abs(shift.x), 4) << z;
     EXPECT_LT(std::abs(shift.x + (z < 0 ? -4 : 4) * eye.x), 1e-14) << z;
   }
-  // The shift is continuous where the limit of E.nu begins.
+  // The shift is continuous at |E.nu| = .25, where E.nu is limited.
   const auto tilted = [](double z) { return glm::dvec3(std::sqrt(1 - z * z), 0, z); };
   EXPECT_LT(glm::length(root_shift(up, up, tilted(-.2499999)) - root_shift(up, up, tilted(-.2500001))), 1e-5);
 }
