@@ -10,13 +10,13 @@ namespace pelage::shells {
 /// Arrays of the drawn mesh. Its vertices are the mesh's vertex copies, or three corners per triangle if
 /// triangles do not share vertices (parts()).
 struct Geometry {
-  int vertices = 0;            ///< vertex count with padding: a multiple of 16, at least one padding vertex
-  int triangles = 0;           ///< triangle count with padding: a multiple of 16
-  int strands = 0;             ///< strand count with padding: F rounded up to a multiple of 16
-  std::vector<float> vertex;   ///< VERTEX_COLUMNS columns
-  std::vector<float> uv;       ///< u, v per vertex
-  std::vector<float> mask_uv;  ///< columns u and v: the UV at which a vertex samples the mask
-  std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
+  int vertices = 0;                  ///< number of vertices, padded to a multiple of 16 by at least one
+  int triangles = 0;                 ///< number of triangles, padded to a multiple of 16
+  int strands = 0;                   ///< number of strands, padded to a multiple of 16
+  std::vector<float> vertex;         ///< VERTEX_COLUMNS columns
+  std::vector<float> uv;             ///< u, v per vertex
+  std::vector<float> mask_uv;        ///< columns u and v: the UV at which a vertex samples the mask
+  std::vector<float> tangent;        ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
   std::vector<std::int32_t> corner;  ///< four per triangle: three vertex indices and room for its reach
   std::vector<std::uint32_t> stick;  ///< stick of each vertex, without padding; empty for Silva's strands
   // The strands that bend each vertex, and their weights (Silva's model). Each vertex has a row of entries.

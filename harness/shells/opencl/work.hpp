@@ -27,7 +27,7 @@ inline constexpr double substeps = 98;        ///< shift along the ray, in addit
 inline constexpr double substep = 70;         ///< each sub-step after the first
 inline constexpr double colour = 113;         ///< coat, tangent, shadow, two highlights of exponent 24
 inline constexpr double light = 35;           ///< remaining terms of S Eq. 6, per light
-inline constexpr double wet_colour = 122;     ///< W Eq. 2 to 5, in place of `colour`
+inline constexpr double wet_colour = 122;     ///< W Eq. 2 to 5; replaces `colour` in the wet model
 inline constexpr double wet_light = 40;
 inline constexpr double blend = 8;
 }  // namespace operations

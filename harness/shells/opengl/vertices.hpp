@@ -10,7 +10,7 @@
 
 namespace pelage::rivals {
 
-/// The attributes of a vertex that are the same in all frames. They have as many floats as the shader reads.
+/// The attributes of a vertex that are the same in all frames.
 struct Vertex {
   glm::vec3 position;  ///< R
   glm::vec2 uv;

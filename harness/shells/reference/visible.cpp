@@ -54,9 +54,9 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
   // A layer displaces a vertex by at most the fur's length plus the curl's radius. The Bezier curve stays in
-  // the hull of its control points, and S Eq. 3 keeps these within the fur's length. The factor 1.01 allows
-  // for weights whose sum is not exactly 1. A stick displaces a layer by at most L0, or sqrt(2) L0 with the
-  // bend "tangent".
+  // the convex hull of its control points, and S Eq. 3 keeps these within the fur's length. The factor 1.01
+  // allows for weights whose sum is not exactly 1. A stick displaces a layer by at most L0, or sqrt(2) L0
+  // with the bend "tangent".
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

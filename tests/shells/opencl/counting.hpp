@@ -1,7 +1,7 @@
 // A second implementation of kernels/dialect.clh in C++ (the first is tests/support/opencl_as_cpp.hpp). It
 // has one lane, of a number type that counts its operations. An fma counts as two operations. A logarithm or
-// a power counts as many as its code in the kernels takes. Comparisons, selections, conversions and negations
-// are not counted.
+// a power counts as many operations as its code in the kernels has. Comparisons, selections, conversions and
+// negations are not counted.
 #pragma once
 #include <gtest/gtest.h>
 

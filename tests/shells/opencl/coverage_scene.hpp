@@ -17,7 +17,7 @@ struct Flat {
   std::vector<glm::vec2> vertex;
   std::vector<glm::uvec3> triangle;
   int width = 0, height = 0;
-  glm::vec4 row_w{0, 0, -.5f, 1};  ///< row of w; the counted layer has vertices at (x / 2, y / 2, 1)
+  glm::vec4 row_w{0, 0, -.5f, 1};  ///< camera row of w; the counted layer is at (x / 2, y / 2, 1)
 };
 
 /// Returns how often each pixel is covered, top row first. It draws one layer of black fur with uniform
