@@ -1,4 +1,4 @@
-// Fragments of the last frame, counted by an extra pass.
+// Counts the fragments of the last frame by drawing it again.
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -8,12 +8,12 @@
 namespace pelage::shells {
 
 std::vector<std::uint32_t> RasterStage::counted(const cl::Queue& queue, Mapping& mapping) {
-  // Pixels that are passed over write nothing, so the counts start at 0. The picture and the counts of the
-  // frame stay.
+  // The counts start at 0, because the kernels write nothing for pixels that they skip. Temporary buffers
+  // keep the frame's own picture and counts unchanged.
   const std::vector<std::uint32_t> zeros(mapping.counters(params_));
   auto covered = std::exchange(buffers_.covered, {queue, std::span<const std::uint32_t>(zeros)});
   auto image = std::exchange(buffers_.image, {queue.device(), buffers_.image.size()});
-  // Coverage is a matter of geometry: triangles that their clumps hide count too.
+  // Covered fragments are counted in all layers, also where Algorithm 2 discards a whole triangle.
   const int every_layer = std::exchange(params_.every_layer, 1);
   for (int pass = passes() - 1; pass >= 0; --pass) {
     begin_pass(queue, pass, mapping, nullptr);

@@ -12,11 +12,13 @@
 namespace pelage::shells {
 namespace {
 
-// Kernels address rows of up to eight 4-byte values by an int.
+// Kernels index rows of up to eight 4-byte values with an int, so there can be at most 2^28 rows.
 int padded(std::size_t count) {
   if (count > (std::size_t(1) << 28) - 16)
     throw InputError(
-        fmt::format("{} vertices or triangles to draw: at most 2^28; reduce the mesh (mesh.faces)", count));
+        fmt::format("{} vertices or triangles to draw, but at most 2^28 are possible: reduce the mesh "
+                    "(pelage mesh --faces)",
+                    count));
   return static_cast<int>((count + 15) / 16 * 16);
 }
 
@@ -25,7 +27,7 @@ void set_column3(std::vector<float>& table, int first, int stride, int row, glm:
     table[std::size_t(first + k) * std::size_t(stride) + std::size_t(row)] = value[k];
 }
 
-// What one drawn vertex is made of.
+// A drawn vertex: its vertex copy in the mesh, and the faces whose strands bend it, with their weights.
 struct Vertex {
   std::uint32_t copy;
   std::span<const std::uint32_t> faces;
@@ -39,7 +41,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<Vertex> vertices;
   if (parts(input.scene)) {
-    // Three corners per triangle, each bent by the triangle's own strand, or by its own stick.
+    // Each triangle has three corners of its own. They are bent by the triangle's strand or by their own
+    // sticks.
     static_assert(sizeof(std::uint32_t) == 4);
     for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
       for (int k = 0; k < 3; ++k) vertices.push_back({mesh.triangle[f][k], {}, {&whole_weight, 1}});
@@ -58,7 +61,7 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
 void lay_out_corners(const Mesh& mesh, bool separate, Geometry& g) {
   const std::size_t faces = mesh.triangle.size();
   g.triangles = padded(faces);
-  // Empty triangles at the end stand on a vertex that no other uses.
+  // All corners of a padding triangle are the last padding vertex, so it covers no pixel.
   g.corner.assign(std::size_t(4) * std::size_t(g.triangles), g.vertices - 1);
   for (std::size_t f = 0; f < faces; ++f)
     for (std::size_t k = 0; k < 3; ++k)
@@ -86,7 +89,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
   const StrandSet& strands = input.strands;
   const bool separate = parts(input.scene), sticks = has_springs(input.scene.dynamics);
   if (sticks && input.stick_normal.size() != mesh.welded)
-    throw InputError("a frame on a topology needs a normal per surface point");
+    throw InputError("a mass-spring topology needs one stick normal per surface point");
   std::vector<std::uint32_t> own(separate ? mesh.triangle.size() : 0);
   for (std::uint32_t f = 0; f < own.size(); ++f) own[f] = f;
   std::vector<Vertex> vertices = drawn_vertices(input);

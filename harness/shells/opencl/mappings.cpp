@@ -1,4 +1,4 @@
-// The mappings that there are; the first is the default on CPUs.
+// The list of all mappings. The first is the default on CPUs; the workgroup mapping is the default on GPUs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

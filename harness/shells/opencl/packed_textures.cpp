@@ -6,7 +6,7 @@ namespace pelage::shells {
 
 namespace {
 
-// A word of four bytes, the first one lowest.
+// Packs four bytes into one word. `a` is the lowest byte.
 std::int32_t word_of(std::uint8_t a, std::uint8_t b, std::uint8_t c, std::uint8_t d) {
   return static_cast<std::int32_t>(std::uint32_t(a) | std::uint32_t(b) << 8 | std::uint32_t(c) << 16 |
                                    std::uint32_t(d) << 24);

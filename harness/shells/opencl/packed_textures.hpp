@@ -7,12 +7,14 @@
 
 namespace pelage::shells {
 
-/// One word per texel: coverage and shade of (x, y), then of (x, y + 1), a byte each; each row ends with its
-/// first texel again. Levels follow each other.
+/// Packs the fur into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and shade of
+/// (x, y), then coverage and shade of (x, y + 1). The first texel of a row is repeated at its end. Mip levels
+/// follow each other.
 std::vector<std::int32_t> packed_fur(const FurTexture& fur);
 
-/// Two words per texel: red and green of (x, y) and of (x, y + 1), then blue of both; with a border of a
-/// texel all around, because the picture repeats.
+/// Packs the coat into two 32-bit words per texel. The first holds red and green of (x, y), then red and
+/// green of (x, y + 1). The second holds blue of both texels in bytes 0 and 2. A border of one texel repeats
+/// the texels of the opposite side, because the texture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
 
 }  // namespace pelage::shells

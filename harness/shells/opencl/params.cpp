@@ -118,7 +118,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
     p.intensity[i] = scene.shading.lights[i].intensity;
   }
-  // The wet model with dry fur, no highlight and no wrapped light is Lambert's model of B, section 3.
+  // The model of B is the wet model without highlights, wrapped light and darkening by wetness.
   if (model.plain) {
     copy(glm::vec3(0.0f), p.specular, 3);
     p.wrap = 0;

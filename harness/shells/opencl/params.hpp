@@ -1,4 +1,4 @@
-// A scene in the kernels' terms.
+// Kernel parameters and tables, computed from a scene.
 #pragma once
 #include <vector>
 
@@ -11,14 +11,15 @@ namespace pelage::shells {
 
 SimulateParams simulate_params(const Scene& scene, const Geometry& geometry);
 
-/// (sin, cos) of 2 pi f t at the start of each substep of frame number `frame` (0: from rest).
+/// Returns sin and cos of 2 pi f t at the start time t of each substep of frame number `frame`. f is the
+/// gust's frequency. Frame 0 starts at rest.
 std::vector<float> gust_table(const DynamicsScene& dynamics, int frame);
 
-/// LAYER_COLUMNS floats per layer: h, cos and sin of omega h, ln h, h^k of B Eq. 4; computed in double,
-/// rounded once.
+/// Returns LAYER_COLUMNS floats per layer: h, cos(omega h), sin(omega h), ln h, and h^k of B Eq. 4. They are
+/// computed in double precision and rounded once.
 std::vector<float> layer_table(const Scene& scene);
 
-/// Everything but the tiling, which the caller owns.
+/// Returns the rasterizer's parameters except those of tiles, chunks and passes, which RasterStage sets.
 RasterParams raster_params(const FrameInput& input, const Geometry& geometry);
 
 }  // namespace pelage::shells

@@ -1,6 +1,6 @@
-// Layers that need more memory than there is for them are drawn in several passes over the tiles, from the
-// tips down: a pass puts its layers on the screen, bins them and goes on where the one before left the
-// pixels.
+// If the screen positions of all layers need too much memory, the layers are drawn in several passes, from
+// the outermost layers inwards. Each pass transforms and bins its own layers. It then continues with the
+// pixel values of the previous pass.
 #include <algorithm>
 #include <utility>
 
@@ -9,10 +9,10 @@
 namespace pelage::shells {
 namespace {
 
-// Of the screen positions that are kept at once: 5 million triangles in 16 layers are one pass; the papers'
-// largest case, the lion in 64 layers, takes a fifth.
+// Limit of the memory for screen positions, in bytes. 5 million triangles in 16 layers fit and take one pass.
+// The papers' largest case, the lion in 64 layers, needs a fifth of this memory.
 constexpr std::size_t most_screen_bytes = std::size_t(1) << 30;
-constexpr std::size_t screen_bytes = 16;  // of a vertex in a layer
+constexpr std::size_t screen_bytes = 16;  // bytes per vertex and layer
 
 }  // namespace
 

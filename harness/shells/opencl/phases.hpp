@@ -1,4 +1,4 @@
-// The events of one frame's launches by phase.
+// The events of the kernel launches of one frame, with their phases.
 #pragma once
 #include <string>
 #include <utility>
@@ -8,7 +8,7 @@
 
 namespace pelage::shells {
 
-/// (phase, event) in launch order; read once the queue has finished.
+/// Pairs of phase and event, in launch order. Event times can be read only after the queue has finished.
 using PhaseEvents = std::vector<std::pair<std::string, cl::Event>>;
 
 }  // namespace pelage::shells

@@ -1,4 +1,4 @@
-// The pixel mapping: a work-item draws a pixel, one fragment after the other. kernels/rasterize/pixel/.
+// The pixel mapping: each work-item draws one pixel, fragment by fragment (kernels/rasterize/pixel/).
 #include <fmt/format.h>
 
 #include "harness/shells/opencl/tile_bins.hpp"
@@ -47,8 +47,8 @@ const MappingKind pixel_mapping{.name = "pixel",
                                 .lanes = [](const cl::DeviceInfo&) { return 1; },
                                 .tuning =
                                     [](Tuning tuning) {
-                                      // A pixel walks its tile's whole list for every layer: the shorter the
-                                      // better.
+                                      // For every layer, a pixel visits the whole list of its tile. Small
+                                      // tiles have shorter lists.
                                       tuning.insert({{"TILE_W", 8}, {"TILE_H", 8}});
                                       return tuning;
                                     },

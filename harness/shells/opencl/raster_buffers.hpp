@@ -1,4 +1,4 @@
-// The buffers of a frame, as every mapping's kernel takes them.
+// The device buffers that the drawing kernel of every mapping takes as arguments.
 #pragma once
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -8,13 +8,13 @@
 
 namespace pelage::shells {
 
-/// kernels/rasterize/buffers.clh names and describes the same buffers in the same order.
+/// kernels/rasterize/buffers.clh declares the same buffers in the same order.
 struct RasterBuffers {
   cl::Buffer<float> layer_table;
-  cl::Buffer<std::int32_t> corner;  ///< four per triangle: its vertices and its reach
+  cl::Buffer<std::int32_t> corner;  ///< four per triangle: three vertex indices and the triangle's reach
   cl::Buffer<float> screen, box;
   cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns
-  const cl::Buffer<float>* tip = nullptr;  ///< B of docs/frame.md, 3: three columns
+  const cl::Buffer<float>* tip = nullptr;  ///< B of docs/frame.md, section 3, in three columns
   cl::Buffer<float> dry;
   cl::Buffer<std::int32_t> list_start, list;
   cl::Buffer<float> record, tangent, curl;
@@ -23,7 +23,7 @@ struct RasterBuffers {
   cl::Buffer<glm::vec4> image;
   cl::Buffer<std::uint32_t> covered;
 
-  /// Sets all of a mapping's kernel arguments; `more` follow the buffers.
+  /// Sets all arguments of a drawing kernel: `params`, the buffers, then `more`.
   template <class... More>
   void set(cl::Kernel& kernel, const RasterParams& params, const More&... more) const {
     kernel.with(params, layer_table, corner, screen, box, vertex, *tip, dry, list_start, list, record,

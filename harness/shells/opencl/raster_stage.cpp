@@ -15,18 +15,20 @@
 namespace pelage::shells {
 namespace {
 
-// Layers of which a tile decides together what it leaves out: deciding costs, and so does what need not be
-// set up.
+// Returns the default number of layers per batch. A tile selects its visible triangles once per batch.
+// Smaller batches repeat this selection more often. Larger batches set up more triangles that are not
+// visible.
 int default_batch(int layers) {
   return std::max(4, (layers + 5) / 6);
 }
 
-// Tiles consist of blocks of 4 x 4 pixels, and coverage is exact up to 32 (edge_from in
+// Returns the side of a tile in pixels. It must be a multiple of 4, because tiles consist of pixel blocks of
+// 4 x 4. It must be at most 32, because coverage is exact only up to 32 pixels (edge_from in
 // rasterize/coverage/coverage.clh).
 int tile_side(const Tuning& tuning, const std::string& axis, int otherwise) {
   const int side = tuned(tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)
-    throw InputError(fmt::format("tuning: {} is {}: a multiple of 4 from 4 to 32", axis, side));
+    throw InputError(fmt::format("tuning: {} is {}, but must be a multiple of 4 from 4 to 32", axis, side));
   return side;
 }
 
@@ -63,7 +65,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       layers_(geometry_, "layer_vertices"),
       records_(geometry_, "vertex_records") {
   const cl::Device& device = queue.device();
-  // The fur is packed while the mapping's programs are built.
+  // A second thread packs the fur while the mapping's programs are built.
   auto packed = std::async(std::launch::async, [&] { return packed_fur(input.fur); });
   mapping_ = kind_.make(setup(device, build_options(lanes_, tuning_)));
   params_.layer_batch = std::min(params_.layer_batch, layers_at_once_);
@@ -84,7 +86,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.dry = cl::Buffer<float>(device, vertices);
   b.record = cl::Buffer<float>(device, RECORD * vertices);
   b.tangent = upload(queue, g.tangent);
-  // Only sub-steps read them.
+  // The kernels read b.curl only with sub-steps.
   b.curl = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
   b.fur = upload(queue, packed.get());
   b.coat = upload(queue, packed_coat(input.coat));
@@ -92,7 +94,8 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.image = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
   const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
-  // Twice: the first launch also compiles on some platforms.
+  // The kernels run twice, because the first launch includes compilation on some platforms. per_mask_ms_
+  // keeps the second time.
   for (int i = 0; i < 2; ++i) prepare_mask(queue, mask_uv);
 }
 
@@ -100,8 +103,8 @@ MappingSetup RasterStage::setup(const cl::Device& device, const std::string& opt
   return {device, geometry_, options};
 }
 
-// Once per mask: how dry each vertex is, its curl's frame, and which layers each triangle reaches, into the
-// corners' fourth column.
+// Runs the kernels that are needed once per mask. They compute the dryness and the curl frame of each vertex,
+// and write the reach of each triangle to the fourth column of the corners.
 void RasterStage::prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv) {
   const auto begin = std::chrono::steady_clock::now();
   const auto vertices = std::size_t(params_.vertices);

@@ -1,4 +1,4 @@
-// Vertices to the screen, triangles to tiles, tiles to pixels.
+// The stage that transforms vertices to the screen, bins triangles into tiles, and draws the tiles.
 #pragma once
 #include <memory>
 #include <vector>
@@ -15,32 +15,35 @@ class RasterStage {
  public:
   RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
               const ShellOptions& options);
-  /// B of docs/frame.md, 3, at every vertex: three columns, the mean of Silva's strands around it. strands:
-  /// STATE_COLUMNS columns, `stride` apart.
+  /// Computes B of docs/frame.md, section 3, at every vertex: the weighted mean of q of the strands around
+  /// it. `strands` has STATE_COLUMNS columns of length `stride`. Returns three columns.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        PhaseEvents* events);
-  /// Draws with such columns, which outlive the stage's next use.
+  /// Draws one frame. `tips` has three columns, like the result of strand_tips(). It must stay valid until
+  /// the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events);
   const RasterParams& params() const { return params_; }
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }  ///< VERTEX_COLUMNS columns
-  /// Covered fragments of the last frame, all layers, by an extra pass of the mapping.
+  /// Returns the number of covered fragments of the last frame in all layers. It draws the frame again to
+  /// count them.
   std::uint64_t count(const cl::Queue& queue);
-  Tally tally(const cl::Queue& queue, int every);  ///< of the last frame; its picture is left alone
+  Tally tally(const cl::Queue& queue, int every);  ///< counts for the last frame; keeps its picture
   Picture read(const cl::Queue& queue) const;
-  /// Wall time of the kernels that run once per mask (dryness, curl frames, the layers that each triangle
-  /// reaches), warm, ms.
+  /// Wall time, in ms, of the kernels that run once per mask, measured after a warm-up run: dryness of the
+  /// vertices, curl frames, and the layers that each triangle reaches.
   double per_mask_ms() const { return per_mask_ms_; }
   std::vector<const cl::Program*> programs() const;
 
  private:
   void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
-  // Draws all passes with a mapping that counts into buffers of its own; returns the counts.
+  // Draws all passes with the mapping, which counts into temporary buffers. Returns the counts.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
-  // Layers that need more memory than they may at once are drawn in passes, number 0 the innermost and last.
+  // If the screen positions of all layers do not fit in memory, the layers are drawn in several passes. Pass
+  // 0 has the innermost layers and is drawn last.
   int passes() const;
   void set_pass(int number);
-  // All of a pass before its draw().
+  // Transforms and bins the layers of pass `number`. The caller then calls draw().
   void begin_pass(const cl::Queue& queue, int number, Mapping& mapping, PhaseEvents* events);
 
   const MappingKind& kind_;
@@ -56,8 +59,8 @@ class RasterStage {
   double per_mask_ms_ = 0;
 };
 
-/// Layers that a pass draws: all where their screen positions fit, else as many whole layer batches as do, or
-/// part of one; `wanted` instead where it is above 0.
+/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. A number
+/// above the layer batch is rounded down to whole batches, unless one pass can draw all layers.
 int layers_at_once(const RasterParams& params, int wanted, const cl::Device& device);
 
 }  // namespace pelage::shells

@@ -1,4 +1,4 @@
-// Silva's strands in motion.
+// The simulation stage of Silva's strands.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/build_options.hpp"
@@ -8,7 +8,7 @@
 
 namespace pelage::shells {
 
-/// S Eq. 2 and 3 for all strands.
+/// Advances all strands by S Eq. 2 and 3.
 class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
@@ -24,7 +24,7 @@ class SimulateStage {
   SimulateParams params_;
   DynamicsScene dynamics_;
   int lanes_;
-  std::size_t local_;  // work-items in a work-group; 0: the driver's choice
+  std::size_t local_;  // work-items per work-group; 0: the driver chooses
   cl::Buffer<float> gusts_, constants_, state_;
 };
 

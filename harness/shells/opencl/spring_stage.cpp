@@ -15,7 +15,8 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
   return masses;
 }
 
-// For each drawn vertex where its stick's q_x lies; a padding vertex takes the first stick's.
+// Returns, for each drawn vertex, the index of its stick's q_x in masses.offset(). Padding vertices use the
+// first stick.
 std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geometry& g) {
   const std::vector<std::int32_t> of_stick = masses.offset_columns();
   std::vector<std::int32_t> found(std::size_t(g.vertices), of_stick.front());

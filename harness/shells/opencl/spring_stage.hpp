@@ -1,4 +1,4 @@
-// The stage that a mass-spring topology takes in place of Silva's strands, and what it is to move.
+// The simulation stage of a mass-spring topology. It replaces SimulateStage.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -14,21 +14,22 @@
 
 namespace pelage::shells {
 
-/// The topology on the device.
+/// Simulates a mass-spring topology on the device.
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
-  /// The scene's substeps, or as many as its tolerance takes.
+  /// Advances the masses by one frame. It takes dynamics.substeps steps, or adaptive steps if the scene has a
+  /// tolerance.
   void frame(const cl::Queue& queue, PhaseEvents* events);
-  /// B of docs/frame.md, 3, at every drawn vertex: three columns. vertex: VERTEX_COLUMNS columns of the same
-  /// length.
+  /// Computes B of docs/frame.md, section 3, at every drawn vertex. `vertex` has VERTEX_COLUMNS columns.
+  /// Returns three columns of the same length.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
                                 const cl::Buffer<float>& vertex, PhaseEvents* events);
-  /// Throws springs::Diverged when a mass was lost in a step so far; waits for the queue.
+  /// Throws springs::Diverged if any mass has diverged so far. Waits for the queue.
   void check(const cl::Queue& queue) const { masses_.check(queue); }
-  /// Top less base of every stick, R.
+  /// Returns the top minus the base of every stick, in R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
-  /// Velocity of every top, R/s.
+  /// Returns the velocity of the top of every stick, in R/s.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
   std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
 
@@ -39,7 +40,7 @@ class SpringStage {
   cl::Buffer<std::int32_t> stick_;
   cl::Buffer<float> tip_;
   int substeps_, lanes_;
-  std::optional<springs::AdaptiveSteps> adaptive_;  // where the scene has a tolerance
+  std::optional<springs::AdaptiveSteps> adaptive_;  // set if the scene has a tolerance
   std::int32_t level_;
 };
 

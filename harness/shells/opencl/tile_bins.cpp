@@ -32,12 +32,12 @@ void TileBins::make(const cl::Queue& queue, const RasterParams& p, RasterBuffers
   keep(sum_.enqueue(queue, tiles));
   start_.with(p, length_, b.list_start, next_tile_);
   keep(start_.enqueue(queue, 1));
-  // The lists are as long as they need to be: no triangle is ever dropped.
+  // The host reads the total length of the lists, to allocate space for all entries.
   std::array<std::int32_t, 1> total{};
   b.list_start.read(queue, total, tiles);
   if (total[0] == std::numeric_limits<std::int32_t>::max())
     throw DeviceError(
-        "the bins would hold 2^31 triangles or more: draw a smaller picture or mesh, or stand back from it");
+        "the triangle lists of the tiles would have 2^31 entries or more: use a smaller picture or mesh");
   cl::grow(queue, b.list, std::size_t(total[0]));
   fill_.with(p, b.corner, b.box, chunk_count_, b.list_start, b.list);
   keep(fill_.enqueue(queue, chunks, 1));

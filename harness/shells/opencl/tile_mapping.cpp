@@ -1,4 +1,5 @@
-// The tile mapping: a work-item draws a tile, in 16 lanes where the device has them. kernels/rasterize/tile/.
+// The tile mapping: each work-item draws one tile at a time, in 16 lanes if the device supports them
+// (kernels/rasterize/tile/).
 #include <algorithm>
 
 #include "harness/shells/opencl/tile_bins.hpp"
@@ -22,8 +23,8 @@ class TileMapping : public Mapping {
 
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p, shown_, bins_.next_tile());
-    // Work-items fetch tiles until there are none. Platforms hand work-items to threads by the dozen: more
-    // work-items than threads balance the load.
+    // Each work-item draws tiles until none is left. Platforms assign several work-items to a thread at once,
+    // so more work-items than threads balance the load.
     const std::size_t items = 32 * std::size_t(queue.device().info().compute_units);
     return draw_.enqueue(queue, std::min(counters(p), items), 1);
   }
@@ -38,13 +39,13 @@ class TileMapping : public Mapping {
   cl::Program raster_;
   cl::Kernel draw_;
   std::size_t lanes_;
-  cl::Buffer<std::int32_t> shown_;  // the triangles that a tile's layer batch draws, as columns
+  cl::Buffer<std::int32_t> shown_;  // visible triangles of a tile's current layer batch, in four columns
 };
 
 }  // namespace
 
 const MappingKind tile_mapping{.name = "tile",
-                               .what = "a work-item draws a tile, in 16 lanes where the device has them",
+                               .what = "a work-item draws a tile, in 16 lanes if the device supports them",
                                .kernel = "tile_shells",
                                .one_eye_per_pixel = true,
                                .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },

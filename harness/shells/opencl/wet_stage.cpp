@@ -9,7 +9,8 @@
 namespace pelage::shells {
 namespace {
 
-// Droplets by square of texels that their disc may reach, in their own order.
+// Lists of droplets, one per bucket. A bucket is a square of texels. Its list holds the droplets whose discs
+// may touch it, in their original order.
 struct Buckets {
   std::vector<std::int32_t> row, drop;
 };
@@ -65,7 +66,8 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
   row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
   drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
   if (input.droplets.empty()) return;
-  // Twice: the first launch also compiles on some platforms.
+  // The kernel runs twice, because the first launch includes compilation on some platforms. mask_ms_ keeps
+  // the second time.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     const cl::Event event = run(queue);

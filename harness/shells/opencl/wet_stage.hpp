@@ -1,4 +1,4 @@
-// The wetness mask.
+// The stage that computes the wetness mask.
 #pragma once
 #include <optional>
 
@@ -8,17 +8,18 @@
 
 namespace pelage::shells {
 
-/// Algorithm 1 over the mask. Without droplets the mask is nothing but zeros, and no kernel is built for it.
+/// Computes the wetness mask by Algorithm 1. Without droplets the mask is zero everywhere, and no kernel is
+/// built.
 class WetStage {
  public:
   WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning = {});
-  cl::Event run(const cl::Queue& queue);  ///< makes the mask; the constructor has done so already
-  const cl::Buffer<float>& mask() const { return mask_; }                         ///< 4 floats per texel
+  cl::Event run(const cl::Queue& queue);                   ///< computes the mask; the constructor calls it
+  const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
-  double mask_ms() const { return mask_ms_; }  ///< wall time of the kernel, warm; 0 without droplets
+  double mask_ms() const { return mask_ms_; }  ///< wall time in ms after a warm-up; 0 without droplets
 
  private:
-  int size_, bucket_;  // texels a side, of the mask and of a bucket
+  int size_, bucket_;  // sides of the mask and of a bucket, in texels
   std::optional<cl::Program> program_;
   std::optional<cl::Kernel> kernel_;
   cl::Buffer<float> droplets_, surface_, mask_;

@@ -1,6 +1,6 @@
-// The workgroup mapping, named "group" for users: kernels/rasterize/workgroup/. A work-group owns a tile of 8
-// x 8 pixels, a work-item a pixel. Its bins are lists per tile and layer batch, made by prefix sums and a
-// stable sort.
+// The workgroup mapping, called "group" in options and files (kernels/rasterize/workgroup/). A work-group
+// draws a tile of 8 x 8 pixels, and each of its work-items draws one pixel. There is one list of triangles
+// per tile and layer batch. The lists are made by prefix sums and a stable sort.
 #include <fmt/format.h>
 
 #include <bit>
@@ -13,7 +13,7 @@
 namespace pelage::shells {
 namespace {
 
-// Pixels a side of a tile: a triangle's coverage is one 64-bit word.
+// Pixels per side of a tile. With 8, the coverage of a tile by a triangle fits in one 64-bit word.
 constexpr int tile_side = 8;
 constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
 
@@ -32,7 +32,7 @@ class WorkgroupMapping : public Mapping {
     const std::size_t items = std::size_t(p.layer_batches) * std::size_t(p.triangles);
     if (items > std::size_t(std::numeric_limits<std::int32_t>::max()))
       throw DeviceError(fmt::format(
-          "{} layer batches of {} triangles: the kernels count below 2^31; more layers to a batch "
+          "{} layer batches of {} triangles: the product must be below 2^31; use more layers per batch "
           "(axis GROUP)",
           p.layer_batches, p.triangles));
     std::vector<cl::Event> launches;
@@ -44,11 +44,12 @@ class WorkgroupMapping : public Mapping {
     count_.with(p, b.corner, b.box, offset_);
     keep(count_.enqueue(queue, items));
     const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
-    // Beyond, an int cannot hold the end of the sort's last run.
+    // Above this limit, the end index of the sort's last run of keys would overflow an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
       throw DeviceError(
-          "the bins would hold 2^31 triangles or more: draw a smaller picture, or more layers "
-          "to a batch (axis GROUP)");
+          "the triangle lists of the tiles would have 2^31 entries or more: use a smaller picture or more "
+          "layers "
+          "per batch (axis GROUP)");
     const auto count = std::size_t(total);
     const std::size_t lists = std::size_t(p.tiles_x) * std::size_t(p.tiles_y) * std::size_t(p.layer_batches);
     if (b.list_start.size() < lists + 1) b.list_start = cl::Buffer<std::int32_t>(queue.device(), lists + 1);
@@ -86,13 +87,13 @@ class WorkgroupMapping : public Mapping {
 
 const MappingKind workgroup_mapping{
     .name = "group",
-    .what = "a work-group draws a tile, a work-item a pixel, and all of them share its triangles",
+    .what = "a work-group draws a tile, and each of its work-items draws one pixel",
     .kernel = "group_shells",
     .one_eye_per_pixel = false,
     .lanes = [](const cl::DeviceInfo&) { return 1; },
     .tuning =
         [](Tuning tuning) {
-          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // fixed in its kernels
+          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support no other side
           return tuning;
         },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {

@@ -14,24 +14,25 @@ namespace {
 
 constexpr const char* what_to_do = "install libegl1 and a driver (Debian: libegl-mesa0 and libgl1-mesa-dri)";
 
-/// `name` as a whole word of a list of extensions.
+/// Returns whether the list `extensions` contains the word `name`.
 bool lists(const char* extensions, std::string_view name) {
   const std::string padded = fmt::format(" {} ", extensions == nullptr ? "" : extensions);
   return padded.find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
-/// What EGL itself can do. libepoxy ends the program where libEGL or a function is missing: we look first.
+/// Returns the client extensions of EGL. libepoxy ends the program if libEGL or a function is missing, so
+/// this function checks for them first.
 const char* client_extensions() {
-  // Never closed: libepoxy keeps using it.
+  // The library is never closed, because libepoxy continues to use it.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr)
-    throw InputError(fmt::format("no OpenGL: there is no libEGL.so.1; {}", what_to_do));
+    throw InputError(fmt::format("no OpenGL: libEGL.so.1 is missing; {}", what_to_do));
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if (!lists(extensions, "EGL_EXT_platform_base"))
     throw InputError(fmt::format("no OpenGL: EGL finds no driver; {}", what_to_do));
   return extensions;
 }
 
-/// Displays worth trying, best first.
+/// Returns the displays to try in this order: hardware devices, then Mesa's surfaceless platform.
 std::vector<EGLDisplay> displays(const char* client) {
   std::vector<EGLDisplay> found;
   if (lists(client, "EGL_EXT_device_enumeration") && lists(client, "EGL_EXT_device_query") &&
@@ -78,7 +79,7 @@ const char* error_name(GLenum code) {
     case GL_OUT_OF_MEMORY:
       return "GL_OUT_OF_MEMORY";
     default:
-      return "an error without a name";
+      return "an unknown error";
   }
 }
 
@@ -94,10 +95,10 @@ Context::Context() {
     return;
   }
   throw InputError(
-      fmt::format("no OpenGL: no EGL display gives OpenGL 4.5 without a window; {}", what_to_do));
+      fmt::format("no OpenGL: no EGL display provides OpenGL 4.5 without a window; {}", what_to_do));
 }
 
-// The display is left as it is: EGL hands the same one to everybody.
+// The destructor does not terminate the display, because EGL returns the same display to all contexts.
 Context::~Context() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);

@@ -7,9 +7,9 @@
 
 namespace pelage::rivals {
 
-/// OpenGL 4.5, core profile, no surface: on the first EGL device that is hardware, else on Mesa's surfaceless
-/// platform, which is llvmpipe where there is no GPU. Current once made. Throws InputError where there is
-/// none.
+/// An OpenGL 4.5 core context without a surface. It uses the first EGL device that is hardware, else Mesa's
+/// surfaceless platform, which is llvmpipe on a machine without a GPU. The constructor makes the context
+/// current. It throws InputError if there is no such context.
 class Context {
  public:
   Context();
@@ -17,14 +17,14 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
   void make_current() const;
-  std::string renderer() const;  ///< the driver's own words; the context must be current
+  std::string renderer() const;  ///< the driver's name and version; the context must be current
 
  private:
   EGLDisplay display_ = EGL_NO_DISPLAY;
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-/// Throws DeviceError naming `call` and the error when OpenGL has noted one.
+/// Throws DeviceError with `call` and the error's name if OpenGL has recorded an error.
 void check_gl(const char* call);
 
 }  // namespace pelage::rivals

@@ -1,4 +1,4 @@
-// OpenGL objects that delete themselves; their context must be current.
+// RAII owners of OpenGL objects. The object's context must be current when its destructor runs.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -7,7 +7,7 @@
 
 namespace pelage::rivals {
 
-/// A name and what deletes it; move-only.
+/// The name of an OpenGL object and the function that deletes it. Move-only.
 class Object {
  public:
   using Delete = void (*)(GLuint);
@@ -32,7 +32,8 @@ Object make_texture(GLenum target);
 Object make_vertex_array();
 Object make_framebuffer();
 Object make_renderbuffer(GLenum format, int width, int height);
-/// `usage` is 0, or GL_DYNAMIC_STORAGE_BIT where the contents change.
+/// Makes a buffer of `bytes` bytes with a copy of `data`. `usage` is 0, or GL_DYNAMIC_STORAGE_BIT if the
+/// contents will change.
 Object make_buffer(const void* data, std::size_t bytes, GLbitfield usage);
 template <class T>
 Object make_buffer(const std::vector<T>& values, GLbitfield usage = 0) {

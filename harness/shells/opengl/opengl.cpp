@@ -1,4 +1,5 @@
-// One frame in OpenGL (S 4): the base with depth writes, then N layers blended in order, tested against it.
+// Draws a frame in OpenGL (S, section 4): first the base with depth writes, then N layers in order, blended
+// and depth-tested against the base.
 #include "harness/shells/opengl/opengl.hpp"
 
 #include <fmt/format.h>
@@ -36,19 +37,18 @@ GLenum target_format(const OpenGlOptions& options) {
 const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>& mask) {
   const std::size_t size = std::size_t(input.scene.wetness.size);
   if (mask.size() != size * size)
-    throw InputError(
-        fmt::format("OpenGL: a wetness mask of {0} x {0} texels, but {1} were given", size, mask.size()));
+    throw InputError(fmt::format("OpenGL: the wetness mask must have {0} x {0} texels, but {1} were given",
+                                 size, mask.size()));
   if (has_springs(input.scene.dynamics))
-    throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl moves silva's strands only",
+    throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl supports only silva",
                                  input.scene.dynamics.topology));
   if (shading_model(input.scene.shading.model).plain)
-    throw InputError(
-        fmt::format("shading.model = {}: --pipeline opengl draws the papers' curling and wet models only",
-                    input.scene.shading.model));
+    throw InputError(fmt::format("shading.model = {}: --pipeline opengl supports only curling and wet",
+                                 input.scene.shading.model));
   if (input.scene.fur.substeps > 1)
     throw InputError(
-        fmt::format("fur.substeps = {}: --pipeline opengl is the paper's method, which has none; "
-                    "leave it at 1",
+        fmt::format("fur.substeps = {}: --pipeline opengl draws without sub-steps; "
+                    "set fur.substeps to 1",
                     input.scene.fur.substeps));
   return input;
 }
@@ -58,7 +58,7 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
 struct OpenGl::State {
   std::shared_ptr<const FrameInput> input;
   OpenGlOptions options;
-  Context context;  // before all that lives in it
+  Context context;  // declared before the OpenGL objects that need it
   Vertices vertices;
   std::vector<glm::vec3> bent;
   std::vector<glm::vec4> layers;
@@ -92,11 +92,11 @@ struct OpenGl::State {
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
     if (glCheckNamedFramebufferStatus(framebuffer.id(), GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw DeviceError(fmt::format("OpenGL cannot draw into a target of {}", options.target));
+      throw DeviceError(fmt::format("OpenGL cannot draw into a framebuffer of format {}", options.target));
     fix_state();
     check_gl("setting up a scene");
   }
-  ~State() { context.make_current(); }  // the members go next, in it
+  ~State() { context.make_current(); }  // the destructors of the members need the context
 
   void build(bool wet) {
     const auto begin = Clock::now();
@@ -128,7 +128,7 @@ struct OpenGl::State {
     attribute(7, 3, offsetof(Vertex, dx_dv), 0);
   }
 
-  /// What no frame changes. The context is this scene's own.
+  /// Sets the OpenGL state that is the same for all frames. The context belongs to this scene alone.
   void fix_state() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glBindVertexArray(arrays.id());
@@ -137,11 +137,11 @@ struct OpenGl::State {
     glBindTextureUnit(1, coat.id());
     glBindTextureUnit(2, mask.id());
     glViewport(0, 0, input->camera.width, input->camera.height);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // depth is near / w, as the shader writes it
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the shader writes near / w as depth
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // fragments come multiplied by their coverage
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the shader multiplies colours by their coverage
     glClearDepth(0.0);
     const glm::vec3 background = input->scene.image.background;
     glClearColor(background.x, background.y, background.z, 0.0f);
@@ -188,7 +188,7 @@ OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
 
 void OpenGl::bend(const std::vector<glm::vec3>& tips) {
   if (tips.size() != state_->input->strands.anchor.size())
-    throw InputError(fmt::format("OpenGL: {} strands, but {} tips were given",
+    throw InputError(fmt::format("OpenGL: the scene has {} strands, but {} tips were given",
                                  state_->input->strands.anchor.size(), tips.size()));
   state_->bent = state_->vertices.bent(tips);
 }
@@ -212,7 +212,7 @@ Picture OpenGl::read() const {
   s.context.make_current();
   Picture picture{s.input->camera.width, s.input->camera.height, {}};
   picture.pixel.resize(std::size_t(picture.width) * std::size_t(picture.height));
-  // The shader's y points down: rows come top first.
+  // The shader's y axis points down, so glReadPixels returns the top row first.
   glReadPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_FLOAT, picture.pixel.data());
   check_gl("glReadPixels");
   return picture;

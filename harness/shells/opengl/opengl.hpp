@@ -1,6 +1,6 @@
-// The paper's own pipeline as a rival: OpenGL, N passes over the mesh with a vertex and a fragment shader (S
-// 4), on whatever EGL finds: Mesa's llvmpipe on the processor, or a GPU. docs/rival.md says what it does and
-// does not do.
+// The OpenGL baseline: the pipeline of the papers, with N passes over the mesh and a vertex and a fragment
+// shader (S, section 4). It runs on a GPU, or on Mesa's llvmpipe, which is OpenGL on the CPU. docs/rival.md
+// describes it.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -13,56 +13,71 @@
 
 namespace pelage {
 
-/// Ways to write the same pipeline; the defaults are the fastest on llvmpipe whose picture agrees.
+/// Implementation choices of the baseline. The defaults are the fastest on llvmpipe whose picture agrees with
+/// the reference.
 struct OpenGlOptions {
-  std::string draws = "instanced";   ///< all layers in one draw | "each": a draw per layer
-  std::string vertices = "indexed";  ///< shared | "corners": three per triangle, each transformed
-  std::string snap = "shader";  ///< to 1/256 pixel in the vertex shader | "driver": interpolation then is not
-  std::string fur = "array";    ///< array of layers | "volume": a 3D texture, whose mip levels merge layers |
-                                ///< "slices": a texture per layer, bound before its draw
-  std::string texels =
-      "half";  ///< fur and coat as halves | "float" | "byte": llvmpipe filters bytes in bytes
-  std::string levels = "trilinear";  ///< by the driver | "two": two lookups, mixed in the shader
-  std::string target = "rgba32f";    ///< | "rgba16f" | "rgba8": rounded after every layer, as in 2010
-  std::string power = "whole";       ///< squarings where the exponent is a whole number | "pow"
-  std::string constants = "baked";   ///< the scene's numbers compiled into the shaders | "uniform"
+  /// One draw call for all layers ("instanced"), or one per layer ("each").
+  std::string draws = "instanced";
+  /// Triangles share vertices ("indexed"), or each has three vertices of its own ("corners").
+  std::string vertices = "indexed";
+  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). The driver
+  /// rounds for coverage only and interpolates attributes from unrounded positions.
+  std::string snap = "shader";
+  /// Fur texture: a 2D array ("array"), a 3D texture, whose mip levels merge layers ("volume"), or a 2D
+  /// texture per layer, bound before the layer's draw call ("slices").
+  std::string fur = "array";
+  /// Texel format of fur and coat: "half", "float" or "byte". llvmpipe filters bytes with 8-bit precision.
+  std::string texels = "half";
+  /// The driver mixes mip levels ("trilinear"), or the shader mixes two lookups ("two").
+  std::string levels = "trilinear";
+  /// Framebuffer format: "rgba32f", "rgba16f", or "rgba8", which rounds after every layer as in 2010.
+  std::string target = "rgba32f";
+  /// Powers by repeated squaring if the exponent is a whole number ("whole"), or always by pow() ("pow").
+  std::string power = "whole";
+  /// The scene's numbers are literals in the shader source ("baked"), or uniforms ("uniform").
+  std::string constants = "baked";
   bool operator==(const OpenGlOptions&) const = default;
 };
 
-/// "key=value,key=value", keys and values as above; what is not named keeps its default. Throws InputError.
+/// Parses "key=value,key=value" with the keys and values above. Keys that are absent keep their defaults.
+/// Throws InputError for an unknown key or value.
 OpenGlOptions opengl_options(const std::string& text);
-/// All of them in that form.
+/// Returns all options in the form that opengl_options() reads.
 std::string to_text(const OpenGlOptions& options);
 
-/// A scene in OpenGL. Construction uploads and builds the shaders; bend() takes the strands of a moment;
-/// frame() draws them into a picture that stays in OpenGL until read(). Throws InputError where there is no
-/// EGL, no OpenGL 4.5 or no OpenGL in this build; DeviceError for what OpenGL refuses.
+/// A scene in OpenGL. The constructor uploads the scene and builds the shaders. bend() sets the strands'
+/// tips. frame() draws a picture, which stays in OpenGL until read(). Throws InputError if EGL, OpenGL 4.5 or
+/// OpenGL in this build is missing, or if the scene is not supported. Throws DeviceError for errors of
+/// OpenGL.
 class OpenGl {
  public:
-  /// `mask`: wetness.size^2 texels (c_u, c_v, r, rho), Algorithm 1's result.
+  /// `mask` is the result of Algorithm 1: wetness.size^2 texels (c_u, c_v, r, rho).
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
   ~OpenGl();
   OpenGl(OpenGl&&) noexcept;
   OpenGl& operator=(OpenGl&&) noexcept;
 
-  /// Strand tips minus their roots, F, R: the vertices' mean is taken here, on the host.
+  /// Bends the vertices: it computes the weighted mean of the strands' tips at each vertex, on the host.
+  /// `tips` has one entry per strand: tip minus root, in R.
   void bend(const std::vector<glm::vec3>& tips);
-  /// One frame: the bent vertices' upload, base pass and all layers, up to glFinish. Wall time in ms.
+  /// Draws one frame: it uploads the bent vertices, draws the base and all layers, and calls glFinish.
+  /// Returns the wall time in ms.
   double frame();
-  Picture read() const;     ///< the last frame's own buffer
-  double build_ms() const;  ///< shaders compiled and linked; drivers go on at the first frame
+  Picture read() const;     ///< reads the picture of the last frame back
+  double build_ms() const;  ///< time to compile and link the shaders, without the driver's work at first use
 
  private:
   struct State;
   std::unique_ptr<State> state_;
 };
 
-/// Who draws: "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa 22.3.6". Throws InputError as
-/// above.
+/// Returns the renderer's name, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa
+/// 22.3.6". Throws InputError if there is no OpenGL.
 std::string opengl_renderer();
 
-/// 16 hex digits over the names and contents of the shaders. Throws InputError when there are none.
+/// Returns a hash of the names and the contents of the shaders, 16 hexadecimal digits. Throws InputError if
+/// there are no shaders.
 std::string shader_hash();
 
 }  // namespace pelage

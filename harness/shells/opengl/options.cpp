@@ -45,7 +45,7 @@ void set(OpenGlOptions& options, const std::string& part) {
   const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
   if (std::find(found->values.begin(), found->values.end(), value) == found->values.end())
     throw InputError(
-        fmt::format("OpenGL option '{}': {} is one of {}", part, name, fmt::join(found->values, ", ")));
+        fmt::format("OpenGL option '{}': {} must be one of {}", part, name, fmt::join(found->values, ", ")));
   options.*found->slot = value;
 }
 
@@ -56,7 +56,7 @@ OpenGlOptions opengl_options(const std::string& text) {
   std::istringstream parts(text);
   for (std::string part; std::getline(parts, part, ',');) set(options, part);
   if (options.fur == "slices" && options.draws != "each")
-    throw InputError("OpenGL option 'fur=slices' binds a texture per draw: add draws=each");
+    throw InputError("OpenGL option 'fur=slices' needs one draw call per layer: add draws=each");
   return options;
 }
 

@@ -18,8 +18,8 @@ namespace pelage {
 namespace fs = std::filesystem;
 namespace {
 
-/// $PELAGE_DATA/shaders where there is one, else beside the binary's source tree, else the installed share
-/// folder.
+/// Returns the first of these folders that exists: $PELAGE_DATA/shaders, shaders/ of the source tree, and
+/// shaders/ of the installed share folder.
 fs::path shader_folder() {
   std::vector<fs::path> places;
   if (const char* data = std::getenv("PELAGE_DATA"); data != nullptr && *data != '\0')
@@ -30,7 +30,7 @@ fs::path shader_folder() {
   places.push_back(binary.parent_path().parent_path() / "share" / "pelage" / "shaders");
   for (const fs::path& place : places)
     if (fs::is_directory(place, ignored)) return place;
-  throw InputError(fmt::format("no shaders in {}: name their parent folder with PELAGE_DATA",
+  throw InputError(fmt::format("no shaders in {}: set PELAGE_DATA to the folder that contains shaders/",
                                places[places.size() - 2].string()));
 }
 
@@ -68,7 +68,7 @@ std::string declared(const Constant& constant, bool baked) {
 void set_uniform(GLuint program, const Constant& constant) {
   const GLint place = glGetUniformLocation(program, constant.name.c_str());
   const float* value = constant.value.data();
-  if (place < 0) return;  // this program does not read it
+  if (place < 0) return;  // this program does not use the constant
   switch (constant.value.size()) {
     case 1:
       return glProgramUniform1fv(program, place, 1, value);
@@ -91,7 +91,7 @@ void attach(GLuint program, GLenum kind, const std::string& name, const std::str
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // the program keeps it
+  glDeleteShader(shader);  // OpenGL deletes the shader together with the program
   GLint ok = 0, length = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
   if (ok) return;
@@ -107,7 +107,7 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
                  const std::vector<Constant>& constants, bool baked) {
   std::string head = "#version 450 core\n" + defines;
   for (const Constant& constant : constants) head += declared(constant, baked);
-  Program made;  // owns the name while something may throw
+  Program made;  // deletes the OpenGL program if an exception is thrown
   made.id_ = glCreateProgram();
   attach(made.id_, GL_VERTEX_SHADER, vertex, head);
   attach(made.id_, GL_FRAGMENT_SHADER, fragment, head);

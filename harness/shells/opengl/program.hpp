@@ -1,4 +1,4 @@
-// The scene as GLSL: constants, the table of layers, compiled programs.
+// GLSL programs, and the scene's constants, definitions and layer table for them.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -11,7 +11,7 @@
 
 namespace pelage::rivals {
 
-/// A number of the scene that the shaders read: 1 to 4 floats.
+/// A constant of the scene that the shaders read: 1 to 4 floats.
 struct Constant {
   std::string name;
   std::vector<float> value;
@@ -19,25 +19,27 @@ struct Constant {
 
 std::vector<Constant> scene_constants(const FrameInput& input);
 
-/// What selects text in the shaders: "#define" lines. `wet`: some texel of the mask is.
+/// Returns the "#define" lines that select the parts of the shaders to compile. `wet` is true if any texel of
+/// the mask is wet.
 std::string scene_defines(const FrameInput& input, const OpenGlOptions& options, bool wet);
 
-/// Three rows per layer: bend, step, look (shaders/layers.glsl).
+/// Returns three rows per layer: bend, step and look (see shaders/layers.glsl).
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
-/// One linked program; move-only.
+/// A linked GLSL program. Move-only.
 class Program {
  public:
   Program() = default;
-  /// From `vertex` and `fragment` of the shader folder; both get `defines` and `constants`, the latter as
-  /// literals or as uniforms. Throws DeviceError with OpenGL's log.
+  /// Compiles and links the files `vertex` and `fragment` of the shader folder. Both shaders get `defines`
+  /// and `constants`. The constants are literals if `baked` is true, else uniforms. Throws DeviceError with
+  /// OpenGL's log.
   Program(const std::string& vertex, const std::string& fragment, const std::string& defines,
           const std::vector<Constant>& constants, bool baked);
   ~Program();
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   void use() const;
-  GLint place(const char* uniform) const;  ///< -1 where the program has none
+  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program lacks it
 
  private:
   GLuint id_ = 0;

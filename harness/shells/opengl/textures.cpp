@@ -17,14 +17,15 @@ void repeat(GLuint texture, GLint minify, GLint magnify) {
   glTextureParameteri(texture, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
 }
 
-/// Two channels, or four.
+/// Returns the texture format of `texels` with four channels if `four` is true, else with two.
 GLenum format_of(const std::string& texels, bool four) {
   if (texels == "half") return four ? GL_RGBA16F : GL_RG16F;
   if (texels == "float") return four ? GL_RGBA32F : GL_RG32F;
   return four ? GL_RGBA8 : GL_RG8;
 }
 
-/// `layers` slices of `texels` (side x side each) become `depth`: a 3D texture's levels are thinner, too.
+/// Averages `layers` slices of side x side texels to `depth` slices. A 3D texture needs this, because its mip
+/// levels also have fewer slices.
 Texels merged(const Texels& texels, int side, int layers, int depth) {
   const std::size_t area = std::size_t(side) * std::size_t(side);
   Texels result(std::size_t(depth) * area);
@@ -81,7 +82,7 @@ std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& opt
     for (int n = 0; n < fur.layers; ++n) textures.push_back(slice_texture(fur, n, options));
   else
     textures.push_back(deep_texture(fur, options));
-  check_gl("the fur's texels");
+  check_gl("uploading the fur");
   return textures;
 }
 
@@ -91,7 +92,7 @@ Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {
   glTextureSubImage2D(texture.id(), 0, 0, 0, coat.size, coat.size, GL_RGBA, GL_UNSIGNED_BYTE,
                       coat.texel.data());
   repeat(texture.id(), GL_LINEAR, GL_LINEAR);
-  check_gl("the coat's texture");
+  check_gl("uploading the coat");
   return texture;
 }
 
@@ -100,7 +101,7 @@ Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
   glTextureStorage2D(texture.id(), 1, GL_RGBA32F, size, size);
   glTextureSubImage2D(texture.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, mask.data());
   repeat(texture.id(), GL_NEAREST, GL_NEAREST);
-  check_gl("the wetness mask's texture");
+  check_gl("uploading the wetness mask");
   return texture;
 }
 

@@ -1,4 +1,4 @@
-// The frame's textures in OpenGL: the same texels, filtered by the driver (docs/frame.md, 6).
+// The frame's textures in OpenGL. The driver filters the texels that docs/frame.md, section 6, defines.
 #pragma once
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace pelage::rivals {
 
-/// The fur volume with its own mip levels: one texture, or with fur=slices one per layer.
+/// Returns the fur with its own mip levels: one texture, or one texture per layer with fur=slices.
 std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
 Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
-/// c_u, c_v, r, rho as floats; NEAREST.
+/// Returns the mask as a texture of floats (c_u, c_v, r, rho) with NEAREST filtering.
 Object mask_texture(const std::vector<glm::vec4>& mask, int size);
 
 }  // namespace pelage::rivals

@@ -7,7 +7,7 @@
 namespace pelage::rivals {
 namespace {
 
-/// rho of the mask's texel under uv, repeating.
+/// Returns rho of the texel that contains uv. The mask repeats.
 float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv) {
   const auto texel = [size](float u) {
     return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));
@@ -17,7 +17,7 @@ float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& 
 
 }  // namespace
 
-/// The mean of of_strand(face) over the strands that move a vertex, by their weights.
+/// Returns the weighted mean of of_strand(face) over the strands that bend a vertex.
 template <class OfStrand>
 glm::dvec3 Vertices::mean(std::size_t vertex, const OfStrand& of_strand) const {
   if (separate_) return glm::dvec3(of_strand(vertex / 3));

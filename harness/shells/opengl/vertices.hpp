@@ -1,4 +1,4 @@
-// The mesh and its strands as vertex arrays (docs/frame.md, 3).
+// The mesh and its strands as vertex arrays (docs/frame.md, section 3).
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -10,7 +10,7 @@
 
 namespace pelage::rivals {
 
-/// What of a vertex does not move. Three components each: as many floats as the shader reads.
+/// The attributes of a vertex that are the same in all frames.
 struct Vertex {
   glm::vec3 position;  ///< R
   glm::vec2 uv;
@@ -21,12 +21,15 @@ struct Vertex {
 
 class Vertices {
  public:
-  /// The mesh's own vertices, or with `corners` three per triangle (always with fur.binding = "separate").
+  /// Makes one vertex per vertex copy of the mesh, or three per triangle if `corners` is true or fur.binding
+  /// is "separate".
   Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
 
   const std::vector<Vertex>& fixed() const { return fixed_; }
-  const std::vector<std::uint32_t>& index() const { return index_; }  ///< 3 F, triangles in the mesh's order
-  /// B of every vertex: the mean of its triangles' strands, R. `tips`: F, p minus root.
+  /// 3 F vertex indices; the triangles are in the order of the mesh.
+  const std::vector<std::uint32_t>& index() const { return index_; }
+  /// Returns B of every vertex, in R: the weighted mean of the strands of its triangles. `tips` has one entry
+  /// per strand: tip minus root, in R.
   std::vector<glm::vec3> bent(const std::vector<glm::vec3>& tips) const;
 
  private:
@@ -35,7 +38,7 @@ class Vertices {
 
   const FrameInput* input_;
   bool separate_;
-  std::vector<std::uint32_t> copy_;  ///< the mesh's vertex copy behind each vertex
+  std::vector<std::uint32_t> copy_;  ///< index of each vertex's copy in the mesh
   std::vector<Vertex> fixed_;
   std::vector<std::uint32_t> index_;
 };

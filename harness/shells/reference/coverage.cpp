@@ -12,8 +12,9 @@ double row(const glm::vec4& r, const glm::dvec3& p) {
   return double(r.x) * p.x + double(r.y) * p.y + double(r.z) * p.z + double(r.w);
 }
 
-/// Where the segment from `in` (distance >= 0) to `out` (distance < 0) meets the plane. Always computed from
-/// the inside outwards: both triangles of an edge get the same point.
+/// Returns the point where the segment from `in` (distance >= 0) to `out` (distance < 0) meets the plane. The
+/// computation always runs from the inside to the outside, so that both triangles of a shared edge get the
+/// same point.
 ClippedVertex crossing(const ClippedVertex& in, double d_in, const ClippedVertex& out, double d_out) {
   const double t = d_in / (d_in - d_out);
   const auto mix = [t](double a, double b) { return a + t * (b - a); };
@@ -21,7 +22,8 @@ ClippedVertex crossing(const ClippedVertex& in, double d_in, const ClippedVertex
           in.corners + t * (out.corners - in.corners)};
 }
 
-/// Sutherland and Hodgman's step: the part of a convex polygon where distance(point) >= 0.
+/// Returns the part of a convex polygon where distance(point) >= 0. This is one step of Sutherland and
+/// Hodgman's clipping.
 template <class Distance>
 std::vector<ClippedVertex> cut(const std::vector<ClippedVertex>& polygon, const Distance& distance) {
   std::vector<ClippedVertex> kept;
@@ -35,13 +37,13 @@ std::vector<ClippedVertex> cut(const std::vector<ClippedVertex>& polygon, const 
   return kept;
 }
 
-/// (b - a) x (p - a): above 0 when a, b, p turn clockwise in a picture whose y grows downwards.
+/// Returns (b - a) x (p - a). It is positive if a, b and p are in clockwise order in the picture (y down).
 std::int64_t turn(const Snapped& a, const Snapped& b, const Snapped& p) {
   return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
 }
 
-/// The edge a -> b of a triangle that turns clockwise, y down: a top edge runs to the right, a left one
-/// upwards.
+/// Returns whether a -> b is a top edge or a left edge of a triangle with clockwise corners (y down). A top
+/// edge points to the right. A left edge points upwards.
 bool top_or_left(const Snapped& a, const Snapped& b) {
   return b.y < a.y || (b.y == a.y && b.x > a.x);
 }
@@ -67,7 +69,7 @@ std::vector<ClippedVertex> clip(const std::array<ClipPoint, 3>& triangle, double
 }
 
 Snapped snap(const ClipPoint& point) {
-  // The default rounding mode: to nearest, ties to even.
+  // In the default rounding mode, llrint rounds to nearest, ties to even.
   return {std::llrint(point.x / point.w * 256.0), std::llrint(point.y / point.w * 256.0)};
 }
 
@@ -75,7 +77,8 @@ Raster::Raster(const std::array<Snapped, 3>& corners, int width, int height)
     : corner_(corners), width_(width), height_(height), area_(turn(corners[0], corners[1], corners[2])) {}
 
 Edges Raster::edges(int i, int j) const {
-  // Pixel centres are at (i + .5 - width/2) pixels: 256 i + 128 - 128 width in 1/256.
+  // The centre of pixel i is at i + .5 - width/2 pixels, which is 256 i + 128 - 128 width in units of 1/256
+  // pixel.
   const Snapped p{256 * std::int64_t(i) + 128 - 128 * std::int64_t(width_),
                   256 * std::int64_t(j) + 128 - 128 * std::int64_t(height_)};
   Edges result{{0, 0, 0}, area_ != 0};

@@ -1,4 +1,5 @@
-// From a triangle in space to the pixels it covers (docs/frame.md, 4): clipping, snapping, exact edges.
+// Computes the pixels that a triangle covers: clipping, snapping to 1/256 pixel, exact edge functions
+// (docs/frame.md, section 4).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,54 +12,54 @@
 
 namespace pelage::reference {
 
-/// A point as the camera sees it: x and y in pixels from the image centre times w, and w, the view depth in
-/// R.
+/// A point in homogeneous screen coordinates. x / w and y / w are pixels from the image centre, y down. w is
+/// the view depth in R.
 struct ClipPoint {
   double x, y, w;
 };
 ClipPoint project(const Camera& camera, const glm::dvec3& point);
 
-/// A vertex of a clipped triangle: the point, and how it mixes the triangle's three corners.
+/// A vertex of a clipped triangle: its position, and its barycentric weights in the unclipped triangle.
 struct ClippedVertex {
   ClipPoint point;
   glm::dvec3 corners;
 };
 
-/// Screen coordinates beyond +-guard pixels are clipped away.
+/// Triangles are clipped at this distance from the image centre in x and y, in pixels.
 constexpr double guard = 16384.0;
 
-/// The part of the triangle with w >= near and |x|, |y| <= guard pixels: a convex polygon of 0 or 3 to 8
-/// vertices.
+/// Returns the part of the triangle with w >= near, |x / w| <= guard and |y / w| <= guard. It is a convex
+/// polygon of 0 or 3 to 8 vertices.
 std::vector<ClippedVertex> clip(const std::array<ClipPoint, 3>& triangle, double near);
 
-/// A screen position relative to the image centre in 1/256 pixel.
+/// A screen position relative to the image centre, in units of 1/256 pixel.
 struct Snapped {
   std::int64_t x, y;
   bool operator==(const Snapped&) const = default;
 };
 Snapped snap(const ClipPoint& point);
 
-/// The edge functions of a triangle at a pixel's centre, as integers: each belongs to the corner opposite to
-/// its edge. They sum to the (doubled) area, which is positive whatever the winding.
+/// The integer edge functions of a triangle at the centre of a pixel. value[k] belongs to the edge opposite
+/// to corner k. The values sum to twice the area, and the sum is positive for both windings.
 struct Edges {
   std::array<std::int64_t, 3> value;
-  bool covered;  ///< inside, or on a top or left edge
+  bool covered;  ///< true if the centre is inside, or on a top or left edge
 };
 
-/// A triangle of snapped corners over an image of width x height pixels.
+/// A triangle with snapped corners in an image of width x height pixels.
 class Raster {
  public:
   Raster(const std::array<Snapped, 3>& corners, int width, int height);
   bool empty() const { return area_ == 0; }
-  bool faces_away() const { return area_ < 0; }  ///< clockwise in the picture's y-up sense
-  Edges edges(int i, int j) const;               ///< at the centre of pixel (i, j)
-  /// The pixels of `window` that can be covered (the triangle's box); width or height may be 0.
+  bool faces_away() const { return area_ < 0; }  ///< corners are counter-clockwise in the picture
+  Edges edges(int i, int j) const;               ///< edge functions at the centre of pixel (i, j)
+  /// Returns the pixels of `window` in the triangle's bounding box. The width or the height may be 0.
   Window box(const Window& window) const;
 
  private:
   std::array<Snapped, 3> corner_;
   int width_, height_;
-  std::int64_t area_;  ///< signed, doubled
+  std::int64_t area_;  ///< twice the signed area
 };
 
 }  // namespace pelage::reference

@@ -1,4 +1,4 @@
-// Where the shells are (S Eq. 1 and 4, the strand's Bezier curve; B Eq. 3 and 4).
+// Positions of the layers: S Eq. 1 and 4 and the strand's Bezier curve, or B Eq. 3 and 4 for sticks.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,49 +11,54 @@
 
 namespace pelage::reference {
 
-/// h_n = (1 + n) / N; 0 for the base surface (n = -1).
+/// Returns the height h_n = (1 + n) / N of layer n, and 0 for the base surface (n = -1).
 double layer_height(int n, int layers, Mutant mutant = Mutant::none);
 
-/// The Bezier parameter t of height h: h itself ("paper") or 1 - sqrt(1 - h) ("uniform").
+/// Returns the Bezier parameter t of height h: h for spacing "paper", 1 - sqrt(1 - h) for "uniform".
 double bezier_parameter(double h, const std::string& spacing);
 
-/// The quadratic Bezier curve through root, p0 and p at t, relative to the root; a = p0 - root, b = p - root.
+/// Returns the point at t of the quadratic Bezier curve with the control points root, p0 and p, relative to
+/// the root. a = p0 - root, b = p - root.
 glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t);
 
-/// S Eq. 4 with alpha(h) = (1 - rho) K_alpha h; `radius` is K_alpha in R, `turns` omega / 2 pi.
+/// Returns the curl offset of S Eq. 4, in R, with alpha(h) = (1 - rho) K_alpha h. `radius` is K_alpha in R,
+/// `turns` is omega / 2 pi, and u and v are the axes of the curl.
 glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v);
 
-/// What displaces a vertex: the control points of its Bezier curve, or its stick.
+/// The bend of a vertex: two control points of its Bezier curve, or two vectors of its stick.
 struct Bend {
-  glm::dvec3 a{0.0};  ///< p0 - root, R; with a stick L0 n
-  glm::dvec3 b{0.0};  ///< p - root, R; with a stick L0 s
+  glm::dvec3 a{0.0};  ///< p0 - root, or L0 n for a stick; R
+  glm::dvec3 b{0.0};  ///< p - root, or L0 s for a stick; R
 };
 
-/// B Eq. 3: the stick whose top lies at `top` from its base, as if it were straight and L0 = `length` long.
-/// normal: unit. With the "tangent" form what sets it apart from L0 n is freed of its part along n.
+/// Returns the bend of a stick by B Eq. 3. `top` is the stick's top minus its base; only its direction s is
+/// used. `length` is L0 in R. `normal` n is unit. For the bend "tangent", the part of s - n along n is
+/// removed.
 Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& normal,
                 const glm::dvec3& top);
 
-/// B Eq. 4: a layer rises by h L0 along n and is moved by h^k L0 (s - n); with "linear" k = 1.
+/// Returns the displacement of a layer at height h by B Eq. 4, in R: h L0 n + h^k L0 (s - n). k is 1 for the
+/// bend "linear".
 glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h,
                               Mutant mutant = Mutant::none);
 
-/// The shells of a moment. A slot is what is displaced once: a vertex copy, or a corner of a triangle where
-/// layers part.
+/// The positions of all layers at one time. A slot is a point of the mesh with a displacement of its own. It
+/// is a vertex copy, or a corner of a triangle if triangles do not share vertices (parts()).
 class Geometry {
  public:
-  /// Bends and curls every slot of the faces where `wanted` is not 0 (F; empty: all of them) after `frames`
-  /// frames; with a topology by `sticks`, as Options has them.
+  /// Computes the bend and the wetness of the slots after `frames` frames. `wanted` has one entry per face: 0
+  /// for faces to skip. If it is empty, all faces are computed. With a mass-spring topology, `sticks` (as in
+  /// Options) is used instead of simulated strands.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
            Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
   std::size_t slots() const { return bend_.size(); }
   bool wanted(std::size_t slot) const { return wanted_[slot] != 0; }
   std::size_t slot(std::size_t face, std::size_t corner) const;
-  std::uint32_t vertex(std::size_t slot) const;  ///< the vertex copy of the slot
+  std::uint32_t vertex(std::size_t slot) const;  ///< index of the slot's vertex copy
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
-  glm::dvec3 position(std::size_t slot, int n) const;  ///< R; n = -1: the base surface
-  /// S Eq. 4 at the slot on layer n, R; 0 for the base surface.
+  glm::dvec3 position(std::size_t slot, int n) const;  ///< in R; n = -1 is the base surface
+  /// Returns the curl offset of S Eq. 4 for the slot on layer n, in R. It is 0 for the base surface.
   glm::dvec3 curl_offset(std::size_t slot, int n) const;
 
  private:
@@ -65,10 +70,11 @@ class Geometry {
   std::vector<double> rho_;  ///< the mask's wetness at the slot's surface point
 };
 
-/// The strand's direction at layer n by the chord from the layer below: B(t_n) - B(t_(n-1)), not normalized.
+/// Returns the strand's step from layer n - 1 to layer n, B(t_n) - B(t_(n-1)), not normalized. It is used as
+/// the strand's direction at layer n.
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant = Mutant::none);
 
-/// The corners of every triangle of layer n (-1: the base), 3 F.
+/// Returns the three corner positions of every triangle on layer n, in R. n = -1 is the base surface.
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n);
 
 }  // namespace pelage::reference

@@ -9,7 +9,8 @@
 namespace pelage::reference {
 namespace {
 
-/// The texel along one axis, repeating. A coordinate that is no number (only mutants make one) takes texel 0.
+/// Returns the index of the texel that contains u along one axis of the repeating mask. It returns 0 for NaN,
+/// which only mutants cause.
 int repeated(double u, int size) {
   const double inside = u - std::floor(u);
   return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;
@@ -20,10 +21,11 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
-/// The droplet wets every texel whose centre lies in its disc, in UV and over the surface.
+/// Applies Algorithm 1 to every texel whose centre is within the droplet's radius in UV and within its reach
+/// on the surface.
 void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
   const int size = mask.size;
-  // Rows and columns that the disc can reach; one more on either side costs nothing.
+  // The range of rows and columns that the disc can touch, with a margin of one texel on either side.
   const auto first = [&](float c) {
     return std::clamp(int(std::floor(double(c - droplet.radius) * double(size))) - 1, 0, size);
   };
@@ -82,7 +84,7 @@ Mask wetness_mask(const FrameInput& input, Mutant mutant) {
 
 double clump_shape(double h, double w, int layers, Mutant mutant) {
   const double k = (mutant == Mutant::log_negated ? -1.0 : 1.0) * std::log(double(layers));
-  // h is at least 1/N; only Mutant::height_without_one goes below.
+  // h is at least 1/N, except with Mutant::height_without_one.
   return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
 }
 

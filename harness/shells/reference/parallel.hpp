@@ -1,4 +1,5 @@
-// Independent work on at most two threads: the reference shares the machine with what it checks.
+// Runs independent work on at most two threads, because the reference shares the machine with the pipeline
+// that it checks.
 #pragma once
 #include <algorithm>
 #include <atomic>
@@ -7,7 +8,7 @@
 
 namespace pelage::reference {
 
-/// Calls work(i) once for every i below `count`, in no particular order; work must not throw.
+/// Calls work(i) once for every i below `count`, in no particular order. `work` must not throw.
 template <class Work>
 void for_each_index(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
@@ -20,7 +21,8 @@ void for_each_index(std::size_t count, const Work& work) {
   second.join();
 }
 
-/// The same in runs of `grain` consecutive indices, for work too small to be handed out one by one.
+/// Does the same, but a thread takes `grain` consecutive indices at a time. This form is for small work
+/// items.
 template <class Work>
 void for_each_index(std::size_t count, std::size_t grain, const Work& work) {
   for_each_index((count + grain - 1) / grain, [&](std::size_t run) {

@@ -1,4 +1,4 @@
-// N passes over the mesh, back to front (docs/frame.md, 5 to 7; S 4).
+// Draws the base and then N layers, back to front (docs/frame.md, sections 5 to 7; S, section 4).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,18 +23,19 @@
 namespace pelage::reference {
 namespace {
 
-/// A part of the picture in the making.
+/// A part of the picture while it is drawn.
 struct Tile {
   Window window;
-  std::vector<std::uint32_t> faces;  ///< those that may show here, in the mesh's order
-  std::vector<double> base;          ///< 1/w of the base surface, 0 where there is none
+  std::vector<std::uint32_t> faces;  ///< faces that may be visible here, in the mesh's order
+  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 where there is no base
   std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha
   std::size_t at(int x, int y) const {
     return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
   }
 };
 
-/// A pixel of a triangle: where it is, its 1/w, and the perspective-correct share of each corner.
+/// A pixel that a triangle covers: its coordinates, its 1/w, and the perspective-correct weight of each
+/// corner.
 struct Sample {
   int x, y;
   double inverse_w;
@@ -46,7 +47,7 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Moves every wanted slot to layer n; -1: the base surface.
+  /// Projects every wanted slot of layer n to the screen. n = -1 is the base surface.
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {
@@ -107,7 +108,7 @@ class Painter {
       }
   }
 
-  /// An attribute of the three corners, interpolated.
+  /// Interpolates an attribute over the triangle. of_slot(slot) is its value at a corner.
   template <class Value>
   auto interpolated(std::uint32_t face, const Sample& sample, const Value& of_slot) const {
     return sample.share[0] * of_slot(geometry_.slot(face, 0)) +
@@ -136,16 +137,16 @@ class Painter {
                         [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
   }
 
-  /// dphi(n), the curl's step from the layer below.
+  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n.
   glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
     return interpolated(face, sample, [&](std::size_t s) {
       return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
     });
   }
 
-  /// The fur that a fragment at `where` sees: one look into its layer, or scene.fur.substeps looks down to
-  /// the layer below, between which the lookup moves by `shift()` (UV) for the ray and the strand, and by
-  /// -delta_d for the clump.
+  /// Returns the fur of a fragment at `where`. Without sub-steps it samples the layer once. With k =
+  /// scene.fur.substeps > 1 it takes k samples between the layer and the layer below. Over this distance the
+  /// texture coordinates move by shift() (UV) for the ray and the strand, and by -delta_d for the clump.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
@@ -161,7 +162,7 @@ class Painter {
     return combined(samples);
   }
 
-  /// E at the pixel's centre.
+  /// Returns E, the unit direction from the eye through the pixel's centre.
   glm::dvec3 view(const Sample& sample) const {
     const Camera& camera = input_.camera;
     const double x = double(sample.x) + 0.5 - 0.5 * double(camera.width);
@@ -218,7 +219,8 @@ class Painter {
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
   }
 
-  /// log2 of a pixel's footprint on the surface in texels of level 0, and the bias.
+  /// Returns the mip level: log2 of a pixel's footprint on the surface, in texels of level 0, plus
+  /// fur.lod_bias.
   double level_of_detail(const Sample& sample, const glm::dvec3& normal, const glm::dvec3& eye) const {
     const FurScene& fur = input_.scene.fur;
     const double pixel = double(input_.camera.pixel) / sample.inverse_w;
@@ -232,7 +234,7 @@ class Painter {
   const Mask& mask_;
   const Geometry& geometry_;
   int layer_ = -1;
-  std::vector<ClipPoint> point_;  ///< where the camera sees each slot of the current layer
+  std::vector<ClipPoint> point_;  ///< projected position of each slot on the current layer
 };
 
 void check(bool fits, const char* what) {
@@ -240,32 +242,33 @@ void check(bool fits, const char* what) {
 }
 
 void check(const FrameInput& input, const Options& options) {
-  check(input.mesh != nullptr, "it has no mesh");
+  check(input.mesh != nullptr, "the input has no mesh");
   const Mesh& mesh = *input.mesh;
   const std::size_t faces = mesh.triangle.size(), copies = mesh.position.size(), points = mesh.welded;
   const std::size_t texels = std::size_t(input.scene.wetness.size) * std::size_t(input.scene.wetness.size);
   check(mesh.uv.size() == copies && mesh.weld.size() == copies,
-        "the mesh needs a UV and a weld per vertex copy");
+        "the mesh needs one UV and one surface point per vertex copy");
   check(input.strands.normal.size() == faces && input.strands.anchor.size() == faces &&
             input.strands.phase.size() == faces,
-        "there must be one strand per triangle");
+        "the input needs one strand per triangle");
   const bool sticks = has_springs(input.scene.dynamics);
-  check(!sticks || input.stick_normal.size() == points, "a topology needs a normal per surface point");
+  check(!sticks || input.stick_normal.size() == points,
+        "a mass-spring topology needs one stick normal per surface point");
   check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
-        "there must be a stick per surface point, or per corner where the topology is separable");
+        "a topology needs one stick per surface point, or one per triangle corner if it is separable");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
-        "a topology's sticks must be given once they have moved");
-  check(input.strands.row.size() == points + 1, "the strand weights need a row per surface point");
+        "a topology needs its sticks if the number of frames is above 0");
+  check(input.strands.row.size() == points + 1, "the strand weights need one row per surface point");
   check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
         "the curl frame needs one entry per surface point");
   check(input.tangents.t.size() == copies && input.tangents.b.size() == copies,
         "the surface tangents need one entry per vertex copy");
   check(input.scene.wetness.size > 0 && input.mask_surface.size() == texels,
-        "the wetness mask needs a surface point per texel");
+        "the wetness mask needs one surface point per texel");
   check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),
-        "the fur texture needs a slice per layer, at least 2");
-  check(input.coat.size > 0, "it has no coat texture");
-  check(input.scene.fur.substeps >= 1, "a fragment looks into its layer at least once (fur.substeps)");
+        "the fur texture needs one slice per layer, and at least 2 layers");
+  check(input.coat.size > 0, "the input has no coat texture");
+  check(input.scene.fur.substeps >= 1, "fur.substeps must be at least 1");
   check(input.camera.width > 0 && input.camera.height > 0 && input.camera.near > 0.0f,
         "the camera's size and near plane must be above 0");
 }

@@ -10,25 +10,27 @@
 namespace pelage::reference {
 namespace {
 
-/// max(0, (n.l + .4) / 1.4): light that wraps around the body.
+/// Returns max(0, (n.l + .4) / 1.4), which is above 0 also on surfaces that face slightly away from the
+/// light.
 double wrapped(const glm::dvec3& normal, const glm::dvec3& light) {
   return std::max(0.0, (glm::dot(normal, light) + 0.4) / 1.4);
 }
 
-/// g_l, the light's intensity dimmed where the body turns away.
+/// Returns g_l, the light's intensity, reduced where the surface faces away from the light.
 double intensity(const ShadingScene& shading, const LightScene& light, const glm::dvec3& normal,
                  const glm::dvec3& towards) {
   return double(light.intensity) * (1.0 + double(shading.wrap) * (wrapped(normal, towards) - 1.0));
 }
 
-/// [(T.L)(T.E) + sin(T,L) sin(T,E)]^p, the base clamped at 0 (Kajiya and Kay's highlight, both in S and W).
+/// Returns [(T.L)(T.E) + sin(T,L) sin(T,E)]^p with the base clamped at 0. This is Kajiya and Kay's highlight,
+/// which S and W use.
 double highlight(const glm::dvec3& t, const glm::dvec3& l, const glm::dvec3& e, double p) {
   const double base =
       glm::dot(t, l) * glm::dot(t, e) + glm::length(glm::cross(t, l)) * glm::length(glm::cross(t, e));
   return std::pow(std::max(0.0, base), p);
 }
 
-/// W Eq. 2's C_d.
+/// Returns C_d of W Eq. 2.
 glm::dvec3 lambert(const ShadingScene& shading, const Fragment& f) {
   double sum = double(shading.ambient);
   const double wrap = double(shading.wrap);
@@ -44,7 +46,7 @@ double curling_shadow(const ShadingScene& shading, double h) {
   return (double(shading.shadow) - 1.0 + h) / double(shading.shadow);
 }
 
-/// W Eq. 5: gamma_occ gamma_wet.
+/// Returns gamma_occ gamma_wet of W Eq. 5.
 double wet_shadow(const ShadingScene& shading, double h, double rho) {
   return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
 }

@@ -1,4 +1,4 @@
-// The colour of a fragment: S Eq. 6 and W Eq. 2-5, with the lights of docs/frame.md.
+// The colour of a fragment: S Eq. 6 and W Eq. 2-5, with the lights of docs/frame.md, section 6.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -7,34 +7,36 @@
 
 namespace pelage::reference {
 
-/// What a fragment shows the light. Directions are unit vectors.
+/// The inputs of the shading models. Directions are unit vectors.
 struct Fragment {
   glm::dvec3 colour;   ///< K, the coat's colour times the strand's shade
-  glm::dvec3 tangent;  ///< T (curling model) or T_ws (wet model), along the strand
-  glm::dvec3 normal;   ///< nu, of the surface
-  glm::dvec3 view;     ///< E, from the eye to the surface
-  double height = 0;   ///< h, 0 on the skin
+  glm::dvec3 tangent;  ///< strand direction: T (curling model) or T_ws (wet model)
+  glm::dvec3 normal;   ///< nu, the surface normal
+  glm::dvec3 view;     ///< E, the direction from the eye to the surface
+  double height = 0;   ///< h, 0 on the base surface
   double wetness = 0;  ///< rho
 };
 
-/// The normal that light reaches: with `shading.sides` "two" a normal that faces away from the eye is reversed.
+/// Returns the normal that light reaches. With `shading.sides` "two" a normal that faces away from the eye is reversed.
 /// `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
-/// S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
+/// Returns the colour of S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// W Eq. 2, 3 and 5.
+/// Returns the colour of W Eq. 2, 3 and 5.
 glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// The light of B, section 3: Lambert's law per pixel, darkened towards the skin down to 1 - sigma_occ there.
+/// Returns the colour of the model of B, section 3: Lambert's law per pixel, times a factor that rises
+/// linearly from 1 - sigma_occ at the base surface to 1 at the tips.
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// The base surface under any model: the wet model's diffuse term, darkened as the model darkens h = 0.
+/// Returns the colour of the base surface (docs/frame.md, section 7). The curling and the wet model use the
+/// wet model's diffuse term, with their own darkening at h = 0. The model "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// W Eq. 4, the strand's direction in space: `bend` is the strand's own step over the layer in R, t and b are
-/// dX/du and dX/dv, delta_d the clump's step in UV. Unit.
+/// Returns the unit direction T_ws of the strand in space (W Eq. 4). `bend` is the strand's step over the
+/// layer, in R. t and b are dX/du and dX/dv. delta_d is the clump's step over the layer, in UV.
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                        const glm::dvec3& b, const glm::dvec2& delta_d);
 

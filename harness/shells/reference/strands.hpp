@@ -1,4 +1,4 @@
-// The strand model of S 3.2.1: one mass on a spring per triangle.
+// The strand model of S, section 3.2.1: one mass on a spring per triangle.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -8,27 +8,27 @@
 
 namespace pelage::reference {
 
-/// One mass; everything relative to its root.
+/// The state of a strand's mass, relative to the strand's root.
 struct Strand {
   glm::dvec3 tip{0.0};       ///< p - p_root, R
   glm::dvec3 velocity{0.0};  ///< R/s
 };
 
-/// S Eq. 3: the tip stays in the half ball of radius `length` over the surface with unit normal `normal`; the
-/// velocity loses what would leave it. First the half space, then the ball (the ball's projection keeps the
-/// half space).
+/// Applies S Eq. 3. It moves the tip into the half ball of radius `length` above the surface with the unit
+/// normal `normal`, and removes the part of the velocity that points out of it. The half space is applied
+/// first, then the ball. The projection to the ball keeps the tip in the half space.
 Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 
-/// The strand of `face` at rest: on its anchor, still.
+/// Returns the strand of `face` at rest: the tip at its anchor, with velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
-/// Substep number `index` since rest (S Eq. 2, semi-implicit Euler, then Eq. 3).
+/// Computes substep number `index` since rest: S Eq. 2 by semi-implicit Euler, then S Eq. 3.
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index);
 
-/// `frames` frames of scene.dynamics.substeps substeps, from rest.
+/// Simulates one strand for `frames` frames of scene.dynamics.substeps substeps, from rest.
 Strand simulate(const FrameInput& input, std::size_t face, int frames);
 
-/// All strands, F.
+/// Simulates all strands, F.
 std::vector<Strand> simulate(const FrameInput& input, int frames);
 
 }  // namespace pelage::reference

@@ -1,4 +1,4 @@
-// A fragment that looks several times into the slab below its layer (docs/frame.md, 6, "Sub-steps").
+// Fragments that sample the slab below their layer several times (docs/frame.md, section 6, "Sub-steps").
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -8,17 +8,19 @@
 
 namespace pelage::reference {
 
-/// How far off the root of the strand lies that the ray meets at the slab's bottom, R: D - (D.nu)/e E with e
-/// = E.nu, kept at least .25 away from 0. `step` is D, the strand's step over the slab (R); `normal` nu and
-/// `eye` E are unit. It lies in the tangent plane wherever |E.nu| >= .25, and is proportional to depth.
+/// Returns the offset, in R, from the root of the fragment's strand to the root of the strand that the ray
+/// meets at the bottom of the slab. It is D - (D.nu)/e E, where e is E.nu moved to at least .25 away from 0.
+/// `step` is D, the strand's step over the slab, in R. `normal` is nu and `eye` is E, both unit. If |E.nu| >=
+/// .25, the offset is in the tangent plane.
 glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const glm::dvec3& eye);
 
-/// The shares (u, v) of `delta` (R) in t = dX/du and b = dX/dv (R per UV unit), by least squares when it
-/// sticks out of their plane; 0 where t and b are (nearly) parallel or 0.
+/// Returns the coordinates (u, v) of `delta` in the basis t = dX/du, b = dX/dv, by least squares if delta is
+/// not in their plane. delta is in R, and t and b are in R per UV unit. Returns 0 if t or b is 0, or if they
+/// are nearly parallel.
 glm::dvec2 uv_shares(const glm::dvec3& delta, const glm::dvec3& t, const glm::dvec3& b);
 
-/// What k >= 1 looks into a slab amount to: k samples stand for one layer, so coverage is 1 - (prod (1 -
-/// a_i))^(1/k); shade is the mean by coverage, 0 where nothing covers.
+/// Combines k >= 1 samples of a slab into one sample for its layer. The coverage is 1 - (prod (1 -
+/// a_i))^(1/k). The shade is the mean weighted by coverage, or 0 if all coverages are 0.
 FurSample combined(const std::vector<FurSample>& samples);
 
 }  // namespace pelage::reference

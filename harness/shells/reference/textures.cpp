@@ -7,13 +7,13 @@
 namespace pelage::reference {
 namespace {
 
-/// i modulo side, for an i that is a whole number.
+/// Returns i modulo side. i is a whole number.
 std::size_t repeated(double i, int side) {
   const double inside = i - double(side) * std::floor(i / double(side));
   return std::min(std::size_t(inside >= 0.0 ? inside : 0.0), std::size_t(side - 1));
 }
 
-/// The bilinear mean of texel(row, column).
+/// Interpolates texel(row, column) bilinearly at uv.
 template <class Texel>
 auto bilinear(int side, const glm::dvec2& uv, const Texel& texel) {
   const double x = uv.x * double(side) - 0.5, y = uv.y * double(side) - 0.5;

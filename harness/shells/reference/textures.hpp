@@ -1,5 +1,5 @@
-// Looking into the fur volume and the coat (docs/frame.md, 6). Texel (i, j) of a side S has its centre at
-// ((i + .5) / S, (j + .5) / S); textures repeat.
+// Texture lookups in the fur and the coat (docs/frame.md, section 6). Texel (i, j) of a texture of side S has
+// its centre at ((i + .5) / S, (j + .5) / S). Textures repeat.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,14 +10,14 @@ namespace pelage::reference {
 
 struct FurSample {
   double coverage;  ///< 0..1
-  double shade;     ///< factor on the coat's colour
+  double shade;     ///< factor on the coat's colour, 0..2
 };
 
-/// Slice `layer` at `uv` (in repeats), bilinear inside a mip level and linear between the two levels around
-/// `level`, which is clamped to those that exist.
+/// Samples slice `layer` at `uv`, in units of the texture's period. Filtering is bilinear within a mip level,
+/// and linear between the two levels around `level`. `level` is clamped to the existing levels.
 FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level);
 
-/// The coat's colour at uv, 0..1, bilinear.
+/// Returns the coat's colour at uv by bilinear filtering. Channels are 0..1.
 glm::dvec3 sample_coat(const CoatTexture& coat, const glm::dvec2& uv);
 
 }  // namespace pelage::reference

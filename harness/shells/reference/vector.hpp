@@ -1,10 +1,10 @@
-// What glm leaves open.
+// Normalization that is defined for the zero vector, too.
 #pragma once
 #include <glm/geometric.hpp>
 
 namespace pelage::reference {
 
-/// v / |v|; the zero vector stays zero (docs/frame.md).
+/// Returns v / |v|, or 0 for the zero vector (docs/frame.md).
 template <class V>
 V unit(const V& v) {
   const double length = glm::length(v);

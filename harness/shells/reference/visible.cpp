@@ -9,7 +9,7 @@
 namespace pelage::reference {
 namespace {
 
-/// A half space n.p + d >= 0; n is not unit.
+/// The half space n.p + d >= 0. n need not be a unit vector.
 struct Plane {
   glm::dvec3 n;
   double d;
@@ -18,8 +18,8 @@ struct Plane {
   }
 };
 
-/// sign (row . (p,1) - bound w(p)) >= 0: for points in front of the eye, x / w (or y / w) beyond `bound`
-/// pixels.
+/// Returns the half space sign (row.(p,1) - bound w(p)) >= 0. For points in front of the eye and sign = 1, it
+/// holds the points with x / w (or y / w) >= bound, in pixels.
 Plane side(const glm::vec4& row, const glm::vec4& row_w, double bound, double sign) {
   const glm::dvec4 r = sign * (glm::dvec4(row) - bound * glm::dvec4(row_w));
   return {glm::dvec3(r), r.w};
@@ -44,7 +44,7 @@ std::vector<Window> split(const std::vector<Window>& windows, const Camera& came
 std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window) {
   const Camera& camera = input.camera;
   const Mesh& mesh = *input.mesh;
-  // One pixel more on every side than the window has: snapping moves corners.
+  // The window is enlarged by one pixel on every side, because snapping moves corners.
   const double left = double(window.x) - 1.0 - 0.5 * double(camera.width);
   const double top = double(window.y) - 1.0 - 0.5 * double(camera.height);
   const std::array<Plane, 5> planes{
@@ -53,9 +53,10 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top, 1.0),
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
-  // A layer moves a vertex by at most the fur's length (the curve stays in its control points' hull, and Eq.
-  // 3 keeps these in the ball) and the curl's radius; 1% for weights that do not quite sum to 1.
-  // A layer on a stick lies within L0 too, within sqrt(2) L0 in its tangential form.
+  // A layer displaces a vertex by at most the fur's length plus the curl's radius. The Bezier curve stays in
+  // the convex hull of its control points, and S Eq. 3 keeps these within the fur's length. The factor 1.01
+  // allows for weights whose sum is not exactly 1. A stick displaces a layer by at most L0, or sqrt(2) L0
+  // with the bend "tangent".
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

@@ -1,4 +1,5 @@
-// Which triangles a part of the picture can see, in whatever layer: so that only those are worked on.
+// Finds the triangles that a part of the picture can show in any layer, so that the reference computes only
+// those.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,11 +9,13 @@
 
 namespace pelage::reference {
 
-/// The windows (none: the whole picture) cut to the picture and into pieces of at most 64 x 64 pixels.
+/// Clips the windows to the picture and splits them into pieces of at most 64 x 64 pixels. An empty list
+/// means the whole picture.
 std::vector<Window> split(const std::vector<Window>& windows, const Camera& camera);
 
-/// The faces, in the mesh's order, that may cover a pixel of the window in some layer: a superset, from a
-/// ball around each triangle that holds it on every layer, whatever its strands do.
+/// Returns the faces, in the mesh's order, that may cover a pixel of the window in some layer. The result can
+/// contain more faces, because each triangle is replaced by a ball that contains it on every layer, for any
+/// motion of its strands.
 std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window);
 
 }  // namespace pelage::reference

@@ -1,4 +1,4 @@
-// Where the tiles' lists begin.
+// Tests the start positions of the tiles' triangle lists.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,7 +12,8 @@ namespace {
 
 using Values = std::vector<std::int32_t>;
 
-/// Where lists of these lengths begin, and the sum of all.
+/// Returns the start positions of lists with these lengths, then the sum of the lengths, computed by
+/// bin_start.
 Values starts(const Values& length) {
   const cl::Queue queue(pictures::device());
   const cl::Program program(queue.device(), "rasterize/geometry/geometry.cl", "-D LANES=1");
@@ -33,7 +34,7 @@ TEST(Bins, ListsFollowOneAnother) {
   EXPECT_EQ(starts({3, 0, 4, 1}), (Values{0, 3, 3, 7, 8}));
 }
 
-// The host reads the sum: it must not wrap to a small or negative number.
+// The host allocates a buffer of this size, so the sum must not wrap around to a small or negative number.
 TEST(Bins, ASumBeyondWholeNumbersStaysAtTheMost) {
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   EXPECT_EQ(starts({most / 2, most / 2, 1}).back(), most);

@@ -1,6 +1,7 @@
-// kernels/dialect.clh's words for C++ once more (tests/support/opencl_as_cpp.hpp): one lane, of a type that
-// counts its operations. An fma counts as two, a division, square root, logarithm or power as what the
-// kernels' own text of it takes; comparisons, choices, conversions and signs are free.
+// A second implementation of kernels/dialect.clh in C++ (the first is tests/support/opencl_as_cpp.hpp). It
+// has one lane, of a number type that counts its operations. An fma counts as two operations. A logarithm or
+// a power counts as many operations as its code in the kernels has. Comparisons, selections, conversions and
+// negations are not counted.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -85,7 +86,8 @@ inline real fmin(real a, real b) {
 inline real fmax(real a, real b) {
   return {std::fmax(a.value, b.value)};
 }
-// common/powers.clh's polynomials: nine fma and a subtraction; seven fma, two sums and a product besides.
+// The costs are those of the polynomials in common/powers.clh. log2 takes nine fma and a subtraction. pow
+// takes a log2, seven fma, two sums and a product.
 inline real log2(real a) {
   return counted(std::log2(a.value), 19);
 }
@@ -116,7 +118,7 @@ struct whole4 {
 inline whole4 gather_fours(const std::int32_t* table, whole i) {
   return {table[i], table[i + 1], table[i + 2], table[i + 3]};
 }
-// Three operations, as floats would take: two products and a sum.
+// Counts three operations, as in floats: two products and a sum.
 inline whole dot_halves(whole a, whole b) {
   operations += 3;
   const auto low = [](whole v) { return whole(std::int16_t(v)); };
@@ -137,7 +139,7 @@ inline bool some(truth m) {
   return m;
 }
 
-/// What `work` takes.
+/// Returns the number of operations that `work` executes.
 template <class Work>
 double count(const Work& work) {
   const double before = operations;
@@ -145,8 +147,8 @@ double count(const Work& work) {
   return operations - before;
 }
 
-/// The kernels change; a figure in a roofline's logarithms need not follow each operation, but to a tenth it
-/// must.
+/// Expects the constant to be within 10% of the counted operations. This is exact enough for a roofline plot,
+/// and small changes of the kernels do not require new constants.
 inline void expect_near(double constant, double taken, const char* what) {
   EXPECT_NEAR(constant, taken, 0.1 * taken) << what << ": the kernels take " << taken;
 }

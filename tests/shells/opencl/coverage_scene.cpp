@@ -10,10 +10,11 @@
 namespace pelage::pictures {
 namespace {
 
-constexpr int coverage = 26;  // of 255: at 1/512 of the white a pixel may stop, after 57 hits
+// Coverage of the fur in 1/255. A pixel may stop at a transmittance of 1/512, but only after 57 hits.
+constexpr int coverage = 26;
 
-/// Strands of length 1 along z on the plane z = 0, two layers, the first one bald; the second stands at z =
-/// 1, where w = 1/2 exactly.
+/// Returns a frame with the triangles in the plane z = 0 and upright strands of length 1. It has two layers,
+/// and the first is bald. The second layer is at z = 1, where w is exactly 1/2 for the default `row_w`.
 FrameInput flat_frame(const Flat& flat) {
   FrameInput input;
   Scene& scene = input.scene;
@@ -25,7 +26,7 @@ FrameInput flat_frame(const Flat& flat) {
   scene.shading.ambient = 1;
   scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
   scene.shading.specular = glm::vec3(0);
-  scene.shading.shadow = 1e6f;  // the skin is white too
+  scene.shading.shadow = 1e6f;  // no shadow, so that the skin is white, too
   scene.coat.skin = glm::vec3(1);
   scene.image = {flat.width, flat.height, glm::vec3(1)};
 

@@ -1,5 +1,5 @@
-// One scene, one device, one mapping: one picture, to the bit, however the work is cut and however often it
-// is done.
+// Tests that one scene on one device with one mapping gives the same picture bit for bit, with any tile size
+// and layer batch, and in every run.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace pictures;
 
-// The tuning that a drawing is made with.
+// Values of the tuning axes for one picture.
 using Tuning = std::map<std::string, int>;
 
 Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
@@ -47,8 +47,8 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
   }
 }
 
-// Triangles are left out of layers in which Algorithm 2 would discard all of their fragments: that changes no
-// bit.
+// The pipeline omits triangles in layers where Algorithm 2 would discard all their fragments. This must not
+// change any bit of the picture.
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
     for (const char* cells : {"separate", "literal"})
@@ -73,7 +73,7 @@ TEST(Determinism, MappingsAgree) {
   const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
   const Agreement agreement = compare(tile, pixel);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  // The base and its depth are coverage alone: they agree wherever fur leaves nothing to see.
+  // Alpha is 0 where neither base nor fur is drawn. The mappings must agree exactly on these pixels.
   std::size_t differing = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     differing += (tile.pixel[i].a == 0) != (pixel.pixel[i].a == 0);

@@ -1,5 +1,6 @@
-// The kernels' forms for processors without AVX-512 and for compilers without Clang's builtins, on a machine
-// that has both: build options of kernels/dialect.clh choose them.
+// Tests the variants of the kernels for processors without AVX-512 and for compilers without Clang's
+// builtins. Build options (kernels/dialect.clh) select these variants, so this test runs on a machine that
+// has both.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"
@@ -14,7 +15,7 @@ TEST_P(Forms, LookLikeTheReference) {
   if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
   for (const char* shading : {"curling", "wet"}) {
     const auto input = pictures::small_frame(shading);
-    // A tuning becomes the kernels' build options.
+    // Tuning entries become build options of the kernels.
     Shells shells(device, input, {"tile", {{GetParam(), 1}}});
     shells.advance(pictures::frames - 1);
     shells.frame();

@@ -1,5 +1,5 @@
-// The prefix sums and the sort that the bins of the workgroup mapping are made of, against the standard
-// library's.
+// Compares the prefix sums and the sort that the workgroup mapping uses for its bins with those of the
+// standard library.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,8 @@ cl::Buffer<std::int32_t> on_device(const cl::Queue& queue, const Values& values)
 TEST(RadixSort, PrefixSumsAreExact) {
   const cl::Queue queue(pictures::device());
   cl::RadixSort sort(queue.device());
-  // One value, a block, its neighbours, two levels, three levels.
+  // The counts cover one value, a block of 1024 values and its neighbours, and sums of two and of three
+  // levels.
   for (const std::size_t count : {1u, 15u, 1023u, 1024u, 1025u, 100000u, 1048577u}) {
     const Values values = random_values(count, 1000, std::uint32_t(count));
     const cl::Buffer<std::int32_t> buffer = on_device(queue, values);
@@ -50,7 +51,7 @@ TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
     const cl::Buffer<std::int32_t> values = on_device(queue, Values(count, each));
     const std::int32_t sum = sort.scan(queue, values, count, nullptr, true);
     EXPECT_EQ(sum, each == most / 4000 ? most : most / 5000 * 5000);
-    // Every place's own sum stays at the most, too.
+    // Every prefix sum must be limited to this maximum, too.
     Values expected(count);
     for (std::size_t i = 0; i < count; ++i)
       expected[i] = std::int32_t(std::min<std::int64_t>(most, std::int64_t(i) * each));
@@ -71,7 +72,7 @@ TEST(RadixSort, IsStable) {
     std::stable_sort(order.begin(), order.end(),
                      [&](auto a, auto b) { return keys[std::size_t(a)] < keys[std::size_t(b)]; });
     Values moved = value.read(queue);
-    moved.resize(count);  // buffers may be longer
+    moved.resize(count);  // the buffer may be longer than `count`
     EXPECT_TRUE(moved == order) << count << " keys of " << bits << " bits";
   }
 }

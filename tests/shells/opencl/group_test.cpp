@@ -1,5 +1,6 @@
-// The mapping for GPUs beside the others on one device: the same coverage to the bit, the same picture run
-// after run. (Against the reference: picture_test.cpp; against exact integers: properties_coverage_test.cpp.)
+// Compares the workgroup mapping with the other mappings on one device: equal coverage, and the same picture
+// in every run. picture_test.cpp compares it with the reference, and properties_coverage_test.cpp with exact
+// integers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +38,8 @@ TEST(Group, CountsTheFragmentsThatTheOthersCount) {
 }
 
 TEST(Group, CoversThePixelsThatTilesCover) {
-  // A fan of slivers around a point, in front of the eye, across the near plane and beyond the guard.
+  // A fan of thin triangles around a point: in front of the eye, across the near plane, and beyond the guard
+  // band.
   for (const glm::vec4 row_w : {glm::vec4(0, 0, -.5f, 1), glm::vec4(0, .001f, -.5f, 1)}) {
     Flat flat{{{3, -7}}, {}, 131, 77, row_w};
     constexpr std::uint32_t spokes = 40;
@@ -67,12 +69,12 @@ TEST(Group, TwentyRunsAreOnePicture) {
   EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
             500);
   for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn({}))) << "run " << run;
-  // However many layers share a bin.
+  // The number of layers per batch must not change the picture.
   for (const int group : {1, 3, 16}) EXPECT_TRUE(same_bits(first, drawn({{"GROUP", group}}))) << group;
 }
 
 TEST(Group, DrawsNothingWhereNothingIs) {
-  // Nothing drawn: every tile is empty, every list is, and every pixel is the background's.
+  // The camera looks past the mesh, so every list is empty and every pixel has the background colour.
   FrameInput input = *tiny_frame();
   input.scene.image.background = {.1f, .2f, .3f};
   input.scene.camera.target = {40, 1, 40};

@@ -1,5 +1,5 @@
-// A comparison that lets a mistake pass proves nothing: each planted mistake must be seen on the scenes on
-// which the device's picture passes.
+// Tests that the comparison with the reference detects mistakes. The correct reference passes on these
+// scenes. The reference with a deliberate mistake (a mutant) must fail on each of them.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"
@@ -25,7 +25,8 @@ constexpr Planted planted[] = {
     {"log_negated", Mutant::log_negated},
 };
 
-/// The device draws once per scene; every mistake is compared with that.
+/// The scenes and the device's pictures of them. The device draws each scene once, and all mutants are
+/// compared with that picture.
 struct Scenes {
   std::shared_ptr<const FrameInput> small = pictures::small_frame("curling");
   Picture small_drawn = pictures::drawn_by_device(small, "tile");

@@ -1,5 +1,5 @@
-// Layers that are drawn in several passes, where their vertices do not all fit in memory at once: the picture
-// of one pass, bit for bit, and as many fragments.
+// Tests drawing in several passes, which is necessary if the vertices of all layers do not fit in memory. The
+// picture must be the same as in one pass, bit for bit, and so must the numbers of fragments.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -24,7 +24,7 @@ std::shared_ptr<const FrameInput> wet_frame() {
 }
 
 struct Drawn {
-  Picture picture, after;  // of one frame, and of another once fragments were counted
+  Picture picture, after;  // pictures of the first frame, and of a frame after counting
   std::uint64_t counted;
   Tally tally;
 };
@@ -57,7 +57,8 @@ TEST_P(Passes, ArePartsOfOnePicture) {
   const auto input = wet_frame();
   const Drawn whole = drawn(input, GetParam(), layers);
   EXPECT_GT(whole.tally.blended, 1000u);
-  // Whole groups of layers, the last pass with fewer; parts of a group; one layer.
+  // 7 is rounded down to one batch of 4 layers. With 3, a pass is smaller than a batch, and the last pass has
+  // one layer. With 1, every layer is a pass.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
     const Drawn parts = drawn(input, GetParam(), at_once);

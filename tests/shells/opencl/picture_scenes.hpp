@@ -1,4 +1,4 @@
-// How the device draws the scenes on which it is held against the reference.
+// Draws, on the device, the scenes that are compared with the reference.
 #pragma once
 #include <memory>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace pelage::pictures {
 
-/// The device of $PELAGE_DEVICE, else the first usable one.
+/// Returns the device that $PELAGE_DEVICE names, or the first usable device.
 cl::Device device();
 
 Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping);

@@ -1,5 +1,5 @@
-// Several looks into one layer (docs/frame.md, 6, "Sub-steps"): kernel and reference, written by two hands
-// from one paragraph, draw one picture.
+// Compares the kernels with the reference for several samples per layer (docs/frame.md, section 6,
+// "Sub-steps"). Both were written independently from that section.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -41,8 +41,8 @@ TEST_P(Substeps, LookLikeTheReferenceAndNotLikeOneLook) {
   }
 }
 
-// A work-item per pixel costs more than 40 s of CPU over the bunny's 142,307 triangles on PoCL: tiles alone
-// there.
+// On PoCL, the pixel mapping needs more than 40 s of CPU time for the bunny's 142,307 triangles. Only the
+// tile mapping draws the bunny here.
 INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Substeps,
                          testing::Values(Case{"torus", "curling", {"tile", "pixel"}},
                                          Case{"torus", "wet", {"tile", "pixel"}},

@@ -1,4 +1,5 @@
-// The device's picture is the reference's: two programs written from the same papers, by different hands.
+// Compares the device's pictures with the reference's. Both programs were written independently from the
+// papers.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -13,7 +14,7 @@ using namespace pictures;
 void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  EXPECT_GT(agreement.pixels, least_pixels);  // the fur fills the picture
+  EXPECT_GT(agreement.pixels, least_pixels);  // enough fur pixels are compared
   ::testing::Test::RecordProperty("agreement", describe(agreement));
 }
 
@@ -52,7 +53,7 @@ TEST_P(Mappings, BothModelsAndBothBindings) {
 }
 
 TEST_P(Mappings, OtherReadings) {
-  // Every switch of the scene that changes the picture, turned the other way.
+  // Sets every option of the scene that changes the picture to its other value.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
@@ -69,7 +70,7 @@ TEST_P(Mappings, OtherReadings) {
 }
 
 TEST_P(Mappings, FurThatRunsBehindTheEye) {
-  // A square seen from so near that its triangles cross the near plane and leave the guard band.
+  // The camera is so near to a square that its triangles cross the near plane and the guard band.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};
@@ -85,7 +86,8 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
 }
 
 TEST_P(Mappings, TheEyeInsideTheFur) {
-  // Triangles of the near layers cross the near plane in front of and behind whole ones of the same layer.
+  // In the layers near the eye, triangles that cross the near plane are drawn before and after unclipped
+  // triangles of the same layer.
   Scene scene = synthetic::lively_scene();
   scene.fur.layers = 8;
   scene.camera.eye = {1.05f, .04f, 0};

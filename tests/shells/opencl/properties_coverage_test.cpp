@@ -1,5 +1,6 @@
-// Coverage of the device as a whole (transform, binning, tiles, clipping), pixel by pixel: against the
-// reference's integers, and against itself where triangles share edges (docs/frame.md, 4).
+// Tests the device's coverage of every pixel through all its steps: transform, binning, tiles and clipping.
+// It must equal the reference's integer coverage, and triangles that share edges must leave no gap and no
+// overlap (docs/frame.md, section 4).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,17 +20,17 @@ using reference::Raster;
 using reference::Snapped;
 
 constexpr int size = 1024;
-constexpr int edge = size / 2 * 256;  // of the picture, in 1/256 pixel from its centre
+constexpr int edge = size / 2 * 256;  // distance of the picture's edges from its centre, in 1/256 pixel
 
 struct Mapping {
   const char* name;
   ShellOptions options;
-  int pictures;    ///< of random triangles ...
-  int triangles;   ///< ... and so many in each: a million in all for the default mapping
-  int repeats;     ///< of the meshes with shared edges ...
-  int coarser;     ///< ... their cells so many times as large ...
-  int spokes;      ///< ... their stars of so many triangles
-  double samples;  ///< of shared edges, at least
+  int pictures;    ///< number of pictures of random triangles
+  int triangles;   ///< triangles per picture; a million in total for the default mapping
+  int repeats;     ///< number of repetitions of the meshes with shared edges
+  int coarser;     ///< factor on the cell size of the meshes with shared edges
+  int spokes;      ///< number of triangles in each star
+  double samples;  ///< least number of pixel centres beside shared edges
 };
 void PrintTo(const Mapping& mapping, std::ostream* out) {
   *out << mapping.name;
@@ -39,13 +40,13 @@ const Mapping mappings[] = {
     {"tile", {"tile", {}}, 20, 50000, 3, 1, 1500, 1e7},
     {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000, 1, 1, 300, 3e6},
     {"group", {"group", {}}, 1, 5000, 1, 16, 24, 1e5},
-    {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // slow where a tile holds many triangles
+    {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // slow if a tile has many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};
 INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(mappings),
                          [](const auto& given) { return std::string(given.param.name); });
 
-/// Random triangles of every awkward kind, in 1/256 pixel.
+/// Returns a random triangle of a random kind, in 1/256 pixel.
 std::array<Snapped, 3> awkward(std::mt19937& random) {
   const auto within = [&](int range) { return int(random() % std::uint32_t(2 * range + 1)) - range; };
   const Snapped c{within(edge + 2000), within(edge + 2000)};
@@ -63,15 +64,15 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       const Snapped a = near(20000), b = near(20000);
       return {a, b, Snapped{(a.x + b.x) / 2 + within(3), (a.y + b.y) / 2 + within(3)}};
     }
-    case 5: {  // upright and level edges along pixel centres
+    case 5: {  // vertical and horizontal edges through pixel centres
       const Snapped a = aligned(near(2500)), b = aligned(near(2500));
       return {a, Snapped{b.x, a.y}, Snapped{a.x, b.y}};
     }
-    case 6:  // no area at all
+    case 6:  // triangles of area zero
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // corners far off the picture, thin enough not to drown it; not beyond the guard
+    default:  // one in 64: corners far outside the picture, thin, within the guard band
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
@@ -107,8 +108,8 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   EXPECT_GT(hits, std::size_t(pictures) * std::size_t(triangles) * 10);
 }
 
-// Large triangles around one point: their products of coordinates are beyond 32 bits for tiles within 128
-// pixels of every corner.
+// Large triangles around one point. Products of their coordinates exceed 32 bits in tiles within 128 pixels
+// of every corner.
 TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   constexpr int side = 256;
   std::mt19937 random(5);
@@ -117,7 +118,7 @@ TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   std::vector<int> expected(std::size_t(side) * side, 0);
   for (int t = 0; t < 40; ++t) {
     std::array<Snapped, 3> c;
-    for (int k = 0; k < 3; ++k) {  // three corners of a square of 220 pixels, each moved by up to 6
+    for (int k = 0; k < 3; ++k) {  // three corners of a square of 220 pixels, each moved by up to 6 pixels
       const int corner = (t + k) % 4;
       c[std::size_t(k)] = {(corner == 1 || corner == 2 ? 110 : -110) * 256 + within(6 * 256),
                            (corner >= 2 ? 110 : -110) * 256 + within(6 * 256)};
@@ -135,8 +136,8 @@ TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   EXPECT_TRUE(covered_counts(flat, GetParam().options) == expected);
 }
 
-/// A grid of cells split at random into two triangles of random winding. Cells must be convex or nearly: the
-/// diagonal that keeps both halves upright is taken.
+/// Returns a grid of cells, each split into two triangles of random winding. A cell need not be convex. The
+/// diagonal is chosen at random from those that give two triangles of positive area.
 Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   Flat flat{{}, {}, size, size};
   const std::uint32_t columns = std::uint32_t(v[0].size());
@@ -165,21 +166,23 @@ Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   return flat;
 }
 
-/// Pixel centres that lie next to a shared edge: on either side of it in each row or column that it crosses,
-/// inside the picture. Edges between the vertices as given, borders included (they lie outside).
+/// Returns the number of pixel centres next to shared edges. In each row or column that an edge crosses, it
+/// counts one centre on either side of the edge. Only the part of an edge inside the picture counts.
 double samples(const Flat& flat) {
   double sum = 0;
   for (const glm::uvec3& t : flat.triangle)
     for (int c = 0; c < 3; ++c) {
       const auto inside = [](double x) { return std::clamp(x, -.5 * size, .5 * size); };
       const glm::vec2 a = flat.vertex[t[c]], b = flat.vertex[t[(c + 1) % 3]];
-      // Each edge is met twice, once from either triangle.
+      // Each of the two triangles at an edge adds the number of rows or columns that the edge crosses. This
+      // counts the centres on both sides.
       sum += std::max(std::abs(inside(a.x) - inside(b.x)), std::abs(inside(a.y) - inside(b.y)));
     }
   return sum;
 }
 
-/// `columns` x `rows` cells over the picture and a little more; `move` shifts inner vertices, in cells.
+/// Returns the vertices of columns x rows cells that cover the picture and a margin of 4 pixels. Inner
+/// vertices are moved at random by up to `move` cells. Positions are multiples of `unit` pixels.
 std::vector<std::vector<glm::dvec2>> cells(int columns, int rows, double move, double unit,
                                            std::mt19937& random) {
   std::vector<std::vector<glm::dvec2>> v;
@@ -198,7 +201,8 @@ std::vector<std::vector<glm::dvec2>> cells(int columns, int rows, double move, d
   return v;
 }
 
-/// A star of triangles around a point of the picture with corners on a circle far outside.
+/// Returns a star: triangles with one common corner in the picture and the others on a circle of `radius`
+/// pixels.
 Flat star(int spokes, double radius, std::mt19937& random) {
   Flat flat{{{float(random() % 600) - 300, float(random() % 600) - 300}}, {}, size, size};
   for (int i = 0; i < spokes; ++i) {
@@ -222,10 +226,10 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
     meshes.push_back(
         grid(cells(342 / coarser, 342 / coarser, .3, .5, random), random));  // through pixel centres
     meshes.push_back(
-        grid(cells(3000 / coarser, 20, .3, 1.0 / 256, random), random));  // slivers a third of a pixel wide
+        grid(cells(3000 / coarser, 20, .3, 1.0 / 256, random), random));  // triangles a third of a pixel wide
     meshes.push_back(grid(cells(12, 3000 / coarser, .3, 1.0 / 256, random), random));
-    meshes.push_back(star(GetParam().spokes, 12000, random));   // corners far off the picture
-    meshes.push_back(star(GetParam().spokes, 900000, random));  // and beyond the guard: clipped
+    meshes.push_back(star(GetParam().spokes, 12000, random));   // corners far outside the picture
+    meshes.push_back(star(GetParam().spokes, 900000, random));  // corners beyond the guard band
   }
   double edge_samples = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
@@ -238,8 +242,8 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
 }
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
-  // w = 1/2 + y / 2000 on the layer: the plane passes the eye at y = -1000 (in vertex units) and fills the
-  // picture below its horizon at 1000 pixels.
+  // On the layer, w = 1/2 + y / 2000, so the plane passes behind the eye at y = -1000 (in vertex units). Its
+  // horizon is at 1000 pixels below the image centre, outside the picture, so the plane fills the picture.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
   const int n = 80 / GetParam().coarser;

@@ -1,6 +1,5 @@
-// The device's own text of every equation, compiled as C++ in double, against the papers' closed forms and
-// against the reference, which another hand wrote from the same papers. What is left between this and the
-// device is rounding.
+// Compiles the kernels' code of every equation as C++ in double precision, and compares it with the papers'
+// closed forms and with the reference, which was written independently. On the device, only rounding differs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +38,7 @@ real3 shim_of(const glm::dvec3& v) {
   return shim::vec3(v.x, v.y, v.z);
 }
 
-/// Repeatable numbers in [-1, 1].
+/// A reproducible sequence of numbers in [-1, 1].
 struct Any {
   std::uint32_t seed, count = 0;
   double operator()() { return 2 * noise(seed, count++, 31) - 1; }
@@ -51,7 +50,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = ti
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);
 }
 
-/// The records that the kernels get, from the scene that the reference gets.
+/// Returns the kernels' parameters for the scene of `input`.
 shim::SimulateParams simulate_params(const FrameInput& input) {
   const DynamicsScene& dynamics = input.scene.dynamics;
   const glm::vec3 wind = dynamics.wind.strength * glm::normalize(dynamics.wind.direction);
@@ -98,8 +97,8 @@ TEST(Equations, StrandsStepLikeTheReference) {
     for (std::size_t i = 0; i < 40; ++i) {
       strand = stepped(input, strand, double(i) * double(input.scene.dynamics.step));
       expected = reference::substep(input, 0, expected, i);
-      // The records hold floats: wind, weight and 1/m are rounded before they are used, and swings amplify
-      // that.
+      // The parameters are floats, so wind, weight and 1/m are rounded before they are used. The motion
+      // amplifies this error.
       ASSERT_LT(glm::length(glm_of(strand.tip) - expected.tip), 1e-6) << trial << ' ' << i;
       ASSERT_LT(glm::length(glm_of(strand.speed) - expected.velocity), 1e-4) << trial << ' ' << i;
     }
@@ -119,8 +118,8 @@ TEST(Equations, Equation3HoldsUnderRandomForces) {
       input.scene.dynamics.gravity = 300.0 * any.vector();
       strand = stepped(input, strand, i);
       ASSERT_LE(glm::length(glm_of(strand.tip)),
-                length * (1 + 1e-7));                              // the params' length is squared as a float
-      ASSERT_GE(glm::dot(glm_of(strand.tip), n), -1e-7 * length);  // n is unit within a float's rounding
+                length * (1 + 1e-7));                              // the kernel squares the length in float
+      ASSERT_GE(glm::dot(glm_of(strand.tip), n), -1e-7 * length);  // n is a float vector, unit up to rounding
     }
   }
 }
@@ -220,13 +219,13 @@ TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);
 }
 
-/// S Eq. 6, C_s, of unit vectors.
+/// Returns the highlight factor of C_s in S Eq. 6. All vectors are unit.
 double strand_specular(const real3& tangent, const real3& light, const real3& eye, double exponent) {
   return shim::power(shim::strand_mirror(shim::angle_with(tangent, light), shim::angle_with(tangent, eye)),
                      exponent);
 }
 
-/// S Eq. 6 put together from its parts as a fragment does, for one light.
+/// Returns the colour of S Eq. 6, computed from the kernels' functions as in a fragment.
 glm::dvec3 curling(const ShadingScene& shading, const reference::Fragment& f) {
   double diffuse = double(shading.ambient), specular = 0;
   for (const LightScene& light : shading.lights) {
@@ -271,8 +270,9 @@ TEST(Equations, ColoursAreTheReferences) {
     shading.lights = {LightScene{any.vector(), 1.5f}, LightScene{any.vector(), .6f}};
     const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
                                 any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};
-    // The text's literals are floats: (x + .4f) / 1.4f is up to 2.2e-8 too large, times 2.1 of light and up
-    // to 1.2 of colour and highlight. Only the wrapped light has them.
+    // The kernels' literals are floats, so (x + .4f) / 1.4f is up to 2.2e-8 too large. This is multiplied by
+    // a light intensity of 2.1 and by up to 1.2 for colour and highlight. Only the wrapped light has these
+    // literals.
     const double tolerance = shading.wrap == 0 ? 1e-11 : 6e-8;
     expect_near(curling(shading, f), reference::curling_colour(shading, f), tolerance);
     expect_near(wet(shading, f), reference::wet_colour(shading, f), tolerance);
@@ -281,12 +281,12 @@ TEST(Equations, ColoursAreTheReferences) {
 
 TEST(Equations, AlongAndAcrossTheLight) {
   const real3 x = shim::vec3(1, 0, 0), y = shim::vec3(0, 1, 0), z = shim::vec3(0, 0, 1);
-  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(z, z)), 0);    // along: dark
-  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);    // across: fully lit
-  EXPECT_EQ(strand_specular(x, z, y, 8), 1);                     // light and view across: the highlight
-  EXPECT_EQ(strand_specular(x, z, x, 8), 0);                     // seen along the strand: none
-  EXPECT_EQ(strand_specular(z, z, z, 8), 1);                     // straight on along the strand
-  EXPECT_EQ(strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);  // a negative base is clamped
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(z, z)), 0);    // light along the strand: no diffuse light
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);    // light across the strand: full light
+  EXPECT_EQ(strand_specular(x, z, y, 8), 1);                     // strand across light and view: highlight 1
+  EXPECT_EQ(strand_specular(x, z, x, 8), 0);                     // view along the strand: highlight 0
+  EXPECT_EQ(strand_specular(z, z, z, 8), 1);                     // strand along light and view: highlight 1
+  EXPECT_EQ(strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);  // a negative base is clamped to 0
   const auto tilted = shim::vec3(0.6, 0, 0.8), between = shim::vec3(0, 0.6, 0.8);
   for (const int p : {1, 2, 3, 7, 24, 255, 1024}) {
     const auto two = shim::powers_whole(
@@ -295,12 +295,12 @@ TEST(Equations, AlongAndAcrossTheLight) {
     EXPECT_NEAR(two.x / std::pow(0.64 * 0.8 + std::sqrt(1 - 0.64 * 0.64) * 0.6, p), 1, 1e-12 * p) << p;
     EXPECT_EQ(two.y, std::ldexp(1, -2 * p)) << p;
   }
-  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap 0 is the papers' equation
+  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap = 0 gives the papers' equation
   EXPECT_EQ(shim::surface_diffuse(-1, 0), 0);
   EXPECT_EQ(shim::surface_diffuse(.25, 0), .25);
   EXPECT_EQ(shim::shadow_factor(1, 1.5), 1);
   EXPECT_EQ(shim::shadow_factor(0, 1), 0);
-  EXPECT_EQ(shim::wet_exponent(0, 0), 1);  // sigma 0: wetness does not matter
+  EXPECT_EQ(shim::wet_exponent(0, 0), 1);  // sigma_spec = 0: wetness has no effect
   EXPECT_EQ(shim::wet_exponent(0, .5), .5);
   EXPECT_EQ(shim::wet_exponent(1, .5), 1);
   EXPECT_EQ(shim::occlusion_factor(.3, 0), 1);

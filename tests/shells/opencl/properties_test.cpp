@@ -1,5 +1,5 @@
-// The kernels' strands and wetness mask against closed forms and against the reference, on inputs made of
-// formulas.
+// Compares the kernels' strands and wetness mask with closed forms and with the reference, on inputs that are
+// computed from formulas.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,8 @@ namespace {
 
 using synthetic::noise;
 
-/// Upright strands of length .1 on a small torus, undamped, unloaded, one substep per frame; a tiny picture.
+/// Returns a scene with upright strands of length .1 without drag, gravity and wind, one substep per frame,
+/// and a tiny picture.
 Scene bare_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .1f;
@@ -86,8 +87,8 @@ TEST(KernelStrands, LoadMovesTheRestPositionAsTheBallAllows) {
 }
 
 TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
-  // A rest tip inside the ball and a weight into the skin: the tip swings between .09 and .05 and never meets
-  // the ball.
+  // The anchor is inside the ball, and the weight pulls towards the skin. The tip swings between .09 and .05
+  // and never reaches the ball's surface.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -110,8 +111,8 @@ TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
 }
 
 TEST(KernelStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
-  // The comb sets the start .3 rad off the normal; a weight that balances the comb's pull brings the rest
-  // back to p0.
+  // The strand starts at its anchor, .3 rad off the normal. A weight balances the spring's force at p0, so
+  // that the strand swings about p0.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -153,14 +154,14 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
       }
     }
   }
-  EXPECT_LE(highest, 1 + 3e-7);  // a few roundings of a float
+  EXPECT_LE(highest, 1 + 3e-7);  // a few float roundings
   EXPECT_GE(lowest, -3e-7);
-  EXPECT_GT(highest, 1 - 3e-7);  // both bounds were met
+  EXPECT_GT(highest, 1 - 3e-7);  // both bounds are reached
   EXPECT_LT(lowest, 3e-7);
 }
 
 TEST(KernelStrands, FollowTheReference) {
-  Scene scene = synthetic::lively_scene();  // combed, damped, gusty, heavy
+  Scene scene = synthetic::lively_scene();  // with comb, drag, gusts and gravity
   scene.fur.layers = 2;
   const FrameInput input = synthetic::frame(scene, synthetic::torus(), 25, 17, 0);
   for (const int frames : {1, 7, 120}) {
@@ -188,7 +189,7 @@ TEST(KernelStrands, FramesContinueWhereTheLastOneStopped) {
   for (std::size_t f = 0; f < tips.size(); ++f) ASSERT_EQ(glm::dvec3(tips[f]), at_once[f]);
 }
 
-/// `count` random droplets over a mask of size^2, from sparse to flooded.
+/// Returns a frame with `count` random droplets and a mask of size x size texels.
 FrameInput rained(int size, std::uint32_t count, std::uint32_t seed) {
   Scene scene = bare_scene();
   scene.wetness.size = size;
@@ -219,12 +220,13 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
         wet += e.wetness > 0;
         wrong += glm::length(texel - glm::dvec4(e.centre, e.radius, e.wetness)) > tolerance::small_scene;
       }
-      // A texel's centre can lie within a float's rounding of a disc's border: at most a handful in 10^5.
+      // Rounding to float decides for texels whose centre is on the border of a disc. At most 1 in 20,000
+      // texels may differ.
       EXPECT_LE(wrong, mask.size() / 20000) << size << " texels, " << count << " droplets";
       if (count == 400 && size > 1) {
         EXPECT_GT(wet, mask.size() / 2);
       }
-      if (count == 400 && size == 64) {  // the order matters, and is the given one
+      if (count == 400 && size == 64) {  // the droplets' order matters and must be kept
         const reference::Mask reversed = reference::wetness_mask(input, reference::Mutant::droplets_reversed);
         std::size_t different = 0;
         for (std::size_t i = 0; i < mask.size(); ++i)
@@ -248,9 +250,9 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
   input.droplets = {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)};
   expect(texel(input), {.58, .55, .22, 1});  // clamped at 1, alpha = .8
   input.droplets = {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)};
-  expect(texel(input), {.6, .55, .2, .7});  // the first centre is farther than .2: overwritten
+  expect(texel(input), {.6, .55, .2, .7});  // the first centre is more than .2 away, so it is overwritten
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
-  expect(texel(input), {.48, .55, .26, 1});  // the other way round it blends, alpha = .4
+  expect(texel(input), {.48, .55, .26, 1});  // in the other order the droplets blend, alpha = .4
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The operations of a strand's substep, counted in the kernel's own text.
+// Counts the floating-point operations of a strand's substep in the kernel's code.
 #include <gtest/gtest.h>
 
 #include "harness/shells/opencl/work.hpp"

@@ -1,4 +1,5 @@
-// How many fragments a frame has, counted by two mappings and estimated from a share of the pixels.
+// Compares the fragment counts of two mappings, and an estimate from a sample of the pixels with the exact
+// count.
 #include <gtest/gtest.h>
 
 #include "harness/shells/opencl/shells.hpp"

@@ -1,4 +1,5 @@
-// B Eq. 3 and 4 as the device has them, compiled as C++ in double, against closed forms and the reference.
+// Compiles the kernels' code of B Eq. 3 and 4 as C++ in double precision, and compares it with closed forms
+// and the reference. This file also tests the spring stage.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +40,8 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-12);
 }
 
-/// A normal, and the top of a stick that leans from it; repeatable.
+/// A unit normal, and the top of a stick that leans away from it. any_stick(i) always returns the same stick
+/// for i.
 struct Stick {
   glm::dvec3 normal, top;
 };
@@ -51,7 +53,7 @@ Stick any_stick(std::uint32_t i) {
   return {n, length * (n + 0.8 * vector(2))};
 }
 
-/// The device's layer at h.
+/// Returns the displacement of the layer at height h, computed by the kernels' code.
 glm::dvec3 layer(const Stick& stick, double h, double power, bool level) {
   const shim::real3 a = shim_of(length * stick.normal);
   shim::real3 b = shim::stick_tip(shim_of(stick.top), a);
@@ -68,7 +70,7 @@ TEST(EquationsOfSticks, EquationThreeAndFourAreAsPrinted) {
       expect_near(layer(stick, h, 2, false), rise * n + part * (s - n));
       expect_near(layer(stick, h, 1, false), rise * s);
       expect_near(layer(stick, h, 2, true), rise * n + part * (s - glm::dot(s, n) * n));
-      // The tangential form keeps every layer at its height.
+      // The form "tangent" keeps every layer at its height.
       EXPECT_NEAR(glm::dot(layer(stick, h, 3, true), n), rise, 1e-12);
     }
   }
@@ -106,13 +108,13 @@ TEST(EquationsOfSticks, TheHostsTableHoldsThePowers) {
   }
 }
 
-/// A small torus in a wind that pushes a resting mass with 0.01 N.
+/// Returns a small torus in a wind that pushes a mass at rest with 0.01 N.
 FrameInput small_input(const std::string& topology) {
   Scene scene = synthetic::lively_scene();
   scene.dynamics.topology = topology;
   scene.dynamics.drag = 0.004f;
   scene.dynamics.wind.strength = 0.01f;
-  return synthetic::frame(scene, synthetic::torus(), 9, 7, 0);  // 63 points: no multiple of 16
+  return synthetic::frame(scene, synthetic::torus(), 9, 7, 0);  // 63 surface points, not a multiple of 16
 }
 
 TEST(SpringStage, WindPushesAMassAtRestWithTheScenesStrength) {
@@ -160,8 +162,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
   };
-  // Along x: the face whose outline in y and z holds (0.1, 0.05), by areas, and whose plane lies farthest to
-  // the right.
+  // Finds the face that the ray meets first. The ray is parallel to x at y = 0.1, z = 0.05. Of the faces
+  // whose projection along x contains this point, the one with the greatest x is first.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
@@ -180,7 +182,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   }
   ASSERT_GT(farthest, 0.5);
   EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * face, 3 * face + 1, 3 * face + 2}));
-  // With a radius those around the point where it meets the mesh, not around its origin.
+  // With a radius, the ray pokes the triangles around the point where it meets the mesh, not around its
+  // origin.
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);

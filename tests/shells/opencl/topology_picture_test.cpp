@@ -1,5 +1,5 @@
-// Pictures of fur on masses and springs: the device's are the reference's, whose layers another hand wrote
-// from docs/frame.md and whose masses are the double-precision ones of harness/springs/reference.
+// Compares pictures of fur on mass-spring topologies with the reference. The reference's layers were written
+// independently from docs/frame.md. Its masses are those of harness/springs/reference, in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 using namespace pictures;
 using reference::Mutant;
 
-/// The lively torus on a topology: every force that a scene knows.
+/// Returns a torus on a topology, with every force that a scene can have.
 std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const std::string& bend = "paper") {
   Scene scene = synthetic::lively_scene();
   DynamicsScene& d = scene.dynamics;
@@ -30,7 +30,7 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 24, 16, 60));
 }
 
-/// The sticks after the frames of these pictures, in double.
+/// Returns the sticks after the frames of these pictures, in double precision.
 std::vector<glm::dvec3> sticks_of(const FrameInput& input) {
   const springs::SpringNetwork topology = springs::topology_of(input);
   const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics);
@@ -78,7 +78,7 @@ TEST_P(Topologies, EveryFormOfTheBendAndEverySolver) {
   const Picture drawn = drawn_by_device(input, "tile");
   const Agreement agreement = compare(reference_of(*input, sticks_of(*input)), drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  other.scene.shading.model = "wet";  // what differs from it is seen
+  other.scene.shading.model = "wet";  // a picture with another shading model must differ
   EXPECT_FALSE(within(compare(reference_of(other, sticks_of(other)), drawn)));
 }
 

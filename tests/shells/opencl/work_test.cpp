@@ -1,4 +1,5 @@
-// The operations that docs/performance.md and the roofline speak of, counted in the kernels' own text.
+// Counts the operations in the kernels' code, and compares them with the constants that docs/performance.md
+// and the roofline use.
 #include "harness/shells/opencl/work.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,8 @@
 
 #include "tests/shells/opencl/counting.hpp"
 
-// The kernels' text is C: helpers that a source does not use are no mistake here.
+// The kernels are C code, and this file does not use all of their functions. Warnings about that are
+// disabled.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wconversion"
@@ -98,7 +100,7 @@ TEST_F(Fragment, TakesWhatTheRooflineSays) {
   s.substeps = 4;
   const double four = shaded(false);
   s.substeps = 1;
-  // Each halving of the exponent is a square root more.
+  // Each doubling of the sub-steps also adds a square root. The 10% tolerance of expect_near() allows for it.
   c::expect_near(cost::substep, (four - two) / 2, "substep");
   c::expect_near(cost::substeps, two - dry_one - (four - two) / 2, "substeps");
 }

@@ -1,4 +1,4 @@
-// What surrounds the rival's picture: options, contexts, errors.
+// Tests the OpenGL baseline apart from its pictures: options, contexts and errors.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -45,7 +45,7 @@ TEST(OpenGlOptions, BadOnesAreRefused) {
 }
 
 TEST(OpenGl, WithoutAnEglDriverSaysSo) {
-  // A process of its own: libraries look for their drivers once.
+  // The test runs in a process of its own, because EGL looks for its drivers only once per process.
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const auto ask = [] {
     setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent/none.json", 1);
@@ -83,7 +83,7 @@ TEST(OpenGl, StandsAtRestUntilBent) {
   const Picture rest = opengl.read();
   opengl.bend(tips_of(*input));
   opengl.frame();
-  EXPECT_LT(compare(rest, opengl.read()).psnr, 40.0);  // gravity and wind
+  EXPECT_LT(compare(rest, opengl.read()).psnr, 40.0);  // gravity and wind bend the fur
   opengl.bend(input->strands.anchor);
   opengl.frame();
   EXPECT_EQ(opengl.read().pixel, rest.pixel);
@@ -98,13 +98,13 @@ TEST(OpenGl, RefusesWhatDoesNotFit) {
 
 TEST(OpenGl, ReportsWhatTheDriverRefuses) {
   FrameInput input = *small_frame("curling");
-  input.camera.width = 1 << 20;  // beyond any renderbuffer
+  input.camera.width = 1 << 20;  // wider than any renderbuffer
   const auto wide = std::make_shared<FrameInput>(input);
   const std::string said = refusal<DeviceError>([&] { OpenGl(wide, mask_of(*wide)); });
   EXPECT_NE(said.find("GL_INVALID_VALUE"), std::string::npos) << said;
 }
 
-/// The shipped shaders in a folder of their own, behind PELAGE_DATA while the object lives.
+/// Copies the shaders to a temporary folder. PELAGE_DATA names this folder while the object exists.
 class OwnShaders {
  public:
   OwnShaders() {

@@ -1,5 +1,5 @@
-// The rival's picture is the reference's and the OpenCL pipeline's: three programs written from
-// docs/frame.md.
+// Compares the pictures of the OpenGL baseline with those of the reference and the OpenCL pipeline. All three
+// programs were written from docs/frame.md.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -15,10 +15,11 @@ using namespace rival_tests;
 void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_GE(agreement.psnr, tolerance::other_filter_psnr) << describe(agreement);
-  EXPECT_GT(agreement.pixels, least_pixels);  // the fur fills the picture
+  EXPECT_GT(agreement.pixels, least_pixels);  // enough fur pixels are compared
 }
 
-/// As it is written by default, the harness's own limits hold: 60 dB, 99.9% within 2/255.
+/// With the default options, the picture must be within the harness's own limits: 60 dB, and 99.9% of the
+/// pixels within 2/255.
 void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
@@ -67,7 +68,7 @@ TEST(OpenGlPicture, BothModelsAndBothBindings) {
 }
 
 TEST(OpenGlPicture, OtherReadings) {
-  // Every switch of the scene that changes the picture, turned the other way.
+  // Sets every option of the scene that changes the picture to its other value.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
@@ -77,13 +78,13 @@ TEST(OpenGlPicture, OtherReadings) {
   expect_same(input, 5000);
   input.scene.shading.model = "curling";
   input.scene.shading.lights.resize(1);
-  input.scene.shading.exponent = 7.5f;  // no whole number: by pow
+  input.scene.shading.exponent = 7.5f;  // not a whole number, so the shader uses pow()
   input.scene.clump.scale = "relative";
   expect_same(input, 5000);
 }
 
 TEST(OpenGlPicture, PlainShells) {
-  // Neither curls nor clumps: the shaders leave them out.
+  // The shaders omit the equations of curls and clumps for this scene.
   FrameInput input = *small_frame("curling");
   input.scene.curl.radius = 0;
   input.droplets.clear();
@@ -102,8 +103,8 @@ TEST(OpenGlPicture, AnyPictureSize) {
 }
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
-  // A square seen from so near that its triangles cross the near plane and leave the picture far behind.
-  // Drivers clip where docs/frame.md does not, and round the new corners elsewhere.
+  // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
+  // picture. Drivers do not clip at the planes of docs/frame.md, and round the new corners differently.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};
@@ -152,7 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Options, Writings,
                          });
 
 TEST(OpenGlPicture, EightBitsAreThoseOfTheEightBitReference) {
-  // Rounding after every layer: nearer to the reference that rounds, too, than to the one that does not.
+  // With target=rgba8 the baseline rounds after every layer. Its picture must be closer to the reference with
+  // 8-bit rounding than to the reference without it.
   const auto input = small_frame("curling");
   const Picture drawn = drawn_by_opengl(input, "target=rgba8");
   const double rounded = compare(drawn_by_reference(*input, reference::Mutant::none, true), drawn).psnr;

@@ -1,4 +1,4 @@
-// How the rival draws the scenes on which it is held against the reference.
+// Draws, with the OpenGL baseline, the scenes that are compared with the reference.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,11 +10,11 @@ namespace pelage::rival_tests {
 
 using namespace pictures;
 
-/// The reference's mask and tips after `frames` in the rival's types.
+/// Return the reference's mask, and its tips after `frames` frames, in the types of OpenGl.
 std::vector<glm::vec4> mask_of(const FrameInput& input);
 std::vector<glm::vec3> tips_of(const FrameInput& input);
 
-/// Options as in opengl_options().
+/// `options` is text for opengl_options().
 Picture drawn_by_opengl(const std::shared_ptr<const FrameInput>& input, const std::string& options = "");
 
 }  // namespace pelage::rival_tests

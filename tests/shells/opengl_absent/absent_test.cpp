@@ -1,4 +1,4 @@
-// A build without libepoxy says so, and how to get what is missing.
+// Tests that a build without libepoxy reports the missing OpenGL and what to install.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"

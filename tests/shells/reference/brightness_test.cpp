@@ -1,4 +1,4 @@
-// The looks of examples/: as bright with 16 layers as with 64, and as large in the picture as they should be.
+// Tests that the scenes of examples/ are as bright with 16 layers as with 64.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 
 struct Look {
   const char* name;
-  std::vector<const char*> with_16;        ///< what the scene advises where layers are few
-  std::vector<const char*> with_substeps;  ///< and besides, where they are looked into four times
+  std::vector<const char*> with_16;        ///< changes that the scene's file advises for 16 layers
+  std::vector<const char*> with_substeps;  ///< further changes for 16 layers with four sub-steps
 };
 
 void PrintTo(const Look& look, std::ostream* out) {
@@ -33,7 +33,7 @@ Scene scene_of(const Look& look, int layers) {
   return scene;
 }
 
-/// Squares of 16 pixels, every sixth of the picture, so that columns and rows take turns.
+/// Returns one in six of the squares of 16 x 16 pixels, at shifted places in each row.
 std::vector<Window> sample(const ImageScene& image) {
   std::vector<Window> windows;
   for (int y = 0; y + 16 <= image.height; y += 16)

@@ -1,4 +1,4 @@
-// The coverage rule, exactly (docs/frame.md, 4).
+// Tests the coverage rule exactly (docs/frame.md, section 4).
 #include "harness/shells/reference/coverage.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace reference;
 
-constexpr int width = 33, height = 20;  // an odd width: its pixel centres lie on whole pixels from the middle
+constexpr int width = 33, height = 20;  // odd width: pixel centres at whole pixels from the image centre
 
 std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
   std::vector<int> hits(std::size_t(width) * height, 0);
@@ -27,8 +27,8 @@ std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
 }
 
 TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
-  // Corners on the centres of pixels 3 and 6 of an even image: 3 x 3 pixels, the top row and left column
-  // included.
+  // The corners of the square are centres of pixels: columns 3 and 6, rows 2 and 5. It covers 3 x 3 pixels,
+  // with its top row and left column but without its bottom row and right column.
   const auto centre = [](int i, int size) { return 256 * std::int64_t(i) + 128 - 128 * std::int64_t(size); };
   const std::int64_t l = centre(3, width), r = centre(6, width), t = centre(2, height), b = centre(5, height);
   const std::vector<int> hits = counts({{Snapped{l, t}, {r, t}, {r, b}}, {Snapped{l, t}, {r, b}, {l, b}}});
@@ -38,8 +38,8 @@ TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
 }
 
 TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
-  // The top-left rule is the same as testing a point moved right by e and down by e^2, e -> 0; here with
-  // whole numbers so large that nothing rounds.
+  // The top-left rule is equal to a test of a point that is moved right by e and down by e^2, for e -> 0.
+  // This test uses scaled integers, so that nothing is rounded.
   std::mt19937 random(3);
   std::uniform_int_distribution<int> coarse(-6 * 2, 6 * 2), fine(-6 * 256, 6 * 256);
   using Wide = __int128;
@@ -68,15 +68,15 @@ TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
         edge_hits += std::count(edges.value.begin(), edges.value.end(), 0) > 0;
       }
   }
-  EXPECT_GT(edge_hits, 10000);  // the rule was asked for often
+  EXPECT_GT(edge_hits, 10000);  // many pixel centres lie on edges
 }
 
 TEST(ReferenceCoverage, AMeshCoversEveryPixelOnce) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 200; ++trial) {
-    // A grid of cells that reaches beyond the picture, its inner vertices moved at will within their cells;
-    // odd trials put vertices on pixel centres, every third makes slivers, every fourth throws the border far
-    // away.
+    // The cells of the grid reach beyond the picture, and inner vertices are moved at random. Odd trials put
+    // vertices on pixel centres. Every third trial has thin triangles. Every fourth trial moves the border
+    // far outside.
     constexpr int n = 6;
     std::array<std::array<Snapped, n + 1>, n + 1> v;
     for (int j = 0; j <= n; ++j)
@@ -97,7 +97,7 @@ TEST(ReferenceCoverage, AMeshCoversEveryPixelOnce) {
           if (random() % 2) std::swap(q, r);  // either winding
           triangles.push_back({p, q, r});
         };
-        // Split along the diagonal that keeps both halves upright in a cell that need not be convex.
+        // A cell need not be convex. It is split along a diagonal that gives two triangles of positive area.
         const auto turn = [](Snapped p, Snapped q, Snapped r) {
           return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
         };
@@ -166,7 +166,7 @@ TEST(ReferenceClip, KeepsWhatLiesInFrontOfTheNearPlane) {
   for (const ClippedVertex& v : polygon) {
     EXPECT_GE(v.point.w, .5 - 1e-12);
     EXPECT_NEAR(v.corners.x + v.corners.y + v.corners.z, 1, 1e-12);
-    // The vertex is the mix of corners that it says.
+    // The vertex must be the sum of the corners, weighted by v.corners.
     EXPECT_NEAR(v.point.x, 10 * v.corners.y, 1e-12);
     EXPECT_NEAR(v.point.y, 10 * v.corners.z, 1e-12);
     EXPECT_NEAR(v.point.w, v.corners.x + 2 * v.corners.y - v.corners.z, 1e-12);

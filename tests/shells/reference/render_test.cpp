@@ -1,4 +1,4 @@
-// The whole picture: windows, clipping, the eight-bit framebuffer, and what an opaque coat must look like.
+// Tests whole pictures: windows, clipping, the 8-bit framebuffer, and the look of opaque fur.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -47,8 +47,8 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   }
 }
 
-// A window draws the faces whose fur may reach it: with a curl five times as wide as the fur is long, faces
-// far outside.
+// A window must draw all faces whose fur may reach it. With a curl radius of five fur lengths, some of these
+// faces are far outside the window.
 TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
   FrameInput input = lively_torus();
   input.scene.curl.radius = 0.25f;
@@ -81,7 +81,7 @@ TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
 
 TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
   FrameInput input = lively_torus();
-  // Grey light, for which the limit of the PSNR below was found.
+  // The PSNR limit below was determined with grey light.
   input.scene.shading.specular = glm::vec3(.2f);
   input.scene.coat.skin = glm::vec3(.5f);
   Options options = after(10);
@@ -99,7 +99,7 @@ TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
   EXPECT_GT(agreement.psnr, 35);
 }
 
-/// A square seen from above and close to, so that it runs on behind the eye.
+/// Returns a scene with the camera close above a square, which extends behind the camera.
 Scene skimming_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
@@ -114,7 +114,8 @@ Scene skimming_scene() {
 }
 
 TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) {
-  // No fur, ambient light only: each pixel's colour is the coat's where its ray meets the plane.
+  // There is no fur, and the light is ambient only. The colour of a pixel must be the coat's colour where the
+  // pixel's ray meets the plane.
   Scene scene = skimming_scene();
   scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
   scene.shading.ambient = 1;
@@ -124,7 +125,8 @@ TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) 
     FrameInput input = synthetic::frame(scene, synthetic::square(6), cells, cells, 0);
     for (auto& level : input.fur.level)
       for (auto& texel : level) texel = {0, 128};
-    // A coat whose red grows with u and green with v; bilinear lookups are exact between texel centres.
+    // The coat's red increases linearly with u and its green with v, so bilinear lookups are exact between
+    // texel centres.
     input.coat.size = 128;
     input.coat.texel.clear();
     for (int j = 0; j < 128; ++j)
@@ -141,7 +143,8 @@ TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) 
         const double t = -double(camera.eye.z) / ray.z;
         const glm::dvec2 uv = (glm::dvec2(camera.eye) + t * glm::dvec2(ray)) / 6.0 + .5;
         const bool hit = t > 0 && std::min(uv.x, uv.y) > 0 && std::max(uv.x, uv.y) < 1;
-        // Snapping moves the silhouette by a fraction of a pixel: leave out what lies that close to it.
+        // Snapping moves the silhouette by a fraction of a pixel, so the test skips pixels that are so close
+        // to it.
         const double margin = 1e-3 * t * t;
         if (t > 0 &&
             (std::min({std::abs(uv.x), std::abs(uv.y), std::abs(1 - uv.x), std::abs(1 - uv.y)}) < margin))
@@ -161,14 +164,16 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
   const Scene scene = skimming_scene();
   const Picture large = render(synthetic::frame(scene, synthetic::square(6), 1, 1, 0), {});
   const Picture pieces = render(synthetic::frame(scene, synthetic::square(6), 40, 40, 0), {});
-  // Not equal to the bit: the pieces' corners are snapped, so barycentrics differ by a 1/512 of a pixel.
+  // The pictures are not equal bit for bit, because snapping moves the corners of the pieces by up to 1/512
+  // pixel and so changes the barycentrics.
   const Agreement agreement = compare(large, pieces);
   EXPECT_GT(agreement.pixels, 8000u);
   EXPECT_GT(agreement.psnr, 45) << agreement.worst << " at " << agreement.worst_x << ' ' << agreement.worst_y;
 }
 
 TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
-  // Every texel solid and shade 2/3: from above, S Eq. 6 at h = 1 with T = nu = z and light and view along z.
+  // Every texel has coverage 1 and shade 2/3. The camera looks from above, so S Eq. 6 applies with h = 1 and
+  // T = nu = z.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;
@@ -184,7 +189,8 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
     for (auto& texel : level) texel = {255, 85};
   input.coat = {1, {{204, 102, 51, 255}}};
   const Picture picture = render(input, {});
-  // |T x L| = 3/5; the pixels in the middle see E = -z within 1/600: (T.L)(T.E) + |T x L||T x E| < 0 there.
+  // |T x L| = 3/5. In the middle of the picture E is -z within 1/600, so (T.L)(T.E) + |T x L||T x E| is
+  // negative and there is no highlight.
   const glm::vec4 middle = picture.at(80, 50);
   EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);
@@ -193,8 +199,8 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
 }
 
 TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
-  // Coverage 51/255 = .2 everywhere, black coat, white skin in ambient light: N layers leave .8^N of the
-  // skin.
+  // The fur is black with coverage 51/255 = .2 everywhere, and the skin is white in ambient light. N layers
+  // leave .8^N of the skin's colour.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;
@@ -212,8 +218,8 @@ TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
 }
 
 TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
-  // One sheet folded under itself, red above and green below, with opaque fur; inside a layer the sheet below
-  // is drawn later.
+  // The surface is one sheet folded under itself, red above and green below, with opaque fur. In each layer,
+  // the lower part is drawn after the upper part.
   const synthetic::Surface folded{[](double u, double v) {
     return u < .5 ? glm::dvec3(4 * u - 1, 2 * v - 1, .5) : glm::dvec3(3 - 4 * u, 2 * v - 1, 0);
   }};
@@ -237,7 +243,7 @@ TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
       EXPECT_EQ(picture.at(x, y).y, 0);
     }
   input.camera = synthetic::camera({false, {}, {0, 0, -3}, {0, 0, 0}, {0, 1, 0}, 37, .01f}, 160, 100);
-  EXPECT_GT(render(input, {}).at(80, 50).y, .1);  // it is there, seen from below
+  EXPECT_GT(render(input, {}).at(80, 50).y, .1);  // the lower part is visible from below
 }
 
 TEST(ReferenceRender, EveryMutantIsSeenAndTheOriginalIsNot) {

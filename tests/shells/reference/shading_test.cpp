@@ -1,4 +1,4 @@
-// S Eq. 6 and W Eq. 2-5 along and across the light, and at the ends of their constants.
+// Tests S Eq. 6 and W Eq. 2-5 with light along and across the strand, and at the limits of their constants.
 #include "harness/shells/reference/shading.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,8 @@ using namespace reference;
 
 const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), coat(.8, .6, .4);
 
-/// One light along +z of intensity 2, nothing else: the papers' own equations.
+/// Returns the papers' equations without additions: one light of intensity 2 along +z, no ambient light, and
+/// no wrapped light.
 ShadingScene bare() {
   ShadingScene shading;
   shading.lights = {LightScene{{0, 0, 3}, 2}};
@@ -42,24 +43,23 @@ TEST(ReferenceCurling, AlongTheLightAStrandIsDark) {
 }
 
 TEST(ReferenceCurling, AcrossTheLightAStrandIsFullyLitAndShinesAcrossTheView) {
-  // |T x L| = 1; T.L = 0 and |T x E| = 1: the highlight is 1.
+  // |T x L| = 1, so the diffuse term is full. T.L = 0 and |T x E| = 1, so the highlight is 1.
   expect_colour(curling_colour(bare(), seen(x, z, y)), 2.0 * coat + glm::dvec3(2 * .5));
-  // Seen along the strand there is none.
+  // With the view along the strand there is no highlight.
   expect_colour(curling_colour(bare(), seen(x, z, x)), 2.0 * coat);
 }
 
 TEST(ReferenceCurling, TheHighlightIsTheMirrorCone) {
-  // E runs from the eye to the surface: the light that a strand throws forward keeps its angle with the
-  // strand.
+  // E points from the eye to the surface. The highlight is strongest if E and L have the same angle to T.
   const double t = .7;
-  const glm::dvec3 tangent(std::sin(t), 0, std::cos(t));  // at angle t from the light
+  const glm::dvec3 tangent(std::sin(t), 0, std::cos(t));  // at the angle t to the light
   for (const double e : {.1, .7, 1.3}) {
     const glm::dvec3 view = std::cos(e) * tangent + std::sin(e) * y;
     const double highlight = std::pow(std::cos(t - e), 8);
     expect_colour(curling_colour(bare(), seen(tangent, z, view)),
                   2 * std::sin(t) * coat + glm::dvec3(2 * .5 * highlight));
   }
-  // Light and view along the strand in opposite directions: the power's base is negative, taken as 0.
+  // E = -T, so the base of the power is negative and clamped to 0.
   const glm::dvec3 back = -tangent;
   expect_colour(curling_colour(bare(), seen(tangent, z, back)), 2 * std::sin(t) * coat);
 }
@@ -81,9 +81,9 @@ TEST(ReferenceCurling, AmbientAndWrapAreAdditionsThatZeroTakesAway) {
   expect_colour(curling_colour(shading, seen(z, z, x)), .25 * coat);
   shading = bare();
   shading.wrap = 1;
-  expect_colour(curling_colour(shading, seen(x, z, x)), 2.0 * coat);      // towards the light: all of it
-  expect_colour(curling_colour(shading, seen(x, -z, x)), glm::dvec3(0));  // away: none
-  expect_colour(curling_colour(shading, seen(x, y, x)), 2.0 * .4 / 1.4 * coat);  // along the terminator
+  expect_colour(curling_colour(shading, seen(x, z, x)), 2.0 * coat);      // facing the light: full light
+  expect_colour(curling_colour(shading, seen(x, -z, x)), glm::dvec3(0));  // facing away: no light
+  expect_colour(curling_colour(shading, seen(x, y, x)), 2.0 * .4 / 1.4 * coat);  // n.L = 0
   shading.wrap = .5f;
   expect_colour(curling_colour(shading, seen(x, -z, x)), 1.0 * coat);
 }
@@ -120,7 +120,7 @@ TEST(ReferenceWet, WetnessSharpensTheHighlight) {
     fragment.wetness = rho;
     expect_colour(wet_colour(shading, fragment), 2.0 * coat + highlight((1 + .5 * (rho - 1)) * 8));
   }
-  shading.wet_specular = 0;  // sigma 0: wetness does not matter
+  shading.wet_specular = 0;  // sigma_spec = 0: wetness has no effect
   fragment.wetness = 0;
   expect_colour(wet_colour(shading, fragment), 2.0 * coat + highlight(8));
 }
@@ -141,7 +141,7 @@ TEST(ReferenceWet, TheTangentLeansWithTheClump) {
   ShadingScene shading = bare();
   const glm::dvec3 bend(0, 0, .3), t(4, 0, 0), b(0, 2, 0);
   expect_colour(wet_tangent(shading, bend, t, b, {0, 0}), z);
-  expect_colour(wet_tangent(shading, bend, t, b, {.1, 0}), {.8, 0, .6});  // (.4, 0, .3): UV turned into R
+  expect_colour(wet_tangent(shading, bend, t, b, {.1, 0}), {.8, 0, .6});  // (.4, 0, .3) in R
   expect_colour(wet_tangent(shading, bend, t, b, {0, -.2}), {0, -.8, .6});
   shading.tangent = "drawn";
   expect_colour(wet_tangent(shading, bend, t, b, {.1, 0}), {-.8, 0, .6});

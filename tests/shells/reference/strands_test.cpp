@@ -1,4 +1,4 @@
-// S Eq. 2 and 3 against closed forms (docs/frame.md, 1).
+// Compares S Eq. 2 and 3 with closed forms (docs/frame.md, section 1).
 #include "harness/shells/reference/strands.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace {
 
 using reference::Strand;
 
-/// One upright strand on the plane z = 0, undamped and unloaded.
+/// Returns a frame with upright strands on the plane z = 0, without drag, gravity and wind. The tests use
+/// strand 0.
 FrameInput one_strand() {
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .1f;
@@ -29,7 +30,8 @@ double distance(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(a - b);
 }
 
-/// Mean time between crossings of `level` upwards, by linear interpolation, over `periods` periods.
+/// Returns the mean time in s between upward crossings of `level`, over `periods` periods. Crossing times are
+/// interpolated linearly.
 template <class Coordinate>
 double period(const FrameInput& input, Strand strand, double level, int periods,
               const Coordinate& coordinate) {
@@ -57,7 +59,7 @@ TEST(ReferenceStrands, RestStaysAtRest) {
     input.scene.fur.comb = comb;
     input.strands.anchor[0] = glm::vec3(.1 * glm::normalize(glm::dvec3(comb, 0, 1)));
     const Strand strand = reference::simulate(input, 0, 200);
-    // The anchor is rounded to float: it may stick out of the ball by a float's last digit.
+    // The anchor is rounded to float, so it may be outside the ball by a rounding error.
     EXPECT_LT(distance(strand.tip, input.strands.anchor[0]), 2e-8);
     EXPECT_LT(glm::length(strand.velocity), 1e-6);
   }
@@ -104,15 +106,16 @@ TEST(ReferenceStrands, LoadIntoTheSkinRestsOnIt) {
 TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
   FrameInput input = one_strand();
   DynamicsScene& dynamics = input.scene.dynamics;
-  dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the direction's length does not count
+  dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the length of the direction has no effect
   dynamics.drag = .02f;
   EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
-  // One substep from rest at time 0: v = dt W / m, W = strength (1 - gust sin(phase)), phase from the root.
+  // In the first substep the time is 0, so v = dt W / m with W = strength (1 - gust sin(phase)). The phase is
+  // .7.
   dynamics.wind.gust = .5f;
   input.strands.phase[0] = {float(std::cos(.7)), float(std::sin(.7))};
   const Strand first = reference::substep(input, 0, reference::rest(input, 0), 0);
   EXPECT_NEAR(first.velocity.z, -.008 * (1 - .5 * std::sin(.7)) / .001 / 240, 1e-7);
-  // A quarter period later the wave has moved on: sin(pi/2 - phase).
+  // A quarter of a period later, the gust's sine is sin(pi/2 - phase).
   dynamics.wind.frequency = 60.f / 16;  // 16 substeps are a quarter of a period
   const Strand later = reference::substep(input, 0, reference::rest(input, 0), 16);
   EXPECT_NEAR(later.velocity.z, -.008 * (1 + .5 * std::cos(.7)) / .001 / 240, 1e-7);
@@ -137,7 +140,7 @@ TEST(ReferenceStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
 
 TEST(ReferenceStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
   FrameInput input = one_strand();
-  input.scene.dynamics.gravity = {0, 0, -10};  // at rest .075 above the skin
+  input.scene.dynamics.gravity = {0, 0, -10};  // the rest position is .075 above the skin
   const Strand start{{0, 0, .06}, glm::dvec3(0)};
   const double measured = period(input, start, .075, 20, [](const Strand& s) { return s.tip.z; });
   EXPECT_NEAR(measured / natural_period(input), 1, .001);
@@ -171,8 +174,8 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
     }
   }
   EXPECT_LE(highest, 1 + 1e-12);
-  EXPECT_GE(lowest, -1e-7);       // n is a float's unit vector: its length is 1 within 6e-8
-  EXPECT_GT(highest, 1 - 1e-12);  // both bounds were met
+  EXPECT_GE(lowest, -1e-7);       // n is a float vector, with length 1 within 6e-8
+  EXPECT_GT(highest, 1 - 1e-12);  // both bounds are reached
   EXPECT_LT(lowest, 1e-7);
 }
 

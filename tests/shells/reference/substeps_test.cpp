@@ -1,4 +1,5 @@
-// Several looks into one layer (docs/frame.md, 6, "Sub-steps"): what each must find, and what they amount to.
+// Tests several samples per layer (docs/frame.md, section 6, "Sub-steps"): their positions and their
+// combination.
 #include "harness/shells/reference/substeps.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 
 using namespace reference;
 
-/// Repeatable numbers in [-1, 1).
+/// A reproducible sequence of numbers in [-1, 1).
 class Numbers {
  public:
   double number() { return 2.0 * double(engine_()) / 4294967296.0 - 1.0; }
@@ -39,14 +40,15 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
     ++steep;
     const glm::dvec3 shift = root_shift(step, normal, eye);
     EXPECT_NEAR(glm::dot(shift, normal), 0, 1e-14);
-    // One strand goes through the fragment; its neighbour, rooted `shift` away, is there one step lower down.
+    // The strand whose root is `shift` away from the fragment's strand meets the ray one step below the
+    // fragment.
     EXPECT_LT(glm::length(glm::cross(shift - step, eye)), 1e-14);
   }
   EXPECT_GT(steep, 1000);
 }
 
 TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
-  Numbers random;  // seen from behind, E.nu > 0, the same line meets the same strands
+  Numbers random;  // the shift is the same for the opposite ray direction
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
     EXPECT_LT(glm::length(root_shift(step, normal, eye) - root_shift(step, normal, -eye)), 1e-14);
@@ -77,7 +79,7 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
     EXPECT_LE(std::abs(shift.x), 4) << z;
     EXPECT_LT(std::abs(shift.x + (z < 0 ? -4 : 4) * eye.x), 1e-14) << z;
   }
-  // The limit joins on without a jump.
+  // The shift is continuous at |E.nu| = .25, where E.nu is limited.
   const auto tilted = [](double z) { return glm::dvec3(std::sqrt(1 - z * z), 0, z); };
   EXPECT_LT(glm::length(root_shift(up, up, tilted(-.2499999)) - root_shift(up, up, tilted(-.2500001))), 1e-5);
 }
@@ -124,11 +126,11 @@ TEST(ReferenceSubsteps, TransmittancesHaveTheirGeometricMeanAndShadesTheirMeanBy
   const FurSample two = combined({{.36, 1.0}, {.75, .4}});
   EXPECT_NEAR(two.coverage, 1 - std::sqrt(.64 * .25), 1e-15);
   EXPECT_NEAR(two.shade, (.36 * 1.0 + .75 * .4) / 1.11, 1e-15);
-  EXPECT_NEAR(combined({{0, 2}, {.2, .7}}).shade, .7, 1e-15);  // what covers nothing has no say
+  EXPECT_NEAR(combined({{0, 2}, {.2, .7}}).shade, .7, 1e-15);  // a sample of coverage 0 has no weight
 }
 
-/// A skewed sheet under black fur of one pattern on every slice: what is seen of the white skin is the
-/// transmittance of the layers, nothing else.
+/// Returns a skewed sheet with black fur, whose slices all have one pattern. The visible part of the white
+/// skin is the transmittance of the layers.
 FrameInput sheet(const Scene& scene) {
   const synthetic::Surface skewed{
       [](double u, double v) { return glm::dvec3(3 * (u - .5) + .8 * (v - .5), 2.6 * (v - .5), 0.0); }};
@@ -160,8 +162,9 @@ Scene sheet_scene(int layers, int substeps) {
   return scene;
 }
 
-/// The greatest difference in transmittance between 16 layers and 4 that stand for four each, over the
-/// middle of the picture.
+/// Returns the greatest difference in transmittance between pictures of 16 and of 4 layers, in the middle of
+/// the picture. Each of the 4 layers stands for four, so the transmittance of the 4 layers is raised to the
+/// power 4.
 double difference(const Picture& sixteen, const Picture& four) {
   double worst = 0;
   for (int y = 35; y < 65; ++y)
@@ -171,8 +174,9 @@ double difference(const Picture& sixteen, const Picture& four) {
 }
 
 TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
-  // Straight leaning fur (a curl without turns) on a plane: 16 layers and 4 with 4 looks visit the very same
-  // places of the volume along each ray. What remains is the snapping of each layer's corners.
+  // The fur is straight and leaning (a curl without turns), on a plane. 16 layers sample the same places of
+  // the volume along each ray as 4 layers with 4 samples each. Only the snapping of each layer's corners
+  // differs.
   const auto drawn = [](int layers, int substeps, float lean, const glm::vec3& eye) {
     Scene scene = sheet_scene(layers, substeps);
     scene.curl.radius = lean;
@@ -189,7 +193,8 @@ TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
 }
 
 TEST(ReferenceSubsteps, FourLooksFollowAClumpAsSixteenLayersDo) {
-  // Upright fur in one clump, seen head on from afar: no shift but the clump's, linear in height.
+  // The fur is upright, in one clump, and seen head on from a distance. The only shift is that of the clump,
+  // which is linear in height.
   const auto drawn = [](int layers, int substeps) {
     Scene scene = sheet_scene(layers, substeps);
     scene.clump.shape = 0;

@@ -1,4 +1,4 @@
-// Texture lookups against values that can be read off (docs/frame.md, 6).
+// Compares texture lookups with values that are known from the texels (docs/frame.md, section 6).
 #include "harness/shells/reference/textures.hpp"
 
 #include <gtest/gtest.h>
@@ -19,9 +19,9 @@ TEST(ReferenceTextures, TexelCentresReturnTheirTexel) {
   const FurTexture fur = two_levels();
   EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).coverage, 1, 1e-12);
   EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).shade, 102 / 127.5, 1e-12);
-  EXPECT_NEAR(sample_fur(fur, {.25, .75}, 0, 0).coverage, 51 / 255.0, 1e-12);  // rows grow with v
-  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0).coverage, 4 / 255.0, 1e-12);   // slices stay apart
-  EXPECT_NEAR(sample_fur(fur, {3.75, -1.75}, 0, 0).coverage, 1, 1e-12);        // and repeat
+  EXPECT_NEAR(sample_fur(fur, {.25, .75}, 0, 0).coverage, 51 / 255.0, 1e-12);  // rows increase with v
+  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0).coverage, 4 / 255.0, 1e-12);   // slices are not mixed
+  EXPECT_NEAR(sample_fur(fur, {3.75, -1.75}, 0, 0).coverage, 1, 1e-12);        // the texture repeats
 }
 
 TEST(ReferenceTextures, BetweenThemTheyAreBilinearAcrossTheBorderToo) {

@@ -1,4 +1,4 @@
-// In place of the folder above where libepoxy was not found when pelage was configured.
+// Replaces the sources of harness/shells/opengl if libepoxy was not found when pelage was configured.
 #include "harness/shells/opengl/opengl.hpp"
 
 #include "harness/error.hpp"
@@ -27,7 +27,7 @@ std::string opengl_renderer() {
 std::string shader_hash() {
   refuse();
 }
-// The signature is that of the class, which keeps its input.
+// The signature must match the class, which takes `input` by value because the real constructor stores it.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&, const OpenGlOptions&) {
   refuse();
