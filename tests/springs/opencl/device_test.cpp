@@ -316,8 +316,8 @@ TEST(TopologyDevice, RefusesAbsurdDynamics) {
   for (const float bad : {-1.0f, nan, infinite}) {
     refused("stiffness of the sticks", [&](Dynamics& d) { d.stiffness = bad; });
     refused("damping of the sticks", [&](Dynamics& d) { d.damping = bad; });
-    refused("stiffness between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
-    refused("damping between tops", [&](Dynamics& d) { d.edge_damping = bad; });
+    refused("stiffness of the springs between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
+    refused("damping of the springs between tops", [&](Dynamics& d) { d.edge_damping = bad; });
     refused("drag", [&](Dynamics& d) { d.drag = bad; });
     refused("return force", [&](Dynamics& d) { d.return_weight = bad; });
     refused("frequency of the gusts", [&](Dynamics& d) { d.wind.frequency = bad; });
