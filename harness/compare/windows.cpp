@@ -14,9 +14,9 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
-  // One flipped pixel, for which rounding chooses the neighbouring texel of the mask and changes a channel by
-  // 0.2, leaves less than tolerance::picture_psnr in 64 windows, but not in a whole picture. So the whole
-  // picture decides where the windows fall short.
+  // A pixel is flipped if rounding selects another texel of the mask; its channels then change by about 0.2.
+  // One flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but not the PSNR of the
+  // whole picture. Hence the whole picture decides if the windows fail.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();

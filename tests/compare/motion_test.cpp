@@ -58,8 +58,8 @@ TEST(Masks, HoldEveryTexel) {
   EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0.900005f}), "");
   EXPECT_EQ(broken(0, {0.10002f, 0.2f, 0.03f, 0.9f}), "largest texel error; ");
   EXPECT_EQ(broken(0, {0.1f, nan, 0.03f, 0.9f}), "largest texel error; ");
-  EXPECT_EQ(broken(1, {0, 0, 0, 1e-9f}), "texels wet in one only; ");
-  EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0}), "texels wet in one only; ");
+  EXPECT_EQ(broken(1, {0, 0, 0, 1e-9f}), "texels wet in only one mask; ");
+  EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0}), "texels wet in only one mask; ");
   EXPECT_THROW(check_mask(reference, {}), std::invalid_argument);
 }
 

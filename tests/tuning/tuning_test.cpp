@@ -141,7 +141,7 @@ TEST(TuningFile, MistakesAreRefusedByLineAndKey) {
   refused("TILE_W = 1.5\n", "t.toml:1: TILE_W");
   refused("TILE_W = -1\n", "whole number");
   refused("tile = 1\n", "capitals");
-  refused("TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "stands twice");
+  refused("TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "occurs twice");
   refused("TILE_W = \n", "not TOML");
 }
 
