@@ -1,4 +1,4 @@
-// The result of one comparison of the timed frame with a trusted result.
+// The result of a check.
 #pragma once
 #include <string>
 

@@ -1,6 +1,6 @@
 // All tolerances by which a result is accepted, each with its unit and its reason. Commands, the checks of
-// rows, tuning and tests use these constants. A test in tests/house fails if another file defines such a
-// number.
+// rows, tuning and tests use these constants. A test in tests/house fails if another file defines a
+// tolerance.
 #pragma once
 
 namespace pelage::tolerance {
@@ -21,8 +21,8 @@ inline constexpr double flip_share = 1e-3;
 /// Least PSNR of the OpenGL baseline against the reference, dB. OpenGL drivers filter textures with different
 /// arithmetic, so p99.9 and flips of the baseline are not checked.
 inline constexpr double other_filter_psnr = 55.0;
-/// Largest difference of a channel between two mappings on one device. They add the same terms in a different
-/// order. The limit is one step of an 8-bit display.
+/// Largest difference of a channel between two mappings on one device. Mappings
+/// add the same terms in different orders. The limit is one step of an 8-bit display.
 inline constexpr double mapping_difference = 1.0 / 255.0;
 /// Largest difference of a channel in pictures that have too few pixels for a percentile (1 x 1 and more).
 inline constexpr double few_pixels_difference = 4.0 / 255.0;
@@ -31,7 +31,8 @@ inline constexpr double few_pixels_difference = 4.0 / 255.0;
 
 /// Limit for every tip. Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface of the ball
 /// one substep earlier than in doubles and then loses its outward speed. This happens to a few of 10^5
-/// strands. The pictures of the check change by less than a hundredth of a pixel.
+/// strands. It moves the tip by less than a hundredth of
+/// a pixel in the pictures of the check.
 inline constexpr double worst_tip = 1e-3;
 /// Limit for 99.9% of the tips.
 inline constexpr double usual_tip = 1e-5;
@@ -47,8 +48,8 @@ inline constexpr double stick_top = 1e-4;
 /// Limits for the root mean square and the 99th percentile on shared prisms. Compressed springs buckle in a
 /// direction that depends on the last bit, so single top masses are not checked.
 inline constexpr double prisms_rms = 1e-3, prisms_p99 = 1e-2;
-/// Limit for the kernels' source compiled in double precision, against the reference. The differences come
-/// from forces, moments and normals that are stored as floats.
+/// Limit for the kernels' source compiled in double precision, against the reference. Gravity, wind
+/// and normals are stored as floats even there.
 inline constexpr double float_records = 1e-6;
 /// Limit for baselines in double precision. Their states are transferred as floats.
 inline constexpr double double_baseline = 2e-5;

@@ -32,7 +32,7 @@ std::string picture_hash(const Picture& picture) {
 }
 
 /// Sets the status and the reason of a row that is ok so far. The row has diverged if the picture has values
-/// that are not finite. It fails the check if it has no check, or if one does not hold.
+/// that are not finite. It fails if it has no check or if a check does not hold.
 void judge(Row& row, const Picture& picture) {
   if (!finite(picture)) {
     row.status = Status::diverged;

@@ -51,13 +51,13 @@ struct TuningSearch {
 
 /// Searches one axis after the other, in at most two passes. For each axis the incumbent and all other values
 /// run in turns for `rounds` rounds on each scene. The first incumbent is the shipped configuration. The
-/// fastest candidate that wins becomes the incumbent. Of many candidates one may win by chance, so in the end
-/// the incumbent is compared with the shipped configuration once more, with twice the rounds, and is dropped
-/// unless it wins again.
-/// | The shipped configuration is checked against the reference. A candidate whose last output equals a
-/// checked output bit for bit has no fault; any other output is checked against the reference. `told` is
-/// called with each candidate.
-/// the reference. The shipped configuration asks it always. `told` hears of each candidate.
+/// fastest candidate that wins becomes the incumbent. One of many candidates may win by chance. Therefore, in
+/// the end the incumbent is compared with the shipped configuration once more, with twice the rounds, and is
+/// dropped unless it wins again.
+///
+/// The shipped configuration is checked against the reference. A candidate whose last output equals a checked
+/// output bit for bit has no fault; any other output is checked against the reference. `told` is called with
+/// each candidate.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
 

@@ -1,4 +1,5 @@
-// Tips and masks against the reference's: which differences are found, and which are within tolerance.
+// Tests the comparison of tips and masks with the reference: small differences pass, and larger ones are
+// found.
 #include <gtest/gtest.h>
 
 #include <cmath>

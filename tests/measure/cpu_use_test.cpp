@@ -1,4 +1,4 @@
-// CPU time of this process, and how much of the machine others take.
+// Tests the measurement of CPU time: of this process, and of other processes.
 #include "harness/measure/cpu_use.hpp"
 
 #include <gtest/gtest.h>

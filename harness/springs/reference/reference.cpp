@@ -26,8 +26,8 @@ Pose pose(const Motion& m, double t) {
   const double angle = double(m.spin) * t + double(m.swing) * std::sin(b * t);
   const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
   const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
-  // Rodrigues' formula: R = cos I + sin [n] + (1 - cos) n n^T. Its derivatives by the angle give those by
-  // time.
+  // Rodrigues' formula: R = cos I + sin [n] + (1 - cos) n n^T. The derivatives by time follow from those
+  // by the angle.
   const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
   const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
   const double c = std::cos(angle), s = std::sin(angle);
