@@ -11,9 +11,8 @@
 namespace pelage {
 
 struct FrameOutput {
-  std::string
-      /// "shells on DEVICE", "opengl on RENDERER, OPTIONS", "reference" or "reference, 8 bits".
-      pipeline;
+  /// One of "shells on DEVICE", "opengl on RENDERER, OPTIONS", "reference" and "reference, 8 bits".
+  std::string pipeline;
   int frames = 0;  ///< frames of strand motion since rest, including this one
   /// Per triangle, the strand's tip minus its root, R. With a mass-spring topology: per stick, its top minus
   /// its base.

@@ -29,10 +29,9 @@ inline constexpr double few_pixels_difference = 4.0 / 255.0;
 
 // Tolerances of the tips of Silva's strands, as fractions of the strand's length.
 
-/// Limit for every tip. Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface of the ball
+/// Limit for every tip. S Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface of the ball
 /// one substep earlier than in doubles and then loses its outward speed. This happens to a few of 10^5
-/// strands. It moves the tip by less than a hundredth of
-/// a pixel in the pictures of the check.
+/// strands. It moves the tip by less than a hundredth of a pixel in the pictures of the check.
 inline constexpr double worst_tip = 1e-3;
 /// Limit for 99.9% of the tips.
 inline constexpr double usual_tip = 1e-5;

@@ -14,9 +14,9 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   const Check windows{"reference", "windows", double(options.windows.size()), double(kCheckWindows), true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
-  // A pixel is flipped if rounding selects another texel of the mask; its channels then change by about 0.2.
-  // One flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but not the PSNR of the
-  // whole picture. Hence the whole picture decides if the windows fail.
+  // For a flipped pixel rounding selects another texel of the mask, which changes a channel by about 0.2. One
+  // flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but not the PSNR of the whole
+  // picture. Hence the whole picture decides if the windows fail.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();

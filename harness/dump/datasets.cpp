@@ -58,7 +58,7 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
       "row-major matrix; multiplied by (p, 1) it gives the distances right, down and forward of the eye");
   file.write("camera/projection", {4, 4}, projection, "pixels",
              "row-major matrix; multiplied by the result of camera/view it gives (x w, y w, near, w), where "
-             "x and y are the distances right and down from the picture's centre");
+             "x and y are the distances in pixels right and down from the picture's centre");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
@@ -109,7 +109,7 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
              "second axis of the curl at each surface point, unit length");
   file.write(
       "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
-      "texture coordinates at which each surface point samples the wetness mask: those of its first vertex");
+      "texture coordinates where each surface point samples the wetness mask (those of its first vertex)");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -172,9 +172,10 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
-               flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
-               "coverage, and factor of the coat's colour; the axes are layer, v and u");
+    file.write(
+        level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
+        flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
+        "coverage of the fur, and factor that multiplies the coat's colour; the axes are layer, v and u");
   }
   file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
              "number of repeats of the fur texture per unit of u and of v");

@@ -9,8 +9,8 @@ namespace pelage {
 /// per process.
 void end_on_interrupt(const std::string& message);
 
-/// Defers both signals while at least one object of this class exists. The process ends when the last one is
-/// destroyed.
+/// Defers both signals while at least one object of this class exists. If a signal arrives meanwhile, the
+/// process ends when the last object is destroyed.
 class HoldInterrupt {
  public:
   HoldInterrupt();

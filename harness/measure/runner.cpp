@@ -151,7 +151,7 @@ RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& jour
     if (listener.starting) listener.starting(i, which);
     const Row row = run_case(plan, which, limits, make);
     {
-      const HoldInterrupt hold;  // an interrupt waits until the row is complete in the file
+      const HoldInterrupt hold;  // defers interrupts until the row is written completely
       journal.append(row);
     }
     row.status == Status::ok || row.status == Status::unsupported ? ++summary.ok : ++summary.not_ok;

@@ -12,18 +12,17 @@ namespace pelage {
 struct RunPlan {
   std::string run_id, experiment, device;
   int repeat = 0;
-  std::vector<Case> cases;  ///< in the order in which they run
+  std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  double budget_s =
-      /// Time limit of the run, s. No case starts after it. The samples of all remaining cases share the
-      /// remaining time.
-      std::numeric_limits<double>::infinity();
+  /// Time limit of the run, s. No case starts after it. The samples of all remaining cases share the
+  /// remaining time.
+  double budget_s = std::numeric_limits<double>::infinity();
   std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
   std::string image_suffix;           ///< added to the case's name, to distinguish devices
-  nlohmann::ordered_json provenance;  ///< of the whole run; the provenance of each case is added
+  nlohmann::ordered_json provenance;  ///< provenance of the whole run; each case adds its own
 };
 
-/// Callbacks during a run. Each may be empty.
+/// Functions that are called during a run. Each may be empty.
 struct RunListener {
   std::function<void(std::size_t index, const Case&)> starting;
   std::function<void(std::size_t index, const Row&)> finished;

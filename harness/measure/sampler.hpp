@@ -24,9 +24,8 @@ struct FrameSample {
 
 struct Sampling {
   double first_launch_ms = 0;  ///< the first frame; drivers compile and upload during it
-  std::map<std::string, PhaseSamples>
-      /// The entry "frame" holds wall and CPU times. The entry of each phase holds its event times.
-      samples;
+  /// The entry "frame" holds wall and CPU times. The entry of each phase holds its event times.
+  std::map<std::string, PhaseSamples> samples;
   bool converged = false;  ///< whether the requested precision was reached
 };
 

@@ -18,10 +18,8 @@ std::vector<double> sorted(std::span<const double> values) {
 /// `confidence`. Returns -1 if there is none.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
-  const boost::math::binomial_distribution<double> below(double(n),
-                                                         // The distribution of the number of values below the
-                                                         // median.
-                                                         0.5);
+  // The number of values below the median is binomially distributed.
+  const boost::math::binomial_distribution<double> below(double(n), 0.5);
   // The interval misses the median at each end with probability P(X <= r).
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;

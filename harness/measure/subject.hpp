@@ -49,14 +49,14 @@ class Subject {
 /// Prepares a case. Throws DeviceError, Unsupported, InputError.
 using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
 
-/// Data from which the subjects of one sweep are made.
+/// Data from which the subjects of one run are made.
 struct SubjectContext {
   cl::Device device;
   Experiment experiment;
   std::map<std::string, int> tuning;                 ///< values of the kernels' tuning axes
   std::function<void(const std::string&)> progress;  ///< receives messages about slow steps
   SceneMeshes meshes;
-  /// results that several cases need; the key is chosen by their creator
+  /// results that several cases share; the code that adds a result chooses its key
   std::map<std::string, std::any> shared;
 
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }

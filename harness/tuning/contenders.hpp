@@ -1,4 +1,4 @@
-// The stages of a frame as contenders of a tuning search.
+// Makes contenders for a tuning search from the stages of a frame.
 #pragma once
 #include "harness/cl/device.hpp"
 #include "harness/prepare/frame_input.hpp"

@@ -33,7 +33,7 @@ struct TuningScene {
 /// A configuration and its result.
 struct Candidate {
   Tuning tuning;
-  /// Its time divided by the incumbent's: median over rounds of the geometric mean over scenes.
+  /// Its time divided by the incumbent's time: geometric mean over scenes, then median over rounds.
   double ratio = 0;
   Interval interval;  ///< 95% interval of the ratio over rounds
   /// Why it cannot win: a failed check, or an error of the run. Empty if there is no fault.
@@ -42,7 +42,7 @@ struct Candidate {
 };
 
 struct TuningSearch {
-  Tuning best;                   ///< without fault, and faster than the shipped values in the last comparison
+  Tuning best;                   ///< faster than the shipped values, without fault; empty if there are none
   std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
   /// The best configuration compared with the shipped one. Its tuning is empty if no candidate won.
   Candidate last;

@@ -13,7 +13,7 @@
 namespace pelage {
 namespace {
 
-constexpr double length = 0.1;  // R, of a strand
+constexpr double length = 0.1;  // length of a strand, R
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<glm::vec3> tips(std::size_t count) {

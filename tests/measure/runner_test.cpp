@@ -191,8 +191,8 @@ TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
   EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
 }
 
-/// Runs fake cases in a child process and kills it after `kill_after_ms`. Returns the wait status of the
-/// child.
+/// Runs fake cases in a child process and kills it after `kill_after_ms` unless that is negative. Returns the
+/// wait status of the child.
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {

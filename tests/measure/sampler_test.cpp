@@ -5,7 +5,7 @@
 namespace pelage {
 namespace {
 
-/// A clock that only its frames advance, by `length_ms` each.
+/// A clock that advances only when a frame runs, by the length of that frame.
 struct Clock {
   double now_s = 0;
   int frames = 0;

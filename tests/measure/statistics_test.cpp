@@ -75,8 +75,8 @@ TEST(Statistics, IntervalHoldsTheMedianAsOftenAsItSays) {
 }
 
 TEST(Statistics, ProcessesAreResampledFirst) {
-  // Two kinds of processes have different medians. Resampling samples only would give a narrow interval;
-  // resampling processes must give a wide one.
+  // Two processes have a median of 10, and two have 20. Resampling only the samples would give a narrow
+  // interval. Resampling the processes must give a wide interval.
   std::vector<std::vector<double>> processes(4);
   for (int i = 0; i < 50; ++i)
     for (std::size_t p = 0; p < 4; ++p) processes[p].push_back((p % 2 ? 20 : 10) + 0.001 * i);

@@ -85,7 +85,7 @@ TEST(TuningSearch, WhatIsNotSurelyFasterDoesNotWin) {
 
 TEST(TuningSearch, AWinnerByChanceIsDroppedInTheLastDuel) {
   int made = 0;
-  // This candidate is fast when it meets the incumbent first, and slow afterwards.
+  // The candidate is fast in its first comparison with the incumbent, and slow in the last one.
   const TuningSearch found = search(
       [&made](const Tuning& t) {
         return t.empty() ? Behaviour{} : Behaviour{.ms = ++made <= 2 ? 5.0 : 11.0};

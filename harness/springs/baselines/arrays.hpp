@@ -5,8 +5,9 @@
 
 namespace pelage::springs {
 
-/// Pointers to the arrays of a system; the struct owns no memory. It uses no library types: the loops are
-/// compiled with other flags than the rest of the program, and must not emit code that the rest could link.
+/// Pointers to the arrays of a system; the struct owns no memory. The loops use no library types. They are
+/// compiled with special flags, and library functions compiled with these flags must not be linked into the
+/// rest of the program.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
@@ -41,8 +42,7 @@ Loops<double> plain_loops(double);
 /// The loops compiled with -O3 -march=native -ffast-math. The argument selects the number type.
 Loops<float> fast_loops(float);
 Loops<double> fast_loops(double);
-/// Returns whether this processor supports the AVX2 and AVX-512F instructions for which the loops were
-/// compiled.
+/// Returns whether this processor supports the vector instructions (AVX2, AVX-512F) that fast_loops uses.
 bool fast_loops_run_here();
 
 }  // namespace pelage::springs

@@ -1,4 +1,4 @@
-// Backward Euler by Eigen 3.4, compiled with -O3 -march=native: represents a program based on a good library.
+// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native.
 #pragma once
 #include <memory>
 

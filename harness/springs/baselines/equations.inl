@@ -1,6 +1,6 @@
 // The forces of docs/topology.md for one mass at a time, in the style of a plain program. Files that are
 // compiled with special flags include this file inside an unnamed namespace.
-#define PELAGE_INLINE [[gnu::always_inline]] inline  // function calls prevent the vectorization of a loop
+#define PELAGE_INLINE [[gnu::always_inline]] inline  // a function call prevents the vectorization of a loop
 
 template <class T>
 struct V {

@@ -14,7 +14,8 @@ namespace pelage::springs {
 namespace {
 
 constexpr double panel = 360, margin = 16, title = 26;  // pixels
-constexpr double pulled_in = 0.16;  // fraction by which a separable corner moves to its triangle's centre
+// A separable corner is moved by this part of the way to its triangle's centre.
+constexpr double pulled_in = 0.16;
 // Masses are drawn as dots only if the topology has at most this many sticks.
 constexpr std::size_t most_dots = 300;
 

@@ -10,11 +10,11 @@ namespace pelage::springs {
 /// page.
 inline constexpr std::size_t most_drawn = 20000;
 
-/// Returns an SVG with one panel per topology (four panels). Each panel shows the surface of `mesh` from
-/// above its front, the sticks in one colour and the springs between top masses in another. Parts behind the
-/// surface are hidden. In separable topologies each triangle's masses are moved towards its centre, so that
-/// gaps between triangles are visible (Figure 5b). `length` is the rest length of the sticks in R, above 0.
-/// Throws InputError if the mesh has more than most_drawn triangles.
+/// Returns an SVG with one panel per topology (four panels). Each panel shows the surface of `mesh` from the
+/// front and slightly from above, the sticks in one colour and the springs between top masses in another.
+/// Parts behind the surface are hidden. In separable topologies each triangle's masses are moved towards its
+/// centre, so that gaps between triangles are visible (Figure 5b). `length` is the rest length of the sticks
+/// in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
 std::string drawing_of(const Mesh& mesh, float length);
 
 }  // namespace pelage::springs

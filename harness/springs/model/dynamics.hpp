@@ -10,8 +10,8 @@
 
 namespace pelage::springs {
 
-/// A time integration scheme, described by its properties. Code tests these properties and never the name. To
-/// add a scheme, add a row to `solvers`.
+/// A time integration scheme, described by its properties. Code tests these properties and never compares
+/// names. To add a scheme, add a row to `solvers`.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line
   bool implicit = false;  ///< whether a step solves a linear system
@@ -38,7 +38,8 @@ inline constexpr Solver default_solver = Solver::semi_implicit_euler;
 inline std::string_view name(const Solver& solver) {
   return solver.name;
 }
-/// Returns the scheme with this name. Throws InputError with a list of the valid names if there is none.
+/// Returns the scheme with this name. Throws InputError with a list of the valid names if the name is
+/// unknown.
 Solver solver_of(const std::string& name);
 
 /// Air that moves along `direction` with the speed `speed` (1 + gust sin(2 pi (f t - x . direction /
@@ -68,7 +69,7 @@ struct Motion {
 struct Dynamics {
   Solver solver = default_solver;
   float step = 1.0f / 240;      ///< dt, s
-  float mass = 1e-3f;           ///< mass of a top mass, kg; masses on the skin are fixed
+  float mass = 1e-3f;           ///< mass at the top of a stick, kg; masses on the skin are fixed
   float stiffness = 10;         ///< stiffness of the sticks, N/m
   float damping = 0.02f;        ///< damping of the sticks, N s/m
   float edge_stiffness = 2;     ///< stiffness of the springs between top masses, N/m

@@ -109,19 +109,20 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // Columns of floats per place: sites, push, offset and speed. The values added are the steps of divergence.
+  // `columns` is the number of floats per place: sites, push, offset and speed. `values` is the number of
+  // other 4-byte values, such as the steps in which masses diverged.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  columns += 1 + 4;  // rows of four floats: 1 more for a speed, 4 for a tip
+  columns += 1 + 4;  // rows of four floats: 1 float more per speed, 4 per tip
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    columns += 8 + 6 + 12;  // x and d; r and A d; the diagonal blocks of A and their inverses
+    columns += 8 + 6 + 12;  // x and d; r and A d; diagonal blocks of A and their inverses
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tips and speeds after the step
     if (solver.multistage())
-      columns += 8 + 9;  // tips and speeds of another stage; stage offsets, weighted sums
+      columns += 8 + 9;  // tips and speeds of a second stage; stage offsets, weighted sums
   }
   return 4 * (columns * layout.places() + values);
 }

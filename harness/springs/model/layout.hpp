@@ -15,8 +15,8 @@ namespace pelage::springs {
 /// slices hold the three corners of 16 triangles. On shared prisms, sticks are sorted by degree within
 /// windows of 256, so that the places of a slice have similar numbers of springs.
 struct Layout {
-  int corners = 1;  ///< consecutive slices per unit: 3 on separable prisms, else 1
-  int slices = 0;   ///< a multiple of `corners`; of 4 if the topology has no springs between tops
+  int corners = 1;  ///< number of slices that belong together: 3 on separable prisms, else 1
+  int slices = 0;   ///< number of slices; a multiple of 3 on separable prisms, of 4 on sticks
   std::vector<std::uint32_t> place;  ///< index of each stick in the order of the kernels
   /// SITE_COLUMNS columns per place: base (R), unit normal, cosine and sine of the gust's phase at the base.
   std::vector<float> sites;

@@ -14,7 +14,7 @@
 
 namespace pelage::springs {
 
-/// A topology, described by its properties. Code tests these properties and never the name.
+/// A topology, described by its properties. Code tests these properties and never compares names.
 struct Kind {
   std::string_view name;  ///< name in scene files and on the command line
   bool separable;         ///< each triangle has its own three sticks, so triangles of a layer can separate
@@ -38,7 +38,8 @@ inline constexpr Kind kinds[] = {Kind::sticks, Kind::prisms, Kind::separable_sti
 inline std::string_view name(const Kind& kind) {
   return kind.name;
 }
-/// Returns the topology with this name. Throws InputError with a list of the valid names if there is none.
+/// Returns the topology with this name. Throws InputError with a list of the valid names if the name is
+/// unknown.
 Kind kind_of(const std::string& name);
 
 constexpr bool separable(const Kind& kind) {

@@ -9,8 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-// Target of a poke: a point (R), and the triangle that the ray hits. The triangle is F if the scene has no
-// ray.
+// Target of a poke: a point (R), and the triangle that the ray hits. If the scene has no ray, `triangle` is
+// the number of triangles.
 struct Aim {
   glm::dvec3 point;
   std::size_t triangle;

@@ -34,7 +34,7 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// On a CPU a work-item computes several slices, so that there are at most 8 work-items per core. On a GPU a
+// On a CPU a work-item computes up to 64 slices, so that there are about 8 work-items per core. On a GPU a
 // work-item computes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);

@@ -34,7 +34,7 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
-  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve, with r as updated by the iteration
+  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve, as computed by the solver
 };
 
 class MassSprings {
@@ -74,8 +74,8 @@ class MassSprings {
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const;
   /// Returns per stick the velocity of the top mass, R/s.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const;
-  /// The device buffer of these offsets, and the index in it of each stick's x. The y and z follow 16 and 32
-  /// floats later.
+  /// These functions return the device buffer of the offsets, and per stick the index of its x in this
+  /// buffer. The y and z follow 16 and 32 floats later.
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< number of steps done or enqueued

@@ -106,8 +106,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
-  // A single Euler step is one launch with and without `whole`. Without it several cores read the host's new
-  // data in parallel, which is faster.
+  // A single Euler step is one launch in any case. It is faster with many work-items, because several cores
+  // then read the host's new data in parallel.
   const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);

@@ -143,7 +143,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   for (std::size_t i = 0; i < sticks; ++i) {
     const std::size_t top = topology.top(i);
     add(i, i, glm::dmat3(double(system.dynamics.mass) + h * double(system.dynamics.drag)));
-    const Spring s = spring(system, y, i);  // its direction is the vector s of Eq. 3
+    const Spring s = spring(system, y, i);  // s.along is the vector s of Eq. 3
     const glm::dvec3 n(topology.normal[i]);
     const double cosine = glm::dot(n, s.along);
     const glm::dvec3 lean = n - cosine * s.along;

@@ -172,7 +172,7 @@ class Duel : public Subject {
   std::array<cl::Buffer<float>, 7> nowhere_;
   std::vector<double> enqueue_;  // wall time in ms of empty launches, including those of warm-up frames
   std::vector<NamedRival> rivals_;
-  // CPU times in ms: of each baseline, and last of the device.
+  // CPU times in ms: one list per baseline, and a last list for the device.
   std::vector<std::vector<double>> processor_;
 };
 

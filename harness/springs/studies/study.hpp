@@ -19,7 +19,7 @@ struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
   Motions start;
-  long steps = 0;  ///< steps before the initial state
+  long steps = 0;  ///< number of steps done before the initial state
 };
 
 /// These functions make the subjects described in docs/topology.md, section Studies, from the case's scene.

@@ -66,15 +66,15 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
     return found;
   };
   Dynamics stiff = lively(Solver::explicit_euler);
-  stiff.stiffness = 1000;  // diverges with steps of 0.1 ms (167 per frame)
+  stiff.stiffness = 1000;  // steps of 0.1 ms (167 per frame) diverge
   const int soft = last(lively(Solver::explicit_euler)), many = last(stiff);
   EXPECT_GT(many, 2 * soft);
   EXPECT_GT(many, 150);
   EXPECT_EQ(last(still(Solver::explicit_euler)), 2);
 }
 
-// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, more steps are taken; if only one moves,
-// not.
+// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, the number of steps grows. If only one
+// moves, it does not grow.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
   const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);

@@ -54,7 +54,7 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
         return same_bits(once, after(topology, d, 120, options, {}, launch));
       };
       EXPECT_TRUE(same({}, 7)) << name(kind) << ' ' << name(solver) << ", launches of 7 steps";
-      // By default one work-item would compute a model as small as this.
+      // By default a single work-item computes a model of this size.
       const auto never = MassSpringOptions::Whole::never;
       if (kind == Kind::prisms && solver == Solver::backward_euler)
         once = after(topology, d, 120, {.whole = never});
@@ -112,7 +112,8 @@ TEST(TopologyDevice, OneWorkItemSolvesToTheResidualToo) {
     EXPECT_LE(springs->solves().worst_residual, double(d.residual));
     EXPECT_GT(springs->solves().worst_residual, 1e-3 * double(d.residual));
   }
-  // One work-item tests the residual after every iteration, separate launches after every second iteration.
+  // One work-item tests the residual after every iteration. Separate launches test it after every second
+  // iteration.
   EXPECT_LE(one.solves().iterations, many.solves().iterations);
   EXPECT_GE(one.solves().iterations, 30);
   EXPECT_GE(30 * one.solves().most_iterations, one.solves().iterations);
@@ -212,7 +213,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
   for (const Kind kind : kinds) {
     const SpringNetwork topology = build(kind, sphere(1), fur_length);
     Dynamics d = lively(Solver::explicit_euler);
-    d.stiffness = 1e5f;  // with this damping stable only below dt = 2 c / k = 0.4 us
+    d.stiffness = 1e5f;  // with this damping, steps are stable only below dt = 2 c / k = 0.4 us
     MassSprings springs(queue(), topology, d);
     try {
       for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
@@ -258,7 +259,7 @@ TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
   }
 }
 
-// Every solver reports a mass that diverges and stops. No solver loops forever.
+// If a mass diverges, every solver ends and reports it. No solver loops forever.
 TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)

@@ -53,7 +53,7 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   const auto rest = reference::offsets(topology, reference::rest(topology));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
-    d.step = lively(solver).step;  // with 1/240 s explicit Euler would amplify rounding errors
+    d.step = lively(solver).step;  // steps of 1/240 s would amplify rounding errors in explicit Euler
     Shim shim(topology, d);
     shim.advance(500);
     MassSprings device(queue(), topology, d);
@@ -156,7 +156,7 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  peaks.erase(peaks.begin() + 1);  // the second entry ends at the first crossing and is empty
+  peaks.erase(peaks.begin() + 1);  // the second entry is 0: recording starts at the first crossing
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
