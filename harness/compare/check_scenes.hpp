@@ -1,4 +1,4 @@
-// The scenes on which pelage check compares a device with the reference.
+// Scenes for `pelage check`, which compares a device with the reference.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,11 +10,11 @@ namespace pelage {
 struct CheckScene {
   std::string name;  ///< "torus, 16 layers, curly"
   Scene scene;
-  bool motion = true;  ///< whether tips and masks are compared too
+  bool motion = true;  ///< whether tips and masks are compared in addition to pictures
 };
 
-/// Curly, wet and windy torus and a bunny with all three; `full`: the eight models of Table 1 with 16 and 64
-/// layers each, and a torus of 5.0 million triangles.
+/// Returns a torus with curly, wet and windy fur, and a bunny with all three. If `full` is set, returns the
+/// eight models of Table 1 with 16 and 64 layers each, and a torus of 5.0 million triangles.
 std::vector<CheckScene> check_scenes(bool full);
 
 }  // namespace pelage

@@ -1,19 +1,21 @@
-// How far two states of one topology are apart.
+// Compares two states of a mass-spring topology.
 #pragma once
 #include "harness/compare/check.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
 
-/// Distances of the tops as fractions of the fur's length; 1e9 where a value is no number.
+/// Distances between the top masses of two states, as fractions of the fur's length.
 struct Spread {
   double rms = 0, percentile_99 = 0, worst = 0;
 };
-/// Throws std::invalid_argument where the counts differ.
+/// Compares the positions `a` and `b` of the top masses, one per stick. `length` is the fur's length in the
+/// same unit. A distance that is not finite or above 1e9 counts as 1e9. Throws std::invalid_argument if the
+/// sizes differ or are 0.
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
 
-/// What a row is held to: shared prisms to tolerance::prisms_rms and tolerance::prisms_p99, the others
-/// everywhere to tolerance::stick_top.
+/// Returns the checks of a row. Shared prisms are checked against tolerance::prisms_rms and
+/// tolerance::prisms_p99, all other topologies against tolerance::stick_top for the worst top mass.
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
 
 }  // namespace pelage::springs

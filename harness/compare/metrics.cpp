@@ -18,7 +18,8 @@ double distance(float a, float b) {
   return std::isfinite(d) ? d : 1e6;
 }
 
-/// PSNR of `pixels` pixels whose squared differences over red, green and blue add up to `squares`.
+/// Returns the PSNR in dB (peak 1) of `pixels` pixels. `squares` is the sum of the squared differences of
+/// red, green and blue over these pixels.
 double decibels(double squares, std::size_t pixels) {
   const double mean = squares / (3.0 * double(pixels));
   return mean > 1e-20 ? -10.0 * std::log10(mean) : 200.0;
@@ -48,12 +49,13 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
                                  a.width, a.height, b.width, b.height));
   const std::vector<char> chosen = selected(a, windows);
   Agreement result;
-  double squares = 0, kept = 0;  // of all differences, and of those of pixels that are not flipped
+  // sums of squared differences: of all pixels, and of those that are not flipped
+  double squares = 0, kept = 0;
   std::vector<double> differences;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const glm::vec4 &p = a.at(x, y), &q = b.at(x, y);
-      // Written so that an alpha that is not a number counts as fur.
+      // This condition counts a pixel as fur if its alpha is NaN.
       if (!chosen[std::size_t(y) * std::size_t(a.width) + std::size_t(x)] || (p.w <= 0.0f && q.w <= 0.0f))
         continue;
       double largest = distance(p.w, q.w), of_pixel = 0;
@@ -78,7 +80,7 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   if (differences.empty()) return result;
   result.psnr = decibels(squares, result.pixels);
   if (result.flips < result.pixels) result.psnr_without_flips = decibels(kept, result.pixels - result.flips);
-  // The smallest value that at least 99.9% of the pixels do not exceed.
+  // The rank is that of the smallest value that at least 99.9% of the pixels do not exceed.
   const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
   std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
   result.p999 = differences[rank];
@@ -91,18 +93,18 @@ bool within(const Agreement& agreement) {
 }
 
 std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed) {
-  if (side < 1) throw InputError(fmt::format("windows of side {}: at least one pixel is needed", side));
+  if (side < 1) throw InputError(fmt::format("windows: the side is {} pixels; it must be at least 1", side));
   std::vector<Window> cells;
   for (int y = 0; y < picture.height; y += side)
     for (int x = 0; x < picture.width; x += side) {
-      // The last row and column are moved inwards, so that every window has its full size where the picture
-      // allows.
+      // The last row and column of the grid are moved inwards, so that every window has its full size if the
+      // picture is large enough.
       const Window cell{std::max(0, std::min(x, picture.width - side)),
                         std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
                         std::min(side, picture.height)};
       if (touches_fur(picture, cell)) cells.push_back(cell);
     }
-  // A shuffle of our own: std::shuffle's draws differ between standard libraries.
+  // A shuffle of our own, because std::shuffle gives different results in different standard libraries.
   std::mt19937 random(seed);
   const std::size_t taken = std::min(count, cells.size());
   for (std::size_t i = 0; i < taken; ++i) std::swap(cells[i], cells[i + random() % (cells.size() - i)]);

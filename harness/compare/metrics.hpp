@@ -1,4 +1,4 @@
-// How far two pictures of the same fur are apart, and where to look.
+// Compares two pictures of the same fur, and selects windows for the comparison.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,31 +8,34 @@
 
 namespace pelage {
 
-/// Over the fur pixels: those where either picture's alpha is above 0. Background would only flatter the
-/// figures.
+/// Differences of two pictures over the fur pixels, the pixels where the alpha of either picture is above 0.
+/// Background pixels would only improve the figures.
 struct Agreement {
-  double psnr = 0;  ///< dB against a peak of 1, over red, green and blue; 200 when they are equal
-  double psnr_without_flips = 0;  ///< the same over the pixels that are not flipped; 0 when there are none
-  double p999 = 0;         ///< 99.9th percentile over pixels of the largest |difference| of the four channels
-  double worst = 0;        ///< the largest of those differences; one that is not finite counts as 10^6
-  std::size_t pixels = 0;  ///< fur pixels compared
-  std::size_t flips = 0;   ///< of those the flipped ones: some channel differs by more than tolerance::flip
+  double psnr = 0;  ///< dB against a peak of 1, over red, green and blue; 200 if the pictures are equal
+  double psnr_without_flips = 0;  ///< PSNR over the pixels that are not flipped; 0 if all are flipped
+  /// The 99.9th percentile over the pixels of a pixel's largest |difference| in its four channels.
+  double p999 = 0;
+  /// The largest |difference| of any channel of any pixel. A difference that is not finite counts as 10^6.
+  double worst = 0;
+  std::size_t pixels = 0;  ///< number of fur pixels compared
+  std::size_t flips = 0;   ///< number of flipped pixels: some channel differs by more than tolerance::flip
   int worst_x = 0, worst_y = 0;
   double flip_share() const { return pixels > 0 ? double(flips) / double(pixels) : 0; }
 };
 
-/// Compares the whole pictures, or only the pixels inside `windows` (overlaps count once; parts outside the
-/// picture are ignored). Throws InputError when the sizes differ.
+/// Compares the whole pictures, or only the pixels inside `windows`. Pixels in several windows count once;
+/// parts of a window outside the picture are ignored. Throws InputError if the sizes differ.
 Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows = {});
 
-/// What "the same picture" means here (harness/compare/tolerances.hpp): PSNR at least
-/// tolerance::picture_psnr, p999 at most tolerance::flip, and at most tolerance::flip_share of the pixels
-/// flipped. False when no fur pixel was compared: an empty comparison proves nothing.
+/// Returns whether two pictures count as equal: PSNR is at least tolerance::picture_psnr, p999 is at most
+/// tolerance::flip, and at most the fraction tolerance::flip_share of the pixels is flipped. Returns false if
+/// there is no fur pixel, because an empty comparison proves nothing.
 bool within(const Agreement& agreement);
 
-/// `count` different windows of side x side pixels (fewer when the picture has no more), drawn by `seed` from
-/// the cells of a side x side grid that hold a fur pixel or touch a cell that does, so that fur missing at
-/// the silhouette is looked for too. The order is by rows.
+/// Returns `count` different windows of side x side pixels, or fewer if there are fewer candidates.
+/// Candidates are the cells of a grid that contain a fur pixel or are adjacent to such a cell, so that
+/// missing fur at the silhouette is detected. `seed` determines the choice. Windows are sorted by row, then
+/// by column.
 std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed);
 
 }  // namespace pelage

@@ -21,7 +21,7 @@ std::vector<Check> mapping_checks(const std::string& against, const Picture& our
   double covered = 0;
   for (std::size_t i = 0; i < ours.pixel.size(); ++i)
     covered += (ours.pixel[i].w > 0) != (other.pixel[i].w > 0);
-  return {{against, "pixels covered in one only", covered, 0, false},
+  return {{against, "pixels covered in only one picture", covered, 0, false},
           {against, "largest difference", agreement.worst, tolerance::mapping_difference, false}};
 }
 

@@ -1,5 +1,5 @@
-// What a picture is held to: against the reference, against a picture whose textures somebody else filtered,
-// and between two mappings of one device.
+// The checks of a picture: against the reference, against a picture with different texture filtering, and
+// against another mapping on the same device.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,14 +9,16 @@
 
 namespace pelage {
 
-/// Fur pixels (at least one), psnr, p99.9, flips (their share): within() of the agreement, one check each.
+/// Returns the conditions of within() as one check each: fur pixels (at least one), psnr, p99.9, and the
+/// share of flipped pixels.
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement);
 
-/// Fur pixels (at least one) and psnr of at least tolerance::other_filter_psnr: for the OpenGL baseline.
+/// Returns the checks of the OpenGL baseline: fur pixels (at least one), and psnr (at least
+/// tolerance::other_filter_psnr).
 std::vector<Check> other_filter_checks(const std::string& against, const Agreement& agreement);
 
-/// Two pictures of one device: no pixel is covered in one only, no channel differs by more than
-/// tolerance::mapping_difference. Throws InputError when the sizes differ.
+/// Returns the checks of two pictures of one device: no pixel is covered in only one of them, and no channel
+/// differs by more than tolerance::mapping_difference. Throws InputError if the sizes differ.
 std::vector<Check> mapping_checks(const std::string& against, const Picture& ours, const Picture& other);
 
 }  // namespace pelage

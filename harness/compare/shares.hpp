@@ -1,4 +1,4 @@
-// How much of a picture the model takes, and how much of a model is wet.
+// Measures the height of a model in a picture, and the wet share of a model's surface.
 #pragma once
 #include <glm/vec4.hpp>
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace pelage {
 
-/// Share of the picture's rows that hold fur, 0..1.
+/// Returns the share of the picture's rows that contain fur, 0..1.
 double model_height(const Picture& picture);
 
-/// Share of the mesh's area whose mask texel is wet, 0..1. `mask` is side x side texels (c_u, c_v, r, rho).
+/// Returns the area of the triangles whose mask texel is wet, as a share of the mesh's area, 0..1. `mask` has
+/// side x side texels (c_u, c_v, r, rho). A triangle's texel is the one at its mean UV.
 double wet_share(const Mesh& mesh, const std::vector<glm::vec4>& mask, int side);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// A topology's tops on the device against the double-precision reference of the same scheme.
+// Compares the top masses of a topology on the device with the double-precision reference of the same scheme.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -8,12 +8,12 @@
 
 namespace pelage {
 
-/// Sticks that are compared; of prisms that share their tops all are.
+/// Approximate number of sticks that are compared. On shared prisms all sticks are compared.
 inline constexpr std::size_t kCheckSticks = 6000;
 
-/// `offsets` (R, one per stick) after `frames` frames: sticks and separable topologies everywhere within
-/// tolerance::stick_top of the fur's length; shared prisms within tolerance::prisms_rms and
-/// tolerance::prisms_p99.
+/// Returns the checks of `offsets` (top mass minus base, R, one per stick) after `frames` frames. On sticks
+/// and separable topologies the largest error must be within tolerance::stick_top of the fur's length. Shared
+/// prisms are checked against tolerance::prisms_rms and tolerance::prisms_p99.
 std::vector<Check> check_sticks(const FrameInput& input, int frames, const std::vector<glm::vec3>& offsets);
 
 }  // namespace pelage

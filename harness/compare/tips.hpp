@@ -1,4 +1,4 @@
-// The tips of Silva's strands against the reference's.
+// Compares the tips of Silva's strands with the reference's tips.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -7,20 +7,20 @@
 
 namespace pelage {
 
-/// Distances of tips, as a fraction of the strand's length; one that is not finite counts as 10^6.
+/// Distances between tips, as fractions of the strand's length. A distance that is not finite counts as 10^6.
 struct TipErrors {
   double p999 = 0;  ///< 99.9th percentile
   double worst = 0;
 };
-/// `length`: of a strand, R. Tips in R, relative to their roots. Throws std::invalid_argument where the
-/// counts differ or are 0.
+/// Compares two lists of tips (R, relative to their roots). `length` is the length of a strand, R. Throws
+/// std::invalid_argument if the sizes differ or are 0.
 TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
                      const std::vector<glm::vec3>& reference);
 
-/// Holds the largest error to tolerance::worst_tip.
+/// Checks the largest error against tolerance::worst_tip.
 Check check_worst_tip(const TipErrors& errors);
 
-/// Holds the 99.9th percentile to tolerance::usual_tip.
+/// Checks the 99.9th percentile against tolerance::usual_tip.
 Check check_usual_tip(const TipErrors& errors);
 
 }  // namespace pelage

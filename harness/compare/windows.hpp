@@ -1,4 +1,4 @@
-// A timed picture against the double-precision reference, in windows of it.
+// Compares windows of a timed picture with the double-precision reference.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,19 +10,21 @@
 
 namespace pelage {
 
-/// Windows of the check: at least this many, each side x side pixels, over fur.
+/// Number of windows required by the check, and the side of a window in pixels. All windows contain or touch
+/// fur.
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
-/// The timed picture compared with the double-precision reference in kCheckWindows seeded windows over fur
-/// pixels; where these fall short, in the whole picture, which decides.
+/// Comparison of the timed picture with the double-precision reference in kCheckWindows windows at the fur.
+/// If the windows fail, the whole picture is compared, and this comparison decides.
 struct WindowCheck {
   std::vector<Check> checks;
-  Agreement agreement;  ///< what decided
-  Agreement sample;     ///< in the windows
-  Check windows;        ///< the first of `checks`: that there were enough windows
+  Agreement agreement;  ///< the comparison that decided
+  Agreement sample;     ///< the comparison in the windows
+  Check windows;        ///< the first of `checks`: whether there were enough windows
 };
-/// `sticks`: those of the timed frame, where a topology moves the fur.
+/// Compares `timed`, the picture after `frames` frames. `seed` selects the windows. `sticks` are the offsets
+/// (R) of the timed frame's sticks; empty for Silva's strands.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 

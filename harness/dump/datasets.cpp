@@ -19,7 +19,7 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
   return out;
 }
 
-/// The surface normal of docs/frame.md, 3: the direction of A at the vertex.
+/// Returns the surface normals of docs/frame.md, section 3: the direction of A at each vertex.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<glm::vec3> normals(input.mesh->position.size());
@@ -38,10 +38,10 @@ std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   return normals;
 }
 
-/// The camera as two matrices, as other programs take it.
+/// Writes the camera as a view matrix and a projection matrix, for use by other programs.
 void write_matrices(Hdf5File& file, const Camera& camera) {
-  // The rows of the view are the picture's right, down and forward; the projection's first two give pixels
-  // from the picture's centre times w, the last w itself.
+  // The first three rows of the view matrix are the directions right, down and forward. Rows 0 and 1 of the
+  // projection give w times the offset from the picture's centre in pixels. Row 3 gives w.
   const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.ray));
   const glm::dvec3 right = glm::normalize(glm::dvec3(camera.ray_dx));
   const glm::dvec3 down = glm::normalize(glm::dvec3(camera.ray_dy));
@@ -53,27 +53,30 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   }
   view.insert(view.end(), {0, 0, 0, 1});
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
-  file.write("camera/view", {4, 4}, view, "R", "row-major; times (p, 1): right, down and forward of the eye");
   file.write(
-      "camera/projection", {4, 4}, projection, "pixels",
-      "row-major; times the view's result: x w, y w, near, w; x right and y down from the picture's centre");
+      "camera/view", {4, 4}, view, "R",
+      "row-major matrix; multiplied by (p, 1) it gives the distances right, down and forward of the eye");
+  file.write("camera/projection", {4, 4}, projection, "pixels",
+             "row-major matrix; multiplied by the result of camera/view it gives (x w, y w, near, w), where "
+             "x and y are the distances in pixels right and down from the picture's centre");
 }
 
-/// Strands alone have these; topologies need none of them.
+/// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
 void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   const std::size_t faces = strands.normal.size(), links = strands.face.size();
   file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
              "unit normals n of the triangles");
   file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
-             "rest tips minus roots, of length L0");
+             "rest positions of the tips minus the roots, of length L0");
   file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
-             "cos and sin of the gust's phase at the root");
+             "cosine and sine of the gust's phase at the root");
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
-             "strand (triangle) of the entry");
+             "strand (triangle) that each entry refers to");
   file.write("weight/value", {links}, std::span<const float>(strands.weight), "1",
-             "its weight: the triangle's share of the area around the point; sums to 1 over a row");
+             "weight of each entry: the triangle's share of the area around the surface point; the weights "
+             "of a point sum to 1");
 }
 
 }  // namespace
@@ -82,28 +85,31 @@ void write_scene_text(Hdf5File& file, const Scene& scene) {
   const std::string text = write_scene(scene);
   file.write("scene", {text.size()},
              std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "UTF-8",
-             "the scene as TOML, every key with its value; pelage scene prints the same");
+             "the scene as TOML with all keys, as printed by `pelage scene`");
 }
 
 void write_mesh(Hdf5File& file, const FrameInput& input) {
   const Mesh& mesh = *input.mesh;
   const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size(), points = mesh.welded;
   file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
-             "vertices, copied along UV seams");
+             "positions of the vertices; a vertex on a UV seam occurs once per side");
   file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
-             "vertex numbers, counter-clockwise seen from outside");
+             "indices of the three vertices, counter-clockwise seen from outside");
   file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
   file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
-             "surface point of the vertex; copies of one point share it");
+             "index of the vertex's surface point; copies of one vertex have the same surface point");
   file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
-  file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV", "dX/du of the surface");
-  file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV", "dX/dv of the surface");
+  file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
+             "derivative of the surface position by u");
+  file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV",
+             "derivative of the surface position by v");
   file.write("curl/u", {points, 3}, flat<float>(input.curl.u), "1",
-             "per surface point, unit: first axis of the curl");
+             "first axis of the curl at each surface point, unit length");
   file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",
-             "per surface point, unit: second axis of the curl");
-  file.write("curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
-             "where the surface point samples the wetness mask: UV of its first vertex");
+             "second axis of the curl at each surface point, unit length");
+  file.write(
+      "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
+      "texture coordinates where each surface point samples the wetness mask (those of its first vertex)");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -118,14 +124,16 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   }
   const std::size_t count = root.size();
   file.write("strand/root", {count, 3}, flat<float>(root), "R", where);
-  file.write("strand/rest", {count, 3}, flat<float>(rest), "R", "tips at rest");
-  file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R", "tips in this frame");
-  file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R", "q, tips minus roots in this frame");
+  file.write("strand/rest", {count, 3}, flat<float>(rest), "R", "positions of the tips at rest");
+  file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R",
+             "positions of the tips in this frame");
+  file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R",
+             "positions of the tips minus the roots in this frame (q)");
   file.write("strand/velocity", {count, 3}, flat<float>(output.velocities), "R/s",
              "velocities of the tips in this frame");
   if (has_springs(input.scene.dynamics))
     file.write("stick/normal", {input.stick_normal.size(), 3}, flat<float>(input.stick_normal), "1",
-               "per surface point, unit: the direction in which its stick rests");
+               "direction of the stick at rest at each surface point, unit length");
   else
     write_strand_rules(file, input.strands);
 }
@@ -144,16 +152,19 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
     reach.push_back(drop.reach);
   }
   const auto column = [](const std::vector<float>& values) { return std::span<const float>(values); };
-  file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV", "c_drop, in the order of blending");
-  file.write("droplet/radius", {drops}, column(radius), "UV", "r_drop");
-  file.write("droplet/wetness", {drops}, column(wetness), "1", "rho_drop");
-  file.write("droplet/point", {drops, 3}, flat<float>(point), "R", "the surface point under the centre");
+  file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV",
+             "centres c_drop of the droplets, in the order of blending");
+  file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
+  file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
+  file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
+             "surface point under the centre of each droplet");
   file.write("droplet/reach", {drops}, column(reach), "R",
-             "largest distance of a wetted texel's surface point from the droplet's point");
+             "largest distance between a droplet's surface point and that of a texel which it wets");
   file.write("mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
-             "v, u, the surface point under the texel's centre");
-  file.write("mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
-             "v, u, (c_u, c_v, r, rho) of Algorithm 1; all 0 where dry");
+             "surface point under the centre of each texel; the axes are v and u");
+  file.write(
+      "mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
+      "values (c_u, c_v, r, rho) of Algorithm 1 per texel, all 0 if the texel is dry; the axes are v and u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {
@@ -161,14 +172,15 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
-               flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
-               "layer, v, u, (coverage, factor on the coat's colour)");
+    file.write(
+        level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
+        flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
+        "coverage of the fur, and factor that multiplies the coat's colour; the axes are layer, v and u");
   }
   file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
-             "repeats of the fur texture per unit of u and of v");
+             "number of repeats of the fur texture per unit of u and of v");
   file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1/255",
-             "v, u, (R, G, B, unused) of the coat, gamma space");
+             "colours (R, G, B, unused) of the coat in gamma space; the axes are v and u");
 }
 
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -189,8 +201,9 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   const bool separate = parts(input.scene);
   file.write(
       "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
-      fmt::format("from the mesh's surface, per layer and {}; computed by the double-precision reference",
-                  separate ? "triangle corner" : "vertex"));
+      fmt::format(
+          "displacement from the mesh's surface per layer and {}, computed by the double-precision reference",
+          separate ? "triangle corner" : "vertex"));
 }
 
 void write_camera(Hdf5File& file, const Camera& camera) {
@@ -203,12 +216,12 @@ void write_camera(Hdf5File& file, const Camera& camera) {
   for (const glm::vec4& row : {camera.row_x, camera.row_y, camera.row_w})
     rows.insert(rows.end(), {row.x, row.y, row.z, row.w});
   file.write("camera/rows", {3, 4}, rows, "pixels R, pixels R, R",
-             "row_x, row_y, row_w: dot with (p, 1) gives X, Y and w");
-  file.write("camera/eye", {3}, numbers({camera.eye}), "R", "the eye");
+             "row_x, row_y and row_w; their dot products with (p, 1) are X, Y and w");
+  file.write("camera/eye", {3}, numbers({camera.eye}), "R", "position of the eye");
   file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
-             "direction through the picture's centre, and its change per pixel in x and in y; not unit");
-  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1",
-             "side of a pixel over its view depth: R per R");
+             "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
+             "normalized");
+  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1", "side of a pixel divided by its view depth");
   file.write("camera/near", {1}, std::array{camera.near}, "R", "view depth of the near plane");
   file.write("camera/size", {2}, std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)},
              "pixels", "width and height of the picture");

@@ -1,4 +1,4 @@
-// The datasets of a dump, group by group: what docs/frame.md, section 8, lists.
+// Writes the datasets of a dump, group by group. docs/frame.md, section 8, lists them.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pelage::dump {
 
-/// Vectors of floats (or bytes, or indices) as one flat array.
+/// Returns vectors of floats, bytes or indices as one flat array without copying.
 template <class Scalar, class Vector>
 std::span<const Scalar> flat(const std::vector<Vector>& values) {
   static_assert(sizeof(Vector) % sizeof(Scalar) == 0);
@@ -22,8 +22,8 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
 void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
 
-/// Where the layers lie: computed by the double-precision reference from the scene's strands, or from the
-/// output's tips where a topology moves the fur.
+/// Writes the positions of the layers. The double-precision reference computes them from the scene's strands,
+/// or from the output's tips if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 
 }  // namespace pelage::dump

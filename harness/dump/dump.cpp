@@ -24,7 +24,7 @@ void write_notes(Hdf5File& file, const FrameInput& input, const FrameOutput& out
 
 void check_dump_path(const std::filesystem::path& path) {
   if (path.extension() != ".h5" && path.extension() != ".hdf5") {
-    throw InputError(fmt::format("{}: a frame is dumped into a file named .h5", path.string()));
+    throw InputError(fmt::format("{}: the name of a dump must end in .h5 or .hdf5", path.string()));
   }
   require_place(path);
 }
@@ -44,7 +44,7 @@ void dump_frame(const std::filesystem::path& path, const FrameInput& input, cons
     const Picture& image = output.image;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
                dump::flat<float>(image.pixel), "1",
-               "top row first, RGBA in gamma space; alpha is the fur's coverage");
+               "RGBA in gamma space, top row first; alpha is the coverage of the fur");
     file.close();
   });
 }

@@ -1,5 +1,5 @@
-// A frame in a file: every input and every intermediate of it, for a reader who checks a stage by another
-// program.
+// Writes all inputs and intermediate results of a frame to a file, so that another program can check each
+// stage.
 #pragma once
 #include <filesystem>
 
@@ -8,12 +8,12 @@
 namespace pelage {
 
 /// Writes the datasets of docs/frame.md, section 8, as HDF5, each with the attributes "units" and
-/// "description". `output` holds tips, velocities, mask and image of the frame `input` describes. The file is
-/// there whole or not at all. Throws InputError.
+/// "description". `output` holds tips, velocities, mask and image of the frame that `input` describes. If
+/// writing fails, no partial file remains. Throws InputError.
 void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output);
 
-/// Throws InputError when `path` does not end in .h5 or its folder does not exist: before the work, not after
-/// it.
+/// Throws InputError if `path` does not end in .h5 or .hdf5, or if its folder does not exist. Call it before
+/// the frame is computed.
 void check_dump_path(const std::filesystem::path& path);
 
 }  // namespace pelage

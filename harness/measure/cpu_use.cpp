@@ -41,7 +41,8 @@ std::optional<MachineTime> machine_time(const std::string& line, double ticks) {
   std::istringstream words(line);
   std::string name;
   words >> name;
-  // user nice system idle iowait irq softirq steal; a guest's time, which follows, is in user already.
+  // The fields are user, nice, system, idle, iowait, irq, softirq and steal. Guest time follows them and is
+  // already included in user.
   std::vector<double> field;
   for (double value = 0; field.size() < 8 && words >> value;) field.push_back(value / ticks);
   if (name != "cpu" || field.size() < 4) return {};
@@ -69,7 +70,7 @@ std::optional<double> CpuWatch::other_share() const {
 std::string load_warning(const Row& row) {
   const auto share = row.provenance.find("other_cpu_share");
   if (share == row.provenance.end() || share->get<double>() <= most_other_share) return {};
-  return fmt::format("{}: other processes took {:.0f}% of the machine's CPU time while it was timed",
+  return fmt::format("{}: other processes took {:.0f}% of the machine's CPU time while this case was timed",
                      row.case_name, 100 * share->get<double>());
 }
 

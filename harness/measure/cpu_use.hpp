@@ -1,4 +1,4 @@
-// CPU time: of this process over a frame, and of all other processes over a case.
+// Measures CPU time: of this process during a frame, and of all other processes during a case.
 #pragma once
 #include <functional>
 #include <optional>
@@ -8,35 +8,36 @@
 
 namespace pelage {
 
-/// CPU time that all threads of this process have used so far, ms; what a GPU does is not in it.
+/// Returns the CPU time that all threads of this process have used so far, ms. Work on a GPU is not included.
 double process_cpu_ms();
 
-/// Wall time and process_cpu_ms() of the same stretch of work, ms.
+/// Wall time and CPU time of this process (process_cpu_ms()) for the same work, ms.
 struct Cost {
   double wall_ms = 0, cpu_ms = 0;
 };
 Cost cost_of(const std::function<void()>& work);
 
-/// What all CPUs of the machine have done since it started, s: /proc/stat's first line.
+/// CPU time of all CPUs since the machine started, s, from the first line of /proc/stat.
 struct MachineTime {
-  double busy_s = 0;   ///< user, system, interrupts, and what a hypervisor took away
-  double total_s = 0;  ///< and idle
+  double busy_s = 0;   ///< user, system, interrupts, and time stolen by a hypervisor
+  double total_s = 0;  ///< busy time plus idle time
 };
 
-/// Of such a line ("cpu  user nice system idle iowait irq softirq steal ..." in ticks), `ticks` to the
-/// second; empty when it is no such line.
+/// Parses the first line of /proc/stat ("cpu  user nice system idle iowait irq softirq steal ..." in ticks).
+/// `ticks` is the number of ticks per second. Returns nothing if the line has another format.
 std::optional<MachineTime> machine_time(const std::string& line, double ticks);
 
-/// The share (0 to 1) of the machine's CPU time between `before` and `after` that other processes took, when
-/// this one took `own_s`; empty where the machine's counters did not move.
+/// Returns the share (0 to 1) of the machine's CPU time between `before` and `after` that other processes
+/// used. `own_s` is the CPU time of this process, s. Returns nothing if the machine's counters did not
+/// change.
 std::optional<double> other_share(MachineTime before, MachineTime after, double own_s);
 
-/// Counts from its making on.
+/// Measures the CPU time of other processes since construction.
 class CpuWatch {
  public:
   CpuWatch();
-  /// other_share() since then; empty within 0.2 s, for which ticks of 10 ms are too coarse, and where
-  /// /proc/stat cannot be read.
+  /// Returns other_share() since construction. Returns nothing during the first 0.2 s, because ticks of 10 ms
+  /// are too coarse for shorter times, and if /proc/stat cannot be read.
   std::optional<double> other_share() const;
 
  private:
@@ -44,10 +45,11 @@ class CpuWatch {
   double own_ms_;
 };
 
-inline constexpr double most_other_share = 0.1;  ///< above it a row's times are doubtful
+/// a row's times are doubtful if other processes used more than this share
+inline constexpr double most_other_share = 0.1;
 
-/// One line about what other processes took during this row's samples; empty up to most_other_share and where
-/// it is not known.
+/// Returns one line of text about the CPU time of other processes during this row's samples. Returns an empty
+/// string if their share is at most most_other_share or unknown.
 std::string load_warning(const Row& row);
 
 }  // namespace pelage

@@ -8,8 +8,8 @@
 namespace pelage {
 namespace {
 
-// A signal handler can reach nothing but statics. Drivers run threads of their own, and any of them may be
-// the one that is interrupted, so masking the signals in this thread would not do.
+// A signal handler can access only static variables. Drivers run their own threads, and any thread may
+// receive the signal, so masking signals in this thread would not suffice.
 std::atomic<int> holders{0};
 std::atomic<int> pending{0};
 const std::string* note = nullptr;
@@ -30,7 +30,7 @@ void handle(int signal) {
 }  // namespace
 
 void end_on_interrupt(const std::string& message) {
-  note = new std::string(message);  // outlives everything: the handler may run during exit
+  note = new std::string(message);  // never freed, because the handler may run during exit
   struct sigaction action = {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;

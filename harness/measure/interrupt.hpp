@@ -1,14 +1,16 @@
-// SIGINT and SIGTERM: the program ends at once with 130 or 143, but never inside a row.
+// Handles SIGINT and SIGTERM: the program ends at once with status 130 or 143, but never while it writes a
+// row.
 #pragma once
 #include <string>
 
 namespace pelage {
 
-/// From here on the two signals print `message` (how to go on) to stderr and end the process. Once per
-/// process.
+/// From now on SIGINT and SIGTERM print `message` (how to resume) to stderr and end the process. Call it once
+/// per process.
 void end_on_interrupt(const std::string& message);
 
-/// While one lives, a signal waits until the last of them is gone.
+/// Defers both signals while at least one object of this class exists. If a signal arrives meanwhile, the
+/// process ends when the last object is destroyed.
 class HoldInterrupt {
  public:
   HoldInterrupt();

@@ -15,7 +15,7 @@ std::uint64_t peak_memory() {
 }
 
 void reset_peak_memory() {
-  malloc_trim(0);  // what earlier cases gave back
+  malloc_trim(0);  // returns memory freed by earlier cases to the system
   std::ofstream("/proc/self/clear_refs") << 5 << std::flush;
 }
 

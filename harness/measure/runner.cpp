@@ -31,12 +31,12 @@ std::string picture_hash(const Picture& picture) {
       .hex();
 }
 
-/// One line: driver errors come with whole build logs. The log stays in the row, its line feeds escaped by
-/// JSON.
+/// Sets the status and the reason of a row that is ok so far. The row has diverged if the picture has values
+/// that are not finite. It fails if it has no check or if a check does not hold.
 void judge(Row& row, const Picture& picture) {
   if (!finite(picture)) {
     row.status = Status::diverged;
-    row.reason = "the picture holds values that are not finite";
+    row.reason = "the picture contains values that are not finite";
     return;
   }
   if (row.check.empty()) {
@@ -127,7 +127,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
   } catch (const std::exception& error) {
     fails(Status::error, error.what());
   }
-  if (row.status != Status::ok) row.samples.clear();  // no picture, no time
+  if (row.status != Status::ok) row.samples.clear();  // times without a verified picture are not kept
   return row;
 }
 
@@ -151,7 +151,7 @@ RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& jour
     if (listener.starting) listener.starting(i, which);
     const Row row = run_case(plan, which, limits, make);
     {
-      const HoldInterrupt hold;  // a row is written whole, or not at all
+      const HoldInterrupt hold;  // defers interrupts until the row is written completely
       journal.append(row);
     }
     row.status == Status::ok || row.status == Status::unsupported ? ++summary.ok : ++summary.not_ok;

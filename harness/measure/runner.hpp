@@ -1,4 +1,4 @@
-// Runs cases one after the other and journals a row of each.
+// Runs cases one after the other and appends one row per case to the journal.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -12,35 +12,38 @@ namespace pelage {
 struct RunPlan {
   std::string run_id, experiment, device;
   int repeat = 0;
-  std::vector<Case> cases;  ///< in the order in which they run
+  std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  double budget_s =
-      std::numeric_limits<double>::infinity();  ///< no case starts after it; samples share what is left
-  std::filesystem::path images;                 ///< folder of the pictures; empty: none are written
-  std::string image_suffix;                     ///< after the case's name, to keep devices apart
-  nlohmann::ordered_json provenance;            ///< of the whole run; the case's own is added
+  /// Time limit of the run, s. No case starts after it. The samples of all remaining cases share the
+  /// remaining time.
+  double budget_s = std::numeric_limits<double>::infinity();
+  std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
+  std::string image_suffix;           ///< added to the case's name, to distinguish devices
+  nlohmann::ordered_json provenance;  ///< provenance of the whole run; each case adds its own
 };
 
-/// Told what goes on; each may be empty.
+/// Functions that are called during a run. Each may be empty.
 struct RunListener {
   std::function<void(std::size_t index, const Case&)> starting;
   std::function<void(std::size_t index, const Row&)> finished;
 };
 
+/// Number of cases by result. `kept` cases have a row in a resumed journal; `left` cases did not start within
+/// the time limit. `ok` includes unsupported cases.
 struct RunSummary {
-  std::size_t ok = 0, kept = 0, not_ok = 0,
-              left = 0;    ///< kept: found in a resumed journal; left: the budget was spent
-  bool bad_input = false;  ///< some row failed on its input rather than on the device
+  std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
+  bool bad_input = false;  ///< whether a row failed because of its input and not because of the device
 };
 
-/// The key under which this case's row will stand.
+/// Returns the key that this case's row will have in the journal.
 std::string planned_key(const RunPlan& plan, const Case& which);
 
-/// One case: prepare, sample, read the timed frame back, check it. Never throws for what is wrong with the
-/// case or the device: the row says it. Samples are kept only in rows that are ok.
+/// Runs one case: prepares it, takes samples, reads the timed frame back and checks it. Errors of the case or
+/// the device do not throw; they set the status and the reason of the row. Only rows that are ok contain
+/// samples.
 Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limits, const MakeSubject& make);
 
-/// All cases that the journal does not hold yet. Throws InputError when the journal cannot be written.
+/// Runs all cases that are not yet in the journal. Throws InputError if the journal cannot be written.
 RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& journal,
                      const RunListener& listener = {});
 

@@ -1,4 +1,4 @@
-// How one case is timed: warm up, then frames until the median is known well enough.
+// Times one case: warms up, then draws frames until the median is precise enough.
 #pragma once
 #include <functional>
 #include <map>
@@ -10,26 +10,27 @@
 
 namespace pelage {
 
-/// What one frame cost, ms. Event times are absent where the device's timer is not real.
+/// Times of one frame, ms. Event times are absent if the device's timer does not measure real time.
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// What else was timed in this round, such as a rival's frame.
+  /// Wall times of other work in this round, such as the frame of a baseline.
   std::map<std::string, double> phase_wall_ms = {};
-  /// CPU time of this process (harness/measure/cpu_use.hpp) over the same stretches as wall_ms and
-  /// phase_wall_ms, where the subject takes it.
+  /// CPU time of this process (harness/measure/cpu_use.hpp) during the same work as in wall_ms and
+  /// phase_wall_ms, if the subject measures it.
   std::optional<double> cpu_ms = {};
   std::map<std::string, double> phase_cpu_ms = {};
 };
 
 struct Sampling {
-  double first_launch_ms = 0;  ///< the very first frame: drivers compile and upload in it
-  std::map<std::string, PhaseSamples>
-      samples;             ///< "frame" holds the wall and CPU times; each phase its event times
-  bool converged = false;  ///< the precision was reached
+  double first_launch_ms = 0;  ///< the first frame; drivers compile and upload during it
+  /// The entry "frame" holds wall and CPU times. The entry of each phase holds its event times.
+  std::map<std::string, PhaseSamples> samples;
+  bool converged = false;  ///< whether the requested precision was reached
 };
 
-/// Draws frames by `frame` as `limits` say. `seconds` is a monotonic clock, s (tests bring their own).
+/// Times frames by calling `frame` until `limits` are met. `seconds` is a monotonic clock, s; tests pass
+/// their own clock.
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);

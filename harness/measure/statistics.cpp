@@ -14,13 +14,13 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-/// The largest r (0-based) for which [x_(r), x_(n-1-r)] still holds the median with `confidence`; -1: none
-/// does.
+/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median with
+/// `confidence`. Returns -1 if there is none.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
-  const boost::math::binomial_distribution<double> below(double(n),
-                                                         0.5);  // how many values the median exceeds
-  // Each tail of [x_(r), x_(n-1-r)] misses with probability P(X <= r).
+  // The number of values below the median is binomially distributed.
+  const boost::math::binomial_distribution<double> below(double(n), 0.5);
+  // The interval misses the median at each end with probability P(X <= r).
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);
@@ -79,7 +79,7 @@ std::vector<std::size_t> outliers(std::span<const double> values) {
   const double middle = median(values);
   std::vector<double> distance;
   for (double v : values) distance.push_back(std::abs(v - middle));
-  // 1.4826 scales the median absolute deviation to the standard deviation of normal noise.
+  // The factor 1.4826 makes the median absolute deviation of normal noise equal to its standard deviation.
   const double limit = 5 * 1.4826 * median(distance);
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < values.size(); ++i)

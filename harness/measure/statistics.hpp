@@ -1,4 +1,5 @@
-// Statistics of timings. Raw samples are stored; these are what the report and the sampler derive from them.
+// Statistics of timings. Journals store raw samples; the report and the sampler compute these values from
+// them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,38 +14,41 @@ struct Interval {
   double high = 0;
 };
 
-/// Middle value (mean of the two middle ones for an even count). Needs at least one value.
+/// Returns the median: for an even number of values, the mean of the two middle ones. Needs at least one
+/// value.
 double median(std::span<const double> values);
 
-/// Value below which the fraction q of [0,1] lies, linear between order statistics (Hyndman and Fan's type
-/// 7).
+/// Returns the q-quantile, 0 <= q <= 1, interpolated linearly between order statistics (type 7 of Hyndman and
+/// Fan).
 double quantile(std::span<const double> values, double q);
 
-/// Interval of order statistics that holds the median with at least `confidence`, from the binomial
-/// distribution: no assumption on the shape of the noise. With fewer than six values no 95% interval exists:
-/// the whole range is given.
+/// Returns the interval between two order statistics that contains the median with at least `confidence`. It
+/// follows from the binomial distribution and assumes nothing about the shape of the noise. Fewer than six
+/// values have no 95% interval; then the whole range is returned.
 Interval median_interval(std::span<const double> values, double confidence = 0.95);
 
-/// Whether median_interval really has that confidence (enough values).
+/// Returns whether `count` values suffice for median_interval to have that confidence.
 bool has_median_interval(std::size_t count, double confidence = 0.95);
 
-/// Bootstrap interval of the median over processes and samples: processes are resampled first, then the
-/// samples within each, because samples of one process share its memory layout and clock. One process falls
-/// back to median_interval.
+/// Returns a bootstrap interval of the median over processes and their samples. Samples of one process share
+/// its memory layout and clock, so processes are resampled first, and then the samples within each. For one
+/// process the result is that of median_interval.
 Interval nested_median_interval(std::span<const std::vector<double>> processes, std::uint64_t seed,
                                 double confidence = 0.95, int resamples = 2000);
 
-/// Half the interval's width over the median.
+/// Returns half the width of the median's interval, divided by the median.
 double relative_half_width(std::span<const double> values, double confidence = 0.95);
 
-/// Indices of values farther than 5 scaled median absolute deviations from the median: flagged, never
-/// deleted.
+/// Returns the indices of values farther than 5 scaled median absolute deviations from the median. Outliers
+/// are reported but never removed.
 std::vector<std::size_t> outliers(std::span<const double> values);
 
-/// The median of what was measured round by round, with its 95% interval (median_interval). Needs a value.
+/// Returns the median of `values`, one per round, with its 95% interval (median_interval). Needs at least one
+/// value.
 Metric median_metric(std::span<const double> values, const std::string& unit);
 
-/// The same of a / b in every round; as many of each.
+/// Returns the median of the ratios a[i] / b[i] of all rounds i, with its 95% interval. Both need the same
+/// number of values.
 Metric median_ratio(std::span<const double> a, std::span<const double> b);
 
 }  // namespace pelage

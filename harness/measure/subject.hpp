@@ -1,5 +1,5 @@
-// What the harness times: anything that draws frames of a case. The shell pipeline is one; rivals and tests
-// bring others.
+// The interface of everything that an experiment can time, such as a pipeline that draws frames of a case.
+// The shell pipeline, the baselines and tests implement it.
 #pragma once
 #include <any>
 #include <functional>
@@ -19,12 +19,14 @@
 
 namespace pelage {
 
-/// The device or the pipeline cannot do this case at all: the row says so and is no failure.
+/// Thrown if the device or the pipeline cannot run this case. The row gets the status `unsupported`, which is
+/// not a failure.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What the case simulates went out of bounds: the row is diverged and says where.
+/// Thrown if the simulation of the case diverges. The row gets the status `diverged` with the message as its
+/// reason.
 struct OutOfBounds : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,34 +34,37 @@ struct OutOfBounds : std::runtime_error {
 class Subject {
  public:
   virtual ~Subject() = default;
-  virtual FrameSample frame() = 0;  ///< draws the next frame
-  /// The last frame's own buffer, never a second drawing; no pixels where nothing is drawn.
+  virtual FrameSample frame() = 0;  ///< runs and times the next frame
+  /// Returns the last frame's own buffer; does not draw it again. The picture is empty if the subject draws
+  /// nothing.
   virtual Picture read() = 0;
-  /// Compares that picture with something trusted; the row is ok only if there is a check and all hold.
+  /// Compares that picture with trusted results. The row is ok only if there is at least one check and all
+  /// checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
-  /// Adds what it knows of itself: build_ms, tuning, metrics, and mesh, kernel and scene hashes to the
-  /// provenance, and what follows from row.samples, which are there already.
+  /// Adds to the row: build_ms, tuning, metrics, the mesh, kernel and scene hashes in the provenance, and
+  /// values computed from row.samples, which are already set.
   virtual void describe(Row& row) = 0;
 };
 
 /// Prepares a case. Throws DeviceError, Unsupported, InputError.
 using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
 
-/// What the subjects of one sweep are made from.
+/// Data from which the subjects of one run are made.
 struct SubjectContext {
   cl::Device device;
   Experiment experiment;
-  std::map<std::string, int> tuning;                 ///< of the kernels
-  std::function<void(const std::string&)> progress;  ///< told what takes long
+  std::map<std::string, int> tuning;                 ///< values of the kernels' tuning axes
+  std::function<void(const std::string&)> progress;  ///< receives messages about slow steps
   SceneMeshes meshes;
-  std::map<std::string, std::any> shared;  ///< results that several cases need, under a key of their maker's
+  /// results that several cases share; the code that adds a result chooses its key
+  std::map<std::string, std::any> shared;
 
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }
 };
 
-/// A row of the table of what an experiment can time (subjects/pipelines.cpp).
+/// A row of the table of the pipelines that an experiment can time (harness/subjects/pipelines.cpp).
 struct Pipeline {
-  std::string_view name;  ///< as a variant of an experiment writes it
+  std::string_view name;  ///< name as written in an experiment's variants
   std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);
 };
 

@@ -126,7 +126,8 @@ TuningScene tuning_scene(const std::string& stage, const std::string& name, cons
     return {name, [=](const Tuning& t) { return std::make_unique<StrandStep>(device, input, t); }};
   if (stage == "wet")
     return {name, [=](const Tuning& t) { return std::make_unique<Mask>(device, input, t); }};
-  throw InputError(fmt::format("stage '{}' cannot be timed alone: rasterize, simulate, wet can", stage));
+  throw InputError(fmt::format(
+      "stage '{}' cannot be timed alone; the stages that can are rasterize, simulate and wet", stage));
 }
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// The stages of a frame as contenders of a tuning search.
+// Makes contenders for a tuning search from the stages of a frame.
 #pragma once
 #include "harness/cl/device.hpp"
 #include "harness/prepare/frame_input.hpp"
@@ -6,8 +6,9 @@
 
 namespace pelage {
 
-/// The scene for the stage of that name on `device`: rasterize (a whole frame, by the wall clock), simulate
-/// (a frame's strand step) or wet (Algorithm 1). Throws InputError for another stage.
+/// Returns a tuning scene that times one stage on `device`: "rasterize" (wall time of a whole frame),
+/// "simulate" (the strand simulation of a frame) or "wet" (Algorithm 1). `name` is the name of the scene.
+/// Throws InputError for other stages.
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
                          const std::shared_ptr<const FrameInput>& input);
 

@@ -26,13 +26,15 @@ std::string place(const fs::path& file, const toml::node& node, const std::strin
 int axis_value(const fs::path& file, const toml::node& node, const std::string& name) {
   const auto value = node.value_exact<std::int64_t>();
   if (!value || *value < 0 || *value > kMost)
-    throw InputError(place(file, node, name) + ": a tuning axis is a whole number from 0 to 1048576");
+    throw InputError(place(file, node, name) +
+                     ": the value of a tuning axis must be a whole number from 0 to 1048576");
   return int(*value);
 }
 
 void check_name(const fs::path& file, const toml::node& node, const std::string& name) {
   if (!std::regex_match(name, std::regex("[A-Z][A-Z0-9_]*")))
-    throw InputError(place(file, node, name) + ": a tuning axis is named in capitals, such as TILE_W");
+    throw InputError(place(file, node, name) +
+                     ": the name of a tuning axis must be in capitals, such as TILE_W");
 }
 
 toml::table parsed(const fs::path& file) {
@@ -55,9 +57,10 @@ void collect(const fs::path& file, const toml::table& table, bool nested, const 
     const int value = axis_value(file, node, name);
     check_name(file, node, name);
     if (!known.contains(name))
-      throw InputError(fmt::format("{}: no such tuning axis (known: {})", place(file, node, name),
+      throw InputError(fmt::format("{}: no such tuning axis; the tuning axes are {}", place(file, node, name),
                                    fmt::join(known, ", ")));
-    if (!into.emplace(name, value).second) throw InputError(place(file, node, name) + ": stands twice");
+    if (!into.emplace(name, value).second)
+      throw InputError(place(file, node, name) + ": the axis occurs twice");
   }
 }
 
@@ -66,7 +69,8 @@ TuningAxis axis_of(const fs::path& file, const std::string& name, const toml::no
   const toml::table* table = node.as_table();
   const toml::array* values = table ? (*table)["values"].as_array() : nullptr;
   if (!values || values->empty())
-    throw InputError(place(file, node, name) + ": an axis has what, values = [..] and perhaps shipped");
+    throw InputError(place(file, node, name) +
+                     ": an axis must be a table with the keys what, values = [..] and optionally shipped");
   TuningAxis axis{name, (*table)["what"].value_or(std::string{}), {}, {}};
   for (const toml::node& value : *values) axis.values.push_back(axis_value(file, value, name));
   if (const toml::node* shipped = table->get("shipped")) axis.shipped = axis_value(file, *shipped, name);
@@ -87,11 +91,11 @@ std::vector<std::string> tunable_stages() {
 std::vector<TuningAxis> tuning_axes(const std::string& stage) {
   const std::vector<std::string> stages = tunable_stages();
   if (std::find(stages.begin(), stages.end(), stage) == stages.end())
-    throw InputError(
-        fmt::format("no stage '{}' has tuning axes (those that have: {})", stage, fmt::join(stages, ", ")));
+    throw InputError(fmt::format("stage '{}' has no tuning axes; the stages with tuning axes are {}", stage,
+                                 fmt::join(stages, ", ")));
   const fs::path file = cl::kernel_folder() / stage / "tuning.toml";
   const toml::table table = parsed(file);
-  // toml++ sorts keys; the file's order is the order in which they are searched.
+  // toml++ sorts the keys. Axes are searched in the order of the file, so they are sorted by line.
   std::vector<std::pair<toml::source_index, TuningAxis>> axes;
   for (const auto& [key, node] : table)
     axes.emplace_back(node.source().begin.line, axis_of(file, std::string(key.str()), node));
@@ -113,7 +117,8 @@ Tuning read_tuning(const fs::path& file) {
 
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note) {
-  // Blocks begin at their comment or, without one, at their [stage]; that of `stage` is left out.
+  // A block begins at its comment, or at its [stage] line if it has no comment. The block of `stage` is
+  // removed.
   std::string kept, block;
   bool own = false, in_table = false;
   const auto close = [&] {

@@ -1,4 +1,4 @@
-// Tuning: the kernels' tunable axes, and files with the values found for one device.
+// The tuning axes of the kernels, and files with the best values for one device.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -8,34 +8,35 @@
 
 namespace pelage {
 
-/// Values of axes; one that is absent has its shipped value.
+/// Values of tuning axes. An absent axis has its shipped value.
 using Tuning = std::map<std::string, int>;
 
-/// A number that changes a kernel's speed and not its picture.
+/// A parameter that changes a kernel's speed but not its results.
 struct TuningAxis {
   std::string name;            ///< "TILE_W"
-  std::string what;            ///< one line
-  std::vector<int> values;     ///< candidates, the shipped value apart
-  std::optional<int> shipped;  ///< empty: it depends on the scene or is the driver's choice
+  std::string what;            ///< description, one line
+  std::vector<int> values;     ///< candidate values, without the shipped value
+  std::optional<int> shipped;  ///< empty if it depends on the scene or the driver chooses it
 };
 
-/// The rooms of kernels/ that have axes, sorted: those with a tuning.toml.
+/// Returns the folders of kernels/ that contain a tuning.toml, sorted by name.
 std::vector<std::string> tunable_stages();
 
-/// The axes of kernels/<stage>/tuning.toml, in the order of their lines. Throws InputError naming file, line
-/// and what would be right; for a stage without axes, those that have some.
+/// Returns the axes of kernels/<stage>/tuning.toml, in the order of their lines. Throws InputError with file,
+/// line and the valid form. For a stage without axes, the error lists the stages that have axes.
 std::vector<TuningAxis> tuning_axes(const std::string& stage);
 
-/// AXIS = whole number, at the top or in tables named after a room of kernels/ (the tables only order them).
-/// Throws InputError naming file, line and key; an axis that no room has is an error too.
+/// Reads a file of lines AXIS = whole number, at the top level or in tables named after folders of kernels/.
+/// The tables only group the axes. Throws InputError with file, line and key, also for an axis that does not
+/// exist.
 Tuning read_tuning(const std::filesystem::path& file);
 
-/// The file's text with `values` in place of those of `stage` and the other stages' kept; `note` is a comment
-/// of one or more lines. `before` is the file as it is, empty when there is none.
+/// Returns the text of a tuning file in which `values` replace the values of `stage`; other stages are kept.
+/// `before` is the present text of the file, or empty. `note` becomes a comment of one or more lines.
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note);
 
-/// "TILE_W=8 GROUP=2"; "shipped" for none.
+/// Returns the values as text, such as "TILE_W=8 GROUP=2"; "shipped" if there are none.
 std::string text_of(const Tuning& tuning);
 
 }  // namespace pelage

@@ -12,17 +12,19 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Candidates against the first of `field`, on every scene; `verified` holds each scene's trusted outputs.
+/// Compares the candidates of a field with its first entry, on every scene. `trusted` holds the hashes of
+/// correct outputs of each scene.
 class Contest {
  public:
   Contest(const std::vector<TuningScene>& scenes, std::vector<std::set<std::uint64_t>>& trusted)
       : scenes_(scenes), trusted_(trusted) {}
 
-  /// One Candidate per configuration of `field`; the first is the incumbent, whose ratio is 1.
+  /// Returns one Candidate per configuration of `field`. The first configuration is the incumbent; its ratio
+  /// is 1.
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
-    // log ratio per round, summed over scenes.
+    // logarithms of the ratios: per configuration and round, summed over scenes
     std::vector<std::vector<double>> logs(field.size(), std::vector<double>(std::size_t(rounds), 0.0));
     for (std::size_t s = 0; s < scenes_.size(); ++s) take_turns(s, rounds, result, logs);
     for (std::size_t i = 0; i < field.size(); ++i) {
@@ -44,7 +46,7 @@ class Contest {
       try {
         work();
       } catch (const std::exception& error) {
-        // Without the incumbent there is nothing to hold the others against.
+        // Without the incumbent the other candidates cannot be compared, so the search fails.
         if (i == 0) throw;
         field[i].fault = first_line(error.what());
         at_work[i].reset();
@@ -54,7 +56,7 @@ class Contest {
       if (field[i].fault.empty())
         safely(i, [&] {
           at_work[i] = scenes_[s].make(field[i].tuning);
-          at_work[i]->run_ms();  // the first one compiles
+          at_work[i]->run_ms();  // the first run includes compilation and is not timed
         });
     for (int round = 0; round < rounds; ++round) {
       double incumbent_ms = 0;
@@ -93,7 +95,8 @@ Tuning with(Tuning tuning, const TuningAxis& axis, std::optional<int> value) {
   return tuning;
 }
 
-/// The incumbent first, then every other value of the axis that has not been tried beside the same others.
+/// Returns the incumbent, followed by the configurations that differ from it in this axis only and have not
+/// been tried.
 std::vector<Tuning> field_of(const Tuning& incumbent, const TuningAxis& axis, const std::set<Tuning>& known) {
   std::vector<Tuning> field{incumbent};
   std::vector<std::optional<int>> values{std::nullopt};

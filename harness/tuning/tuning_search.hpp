@@ -1,4 +1,5 @@
-// The search for a device's best tuning: candidates take turns, and none wins that draws something else.
+// Searches the best tuning for a device. Candidates run in turns, and a candidate with wrong output cannot
+// win.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -11,45 +12,52 @@
 
 namespace pelage {
 
-/// A configuration at work on one scene.
+/// A configuration of the kernels that runs on one scene.
 class Contender {
  public:
   virtual ~Contender() = default;
-  virtual double run_ms() = 0;                            ///< the work once more, ms
-  virtual std::uint64_t output_hash() = 0;                ///< of what the last run computed
-  virtual std::string kernel_hash() const { return {}; }  ///< of the programs that it runs
-  virtual std::string fault() = 0;  ///< what the reference says against it, in one line; "" for nothing
+  virtual double run_ms() = 0;              ///< runs the work once more and returns its time, ms
+  virtual std::uint64_t output_hash() = 0;  ///< hash of the last run's output
+  virtual std::string kernel_hash() const { return {}; }  ///< hash of its programs
+  /// Compares the last output with the reference. Returns the fault in one line; empty if there is none.
+  virtual std::string fault() = 0;
 };
 
-/// A scene to be timed on. `make` may throw: a configuration that the device cannot run is no candidate.
+/// A scene on which configurations are timed. If `make` throws, the device cannot run the configuration, and
+/// the configuration has a fault.
 struct TuningScene {
   std::string name;
   std::function<std::unique_ptr<Contender>(const Tuning&)> make;
 };
 
-/// A configuration and what came of it.
+/// A configuration and its result.
 struct Candidate {
   Tuning tuning;
-  double ratio = 0;   ///< median over rounds of its time by the incumbent's, geometric mean over scenes
-  Interval interval;  ///< 95%, over rounds
-  std::string fault;  ///< why it cannot win: what the check says, or why it does not run; "" for nothing
-  bool wins = false;  ///< faultless, and its whole interval lies below 1
+  /// Its time divided by the incumbent's time: geometric mean over scenes, then median over rounds.
+  double ratio = 0;
+  Interval interval;  ///< 95% interval of the ratio over rounds
+  /// Why it cannot win: a failed check, or an error of the run. Empty if there is no fault.
+  std::string fault;
+  bool wins = false;  ///< without fault, and the whole interval is below 1
 };
 
 struct TuningSearch {
-  Tuning best;                   ///< faultless, and not slower than what is shipped in the last duel
-  std::vector<Candidate> tried;  ///< in their order
-  Candidate last;                ///< the winner of the axes against what is shipped; empty tuning: none won
-  std::string fault;             ///< the shipped configuration's own; then nothing was searched
+  Tuning best;                   ///< faster than the shipped values, without fault; empty if there are none
+  std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
+  /// The best configuration compared with the shipped one. Its tuning is empty if no candidate won.
+  Candidate last;
+  std::string fault;  ///< fault of the shipped configuration; if set, nothing was searched
 };
 
-/// Axis by axis, twice at most: the incumbent (first: what is shipped) and every value of the axis take turns
-/// for `rounds` rounds on each scene; the best that wins becomes the incumbent. In the end the incumbent
-/// meets what is shipped once more, for twice the rounds, and is dropped unless it wins again: of many
-/// candidates one may win by chance.
+/// Searches one axis after the other, in at most two passes. For each axis the incumbent and all other values
+/// run in turns for `rounds` rounds on each scene. The first incumbent is the shipped configuration. The
+/// fastest candidate that wins becomes the incumbent. One of many candidates may win by chance. Therefore, in
+/// the end the incumbent is compared with the shipped configuration once more, with twice the rounds, and is
+/// dropped unless it wins again.
 ///
-/// A candidate whose last output equals the shipped configuration's, bit for bit, is faultless; another asks
-/// the reference. The shipped configuration asks it always. `told` hears of each candidate.
+/// The shipped configuration is checked against the reference. A candidate whose last output equals a checked
+/// output bit for bit has no fault; any other output is checked against the reference. `told` is called with
+/// each candidate.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
 

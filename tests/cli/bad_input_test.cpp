@@ -103,7 +103,7 @@ const Bad outputs[] = {
     {"-o folder.png", 2, "folder.png: cannot be written, it is a folder"},
     {"-o /proc/a.png", 2, "/proc/a.png: cannot be written"},
     {"-o /proc/a.exr", 2, "/proc/a.exr: cannot be written"},
-    {"-o a.png --dump a.txt", 2, "a.txt: a frame is dumped into a file named .h5"},
+    {"-o a.png --dump a.txt", 2, "a.txt: the name of a dump must end in .h5 or .hdf5"},
     {"-o a.png --dump nowhere/a.h5", 2, "nowhere/a.h5: cannot be written"},
     {"-o a.png --dump /proc/a.h5", 2, "/proc/a.h5: cannot be written"},
 };

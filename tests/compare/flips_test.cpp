@@ -1,5 +1,5 @@
-// Flipped pixels: counted, judged by their share, and reported beside the PSNR of all pixels and of the
-// others.
+// Tests flipped pixels: they are counted, their share is limited, and the PSNR is reported with and without
+// them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace pelage {
 namespace {
 
-/// Fur everywhere, of random colours.
+/// Returns a picture of random colours in which every pixel is fur.
 Picture furry(int width, int height) {
   Picture picture{width, height, {}};
   std::mt19937 random(3);
@@ -21,7 +21,7 @@ Picture furry(int width, int height) {
   return picture;
 }
 
-/// Every channel off by `by`, as rounding leaves it.
+/// Changes every colour channel by `by`, similar to rounding errors.
 Picture rounded(Picture picture, float by) {
   for (glm::vec4& pixel : picture.pixel) pixel += glm::vec4(by, -by, by, 0);
   return picture;
@@ -34,8 +34,8 @@ std::string broken(const Agreement& agreement) {
   return names;
 }
 
-// What one pixel of 160 x 100 does to the PSNR, and what is reported of it. It is still judged by the PSNR of
-// all pixels.
+// Flips one pixel of a picture of 160 x 100 pixels and checks the PSNR values. The check uses the PSNR of all
+// pixels.
 TEST(Flips, OneOfASmallPicture) {
   const Picture reference = furry(160, 100);
   Picture ours = rounded(reference, 1e-5f);
@@ -56,7 +56,8 @@ TEST(Flips, OneOfASmallPicture) {
   EXPECT_EQ(broken(compare(ours, reference)), "") << "a flip of 0.1 leaves 66 dB";
 }
 
-// At most one pixel of a thousand: the same pictures pass as by the 99.9th percentile.
+// At most one pixel in a thousand may be flipped. This limit accepts the same pictures as the limit of the
+// 99.9th percentile.
 TEST(Flips, AreTheRuleOfThePercentile) {
   for (const int pixels : {1, 2, 999, 1000, 1001, 1999, 2000, 2001, 15001, 16384, 100000}) {
     const Picture reference = furry(pixels, 1);
@@ -72,7 +73,7 @@ TEST(Flips, AreTheRuleOfThePercentile) {
   }
 }
 
-// A share of small flips that costs the PSNR little is no picture that passes.
+// A picture with too many flipped pixels fails, even if they change little and its PSNR is sufficient.
 TEST(Flips, TooManySmallOnesFail) {
   const Picture reference = furry(200, 100);
   Picture ours = rounded(reference, 1e-5f);

@@ -1,4 +1,5 @@
-// Tips and masks against the reference's: which differences are found, and which are within tolerance.
+// Tests the comparison of tips and masks with the reference: small differences pass, and larger ones are
+// found.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace pelage {
 namespace {
 
-constexpr double length = 0.1;  // R, of a strand
+constexpr double length = 0.1;  // length of a strand, R
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<glm::vec3> tips(std::size_t count) {
@@ -58,8 +59,8 @@ TEST(Masks, HoldEveryTexel) {
   EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0.900005f}), "");
   EXPECT_EQ(broken(0, {0.10002f, 0.2f, 0.03f, 0.9f}), "largest texel error; ");
   EXPECT_EQ(broken(0, {0.1f, nan, 0.03f, 0.9f}), "largest texel error; ");
-  EXPECT_EQ(broken(1, {0, 0, 0, 1e-9f}), "texels wet in one only; ");
-  EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0}), "texels wet in one only; ");
+  EXPECT_EQ(broken(1, {0, 0, 0, 1e-9f}), "texels wet in only one mask; ");
+  EXPECT_EQ(broken(0, {0.1f, 0.2f, 0.03f, 0}), "texels wet in only one mask; ");
   EXPECT_THROW(check_mask(reference, {}), std::invalid_argument);
 }
 

@@ -1,4 +1,4 @@
-// A row's check looks into windows, and where these fall short at the whole picture.
+// Tests a row's check: it compares windows of the picture and, if these fail, the whole picture.
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"
@@ -16,11 +16,11 @@ constexpr std::uint32_t seed = 7;
 
 struct Case {
   std::shared_ptr<const FrameInput> input;
-  Picture picture;  // the reference's own
-  Window first;     // of those that `seed` draws
+  Picture picture;  // drawn by the reference
+  Window first;     // the first of the windows that `seed` selects
 };
 
-// Two layers over much of a picture: more fur than 64 windows hold.
+// Returns a case whose fur covers much of the picture, more than 64 windows can contain.
 const Case& torus() {
   static const Case made = [] {
     Scene scene;
@@ -37,7 +37,7 @@ const Case& torus() {
   return made;
 }
 
-// The picture with `count` pixels of the first window off by `by`.
+// Returns the picture with `count` pixels of the first window changed by `by`.
 Picture spoilt(int count, float by) {
   Picture p = torus().picture;
   for (int i = 0; i < count; ++i) {
@@ -49,7 +49,7 @@ Picture spoilt(int count, float by) {
   return p;
 }
 
-/// The checks of a row, by name.
+/// Returns the names of a row's checks.
 std::string names_of(const WindowCheck& check) {
   std::string names;
   for (const Check& c : check.checks) names += c.metric + "; ";

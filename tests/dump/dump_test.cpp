@@ -1,4 +1,4 @@
-// docs/frame.md, section 8, and a dump hold the same datasets, of the same shapes and units.
+// Tests that a dump has the datasets of docs/frame.md, section 8, with the same shapes and units.
 #include "harness/dump/dump.hpp"
 
 #include <fmt/format.h>
@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A dataset as the document's table or a file has it.
+/// A dataset as described in the document's table or found in a file.
 struct Dataset {
-  std::string written;  ///< "always", "silva" or "topology"; of a file empty
+  std::string written;  ///< "always", "silva" or "topology"; empty for a dataset of a file
   std::string type, units, description;
-  std::vector<std::string> shape;  ///< numbers, or the document's symbols
+  std::vector<std::string> shape;  ///< numbers, or symbols of the document
 };
 using Datasets = std::map<std::string, Dataset>;
 
@@ -79,7 +79,7 @@ herr_t add_dataset(hid_t file, const char* name, const H5O_info_t* info, void* d
   return 0;
 }
 
-/// The datasets of a dump of `input` by the reference.
+/// Returns the datasets of a dump of `input`, drawn by the reference.
 Datasets dumped(const FrameInput& input) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   if (!mkdtemp(folder.data())) std::abort();
@@ -104,7 +104,7 @@ FrameInput frame_of(const std::string& topology, const std::string& binding) {
   return synthetic::frame(scene, synthetic::torus(), 12, 8, 5);
 }
 
-/// The row of the table that stands for a dataset of a file.
+/// Returns the name of the table's row that describes `dataset`.
 std::string row_of(const std::string& dataset) {
   return dataset.starts_with("fur_mip/") ? "fur_mip/L" : dataset;
 }
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
                            return text;
                          });
 
-// Every dataset with a slash that the sections before the table name stands in the table.
+// The sections before the table may name only datasets of the table.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
   std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -1,4 +1,5 @@
-// The velocities that a dump takes from a device are the reference's, in R/s and in the order of the tips.
+// Tests the velocities in a dump from a device: they agree with the reference, in R/s, in the order of the
+// tips.
 #include <gtest/gtest.h>
 
 #include <algorithm>

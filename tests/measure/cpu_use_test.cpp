@@ -1,4 +1,4 @@
-// CPU time of this process, and how much of the machine others take.
+// Tests the measurement of CPU time: of this process, and of other processes.
 #include "harness/measure/cpu_use.hpp"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ TEST(CpuWatch, WarnsAboveATenthAndOnlyWhereItIsKnown) {
   EXPECT_EQ(load_warning(row), "");
   row.provenance["other_cpu_share"] = 0.426;
   EXPECT_EQ(load_warning(row),
-            "torus-16: other processes took 43% of the machine's CPU time while it was timed");
+            "torus-16: other processes took 43% of the machine's CPU time while this case was timed");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The high-water mark sees what was taken, and falls when it is reset.
+// Tests peak_memory(): it includes memory that was freed, and falls after a reset.
 #include "harness/measure/memory.hpp"
 
 #include <gtest/gtest.h>

@@ -93,7 +93,7 @@ TEST(Runner, NothingCheckedIsNotOk) {
       Status::diverged);
 }
 
-/// NaN compares false with everything: it must not pass for good.
+/// Every comparison with NaN is false, so a check with NaN must not hold.
 TEST(Runner, ACheckThatIsNotANumberFails) {
   const RunPlan plan = fake_plan(1);
   EXPECT_EQ(run_case(plan, plan.cases[0], kShort,
@@ -156,7 +156,7 @@ TEST(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
-/// A frame of at least 1 ms; its times never converge.
+/// A subject with frames of at least 1 ms whose times never converge.
 struct Endless : FakeSubject {
   Endless() : FakeSubject(10) {}
   FrameSample frame() override {
@@ -191,7 +191,8 @@ TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
   EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
 }
 
-/// A run of fakes in a process of its own that can be killed; returns when it has ended.
+/// Runs fake cases in a child process and kills it after `kill_after_ms` unless that is negative. Returns the
+/// wait status of the child.
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {
@@ -220,7 +221,7 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
   return status;
 }
 
-/// What a row says, timings and the time of day aside.
+/// Returns a row's line without its times and dates.
 std::string without_times(Row row) {
   for (const char* key : {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "check_s"})
     row.provenance.erase(key);
@@ -251,7 +252,7 @@ TEST(Runner, KilledAndResumedGivesTheSameRows) {
     const std::string before = fs::exists(file) ? text_of(file) : "";
     ASSERT_EQ(run_in_child(file, cases, -1, 0), 0);
     EXPECT_EQ(contents(file), whole) << "moment " << moment;
-    // What was acknowledged before the kill stands untouched.
+    // Lines that were complete before the kill are unchanged.
     const std::string acknowledged = before.substr(0, before.rfind('\n') + 1);
     EXPECT_EQ(text_of(file).substr(0, acknowledged.size()), acknowledged);
   }
@@ -266,7 +267,7 @@ TEST(Runner, InterruptedEndsWithItsCodeAndAWholeJournal) {
     const int number = moment % 2 ? SIGINT : SIGTERM;
     const fs::path file = folder.path / ("i" + std::to_string(moment) + ".jsonl");
     const int status = run_in_child(file, 24, double(random() % 30000) / 1000, number);
-    if (!WIFEXITED(status)) continue;  // it came before the handler was set
+    if (!WIFEXITED(status)) continue;  // the signal came before the handler was installed
     if (WEXITSTATUS(status) == 0) continue;
     EXPECT_EQ(WEXITSTATUS(status), 128 + number);
     ++interrupted;

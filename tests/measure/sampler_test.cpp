@@ -5,7 +5,7 @@
 namespace pelage {
 namespace {
 
-/// Frames of given lengths on a clock that only they advance.
+/// A clock that advances only when a frame runs, by the length of that frame.
 struct Clock {
   double now_s = 0;
   int frames = 0;
@@ -24,7 +24,7 @@ TEST(Sampler, WarmsUpByTimeAndKeepsTheFirstLaunchApart) {
   Clock clock{.length_ms = [](int i) { return i == 0 ? 900.0 : i < 6 ? 50.0 : 10.0; }};
   const Sampling s = clock.run({0.25, 6, 100, 0.01, 10});
   EXPECT_EQ(s.first_launch_ms, 900);
-  // 0.25 s of warm-up are the five frames of 50 ms; no sample is one of them.
+  // The warm-up of 0.25 s consists of the five frames of 50 ms. None of them is a sample.
   EXPECT_EQ(s.samples.at("frame").wall_ms, std::vector<double>(6, 10.0));
   EXPECT_TRUE(s.converged);
 }
@@ -72,7 +72,7 @@ TEST(Sampler, CpuTimesStandBesideWallTimesWhereTheyAreTaken) {
                            .phase_cpu_ms = {{"opengl", 30}}};
       },
       {0, 6, 6, 0.01, 100}, [&] { return now_s; });
-  // The first launch and one warm-up frame precede the samples.
+  // The first launch and one warm-up frame come before the samples.
   EXPECT_EQ(s.samples.at("frame").cpu_ms, (std::vector<double>{13, 14, 15, 16, 17, 18}));
   EXPECT_EQ(s.samples.at("opengl").cpu_ms, std::vector<double>(6, 30.0));
   Clock clock{.length_ms = [](int) { return 8.0; }};

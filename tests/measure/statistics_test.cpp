@@ -23,8 +23,8 @@ TEST(Statistics, QuantilesAreThoseOfNumpy) {
   EXPECT_DOUBLE_EQ(quantile(v, 1), 50);
 }
 
-// Ranks from tables of the sign test (Conover, Practical Nonparametric Statistics): n = 10 gives the 2nd and
-// 9th values, n = 20 the 6th and 15th, n = 30 the 10th and 21st.
+// The expected ranks are those in tables of the sign test (Conover, Practical Nonparametric Statistics): n =
+// 10 gives the 2nd and 9th values, n = 20 the 6th and 15th, n = 30 the 10th and 21st.
 TEST(Statistics, OrderStatisticsOfTheTables) {
   for (const auto& [n, low, high] : {std::tuple{6, 1, 6}, {10, 2, 9}, {20, 6, 15}, {30, 10, 21}}) {
     std::vector<double> v{};
@@ -35,8 +35,8 @@ TEST(Statistics, OrderStatisticsOfTheTables) {
   }
 }
 
-// The ranks of the sum of logarithms that stood here before Boost.Math: the intervals of rows already
-// recorded stay what they were.
+// These ranks were computed by a sum of logarithms before Boost.Math was used. They must not change, so that
+// the intervals of recorded rows stay the same.
 TEST(Statistics, OrderStatisticsOfManyValues) {
   for (const auto& [n, low] : {std::pair{7, 1}, {25, 8}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}}) {
     std::vector<double> v(std::size_t(n), 0);
@@ -68,13 +68,15 @@ TEST(Statistics, IntervalHoldsTheMedianAsOftenAsItSays) {
     const Interval interval = median_interval(v);
     held += interval.low <= truth && truth <= interval.high;
   }
-  // n = 25: the 8th and 18th values hold it with 95.7%; three standard errors below 95%.
+  // For n = 25 the interval from the 8th to the 18th value has a confidence of 95.7%. The lower limit is
+  // three standard errors below this value.
   EXPECT_GE(held, int(trials * 0.947));
   EXPECT_LE(held, int(trials * 0.970));
 }
 
 TEST(Statistics, ProcessesAreResampledFirst) {
-  // Two processes that disagree: samples alone would give a narrow interval, processes must not.
+  // Two processes have a median of 10, and two have 20. Resampling only the samples would give a narrow
+  // interval. Resampling the processes must give a wide interval.
   std::vector<std::vector<double>> processes(4);
   for (int i = 0; i < 50; ++i)
     for (std::size_t p = 0; p < 4; ++p) processes[p].push_back((p % 2 ? 20 : 10) + 0.001 * i);
@@ -96,7 +98,8 @@ TEST(Statistics, FlagsOutliersOnly) {
   EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
 }
 
-// The median absolute deviation is 1: the limit is 5 standard deviations, 5 * 1.4826 = 7.41 from the median.
+// The median absolute deviation is 1, so the limit is 5 * 1.4826 = 7.41 from the median (5 standard
+// deviations).
 TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
   EXPECT_TRUE(outliers(std::vector<double>{3, 9, 9, 9, 10, 11, 11, 11, 17}).empty());
   EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));

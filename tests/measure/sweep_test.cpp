@@ -1,4 +1,4 @@
-// The real program on the real smoke preset: killed, resumed, sharded.
+// Tests the program itself with the smoke preset: sweeps that are killed, resumed or divided among processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs pelage with its messages dropped; kills it after `kill_after_s` unless that is negative. Returns
-/// wait's status.
+/// Runs pelage and discards its output. Kills it after `kill_after_s` seconds unless that is negative.
+/// Returns the wait status.
 int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   words.insert(words.begin(), PELAGE_BINARY);
   const pid_t child = fork();
@@ -43,7 +43,7 @@ int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   return status;
 }
 
-/// Everything in a row that is not a time, a place or a date: case, status, picture, checks, hashes.
+/// Returns the content of all rows without times, paths and dates: case, status, picture, checks and hashes.
 std::set<std::string> said(const std::string& folder) {
   std::set<std::string> lines;
   for (FoundRow& found : read_results({folder})) {
@@ -70,7 +70,7 @@ std::set<std::string> said(const std::string& folder) {
 struct Sweep : ::testing::Test {
   void SetUp() override {
     ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
-    // Kernels may have to be compiled and textures made: that belongs to no moment at which a sweep is
+    // The first run compiles kernels and creates textures. It keeps these steps out of the sweeps that are
     // killed.
     ASSERT_EQ(pelage(run({"-o", (folder.path / "first").string()})), 0) << "the smoke sweep itself failed";
     const auto started = std::chrono::steady_clock::now();
@@ -85,7 +85,7 @@ struct Sweep : ::testing::Test {
   }
   test::Folder folder;
   std::string whole = (folder.path / "whole").string();
-  /// By row, and only what differs: a whole row is a page of text.
+  /// Compares row by row and prints only rows that differ, because a row is long.
   void expect_same(const std::string& results) const {
     const std::set<std::string> lines = said(results);
     EXPECT_EQ(lines.size(), expected.size());
@@ -102,7 +102,7 @@ TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
   while (kills < 20) {
     const std::string out = (folder.path / ("killed" + std::to_string(sweeps++))).string();
     fs::create_directories(out);
-    // Kills at random moments, each run going on where the last one was cut off; then one that is left alone.
+    // Kills the program at random moments. Each run resumes the one before, and the last run is not killed.
     for (int i = 0; i < 10; ++i)
       kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
     ASSERT_EQ(pelage(run({"--resume", out})), 0);
@@ -120,15 +120,15 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
     journals += entry.path().string().ends_with("-of-3.jsonl");
   EXPECT_EQ(journals, 3);
 
-  // An existing key is refused without --resume, and kept with it.
+  // Without --resume, an existing row is an error; with --resume, it is kept.
   EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
   expect_same(whole);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
   expect_same(whole);
-  // What was run with one preset is not gone on with by another.
+  // A run of one preset cannot be resumed with another preset.
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
 
-  // Repeats are processes of their own.
+  // Each repeat runs in its own process.
   const std::string repeated = (folder.path / "repeats").string();
   ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;

@@ -1,4 +1,4 @@
-// A contender that computes something else has a fault, whichever stage it is of.
+// Tests that a contender with wrong output has a fault, for every stage.
 #include "harness/tuning/contenders.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,8 @@ std::shared_ptr<const FrameInput> small() {
       synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
 }
 
-/// The fault of a stage's contender after a run, with `text` of the kernels' `file` replaced; "" for none.
+/// Returns the fault of a stage's contender after one run; empty if there is none. In the kernel source
+/// `file`, `text` is replaced by `replacement` before the run.
 std::string fault_of(const std::string& stage, const std::string& file = {}, const std::string& text = {},
                      const std::string& replacement = {}) {
   const fs::path original = cl::kernel_folder();
@@ -48,7 +49,7 @@ TEST(Contenders, HaveNoFaultAsTheyAre) {
   EXPECT_EQ(fault_of("wet"), "");
 }
 
-// The first 16 of some 1500 strands, more than 1e-5 of a strand's length off.
+// The planted error moves the first 16 of about 1500 strands by more than 1e-5 of a strand's length.
 TEST(Contenders, MayMoveNoStrandElsewhere) {
   EXPECT_NE(fault_of("simulate", "simulate/simulate.cl", "  store_column3(a.tip, state, TIP_X",
                      "  if (block * LANES < 16) a.tip.x += 1e-3f;\n"

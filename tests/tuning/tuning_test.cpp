@@ -1,4 +1,4 @@
-// Tuning: the search takes the fastest that draws the right thing, and its file is read back.
+// Tests tuning: the search selects the fastest values with correct output, and tuning files can be read back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-/// What a configuration costs and draws; times are exact unless `noise` alternates them.
+/// The time and the output of a configuration. With `noise`, times alternate around `ms`.
 struct Behaviour {
   double ms = 10;
   std::uint64_t output = 1;
@@ -85,7 +85,7 @@ TEST(TuningSearch, WhatIsNotSurelyFasterDoesNotWin) {
 
 TEST(TuningSearch, AWinnerByChanceIsDroppedInTheLastDuel) {
   int made = 0;
-  // Fast whenever it meets the incumbent first, slow afterwards.
+  // The candidate is fast in its first comparison with the incumbent, and slow in the last one.
   const TuningSearch found = search(
       [&made](const Tuning& t) {
         return t.empty() ? Behaviour{} : Behaviour{.ms = ++made <= 2 ? 5.0 : 11.0};
@@ -141,7 +141,7 @@ TEST(TuningFile, MistakesAreRefusedByLineAndKey) {
   refused("TILE_W = 1.5\n", "t.toml:1: TILE_W");
   refused("TILE_W = -1\n", "whole number");
   refused("tile = 1\n", "capitals");
-  refused("TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "stands twice");
+  refused("TILE_W = 8\n[rasterize]\nTILE_W = 8\n", "occurs twice");
   refused("TILE_W = \n", "not TOML");
 }
 

@@ -96,7 +96,7 @@ class SerialRival : public SolverRival {
   Kind kind_;
   Course course_;
   Loops<T> loops_;
-  std::vector<std::size_t> place_;  // of a stick
+  std::vector<std::size_t> place_;  // index of each stick in the arrays
   Columns<T> root_, normal_, q_, v_, force_;
   std::array<std::vector<T>, 12> work_;
   std::vector<T> phase_cos_, phase_sin_, rest_;

@@ -1,5 +1,5 @@
-// What the OpenCL solvers are timed against: serial C++ of the same schemes, and Eigen, on the same systems
-// and states.
+// The baselines of the OpenCL solvers: serial C++ of the same schemes, and Eigen. Both solve the same systems
+// from the same states.
 #pragma once
 #include <glm/vec3.hpp>
 #include <memory>
@@ -11,35 +11,38 @@
 
 namespace pelage::springs {
 
-/// Of the tops, per stick: from its base, R, and R/s.
+/// State of the top masses, per stick: position relative to the base in R, velocity in R/s.
 struct Motions {
   std::vector<glm::vec3> offset, speed;
 };
 
+/// A baseline solver of one system.
 class SolverRival {
  public:
   virtual ~SolverRival() = default;
   virtual void set(const Motions& state) = 0;
-  /// `steps` steps, `first` of which were done before; moments: as springs::moments gives them.
+  /// Advances the state by `steps` steps. moments[2 i] is the environment at the start of step i (see
+  /// springs::moments).
   virtual void advance(const std::vector<Moment>& moments, int steps) = 0;
   virtual Motions state() const = 0;
-  virtual long iterations() const { return 0; }  ///< of conjugate gradients, since it was made
+  virtual long iterations() const { return 0; }  ///< conjugate gradient iterations since construction
 };
 
-/// A rival and what its name stands for: "serial-o3", "serial-fast", "serial-o3-double",
-/// "eigen-llt-double-2" (two threads), "eigen-cg-block-float-1", ...
+/// A baseline and its name: "serial-o3", "serial-fast", "serial-o3-double", "eigen-llt-double-2" (two
+/// threads), "eigen-cg-block-float-1" (one thread), ...
 struct NamedRival {
   std::string name;
   std::unique_ptr<SolverRival> rival;
 };
 
-/// Everything that solves the same equations as `dynamics.solver` does on `topology`, by name. A sparse
-/// direct factorization, which takes seconds and gigabytes on large systems, only below `most_direct` sticks.
-/// The native ones are left out where this processor lacks what the building one had.
+/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
+/// factorization takes seconds and gigabytes on large systems, so it is included only below `most_direct`
+/// sticks. Baselines compiled for the build machine's processor are omitted if this processor lacks its
+/// instructions.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 
-/// The serial loops in double; not backward Euler on prisms.
+/// Returns the serial loops in double precision. Backward Euler on prisms is not supported.
 std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics);
 
 }  // namespace pelage::springs

@@ -1,5 +1,5 @@
-// Eigen under a name of its own: compiled for this processor, none of its templates may stand in for those
-// that the rest of the program instantiates for any.
+// Renames the namespace Eigen in this file. The file is compiled for this processor only, and the linker must
+// not use its template instances in place of the portable ones of other files.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 
@@ -33,7 +33,7 @@ Eigen::Matrix<T, 3, 3> matrix(const Symmetric<T>& m) {
   return a;
 }
 
-// The inverses of the 3 x 3 blocks on the diagonal, as Eigen wants a preconditioner.
+// A preconditioner for Eigen: the inverses of the 3 x 3 blocks on the diagonal.
 template <class T>
 class BlockJacobi {
  public:
@@ -163,8 +163,8 @@ class Blocks : public Base<T> {
   }
 };
 
-// The whole system as one sparse matrix, its pattern made once. Rows of blocks are filled one after another,
-// so that threads may share them.
+// Solves the whole system as one sparse matrix. The sparsity pattern is computed once. A step fills the block
+// rows independently of each other, so that threads can share the work.
 template <class T, class Solver>
 class Whole : public Base<T> {
  public:
@@ -201,7 +201,8 @@ class Whole : public Base<T> {
     s.setTolerance(T(0));
   };
 
-  // Block columns of each block row in ascending order, with the edge that stands there; -1: the row's own.
+  // Computes the block columns of each block row, in ascending order, and the edge of each block (-1 for the
+  // diagonal block). Writes the sparsity pattern to the matrix.
   void lay_out() {
     for (int e = 0; e < this->edges_; ++e)
       ++first_[this->ends_[2 * e] + 1], ++first_[this->ends_[2 * e + 1] + 1];

@@ -1,4 +1,4 @@
-// Backward Euler by Eigen 3.4, compiled -O3 -march=native: what a program with a good library would do.
+// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native.
 #pragma once
 #include <memory>
 
@@ -8,27 +8,29 @@
 namespace pelage::springs {
 
 enum class EigenWay {
-  blocks,              ///< Matrix<T, 9, 9> and LLT, triangle by triangle: separable prisms only
-  ldlt,                ///< SimplicialLDLT, analysed once
-  gradients_diagonal,  ///< ConjugateGradient over RowMajor, Lower | Upper, preconditioned by the diagonal,
-  gradients_block,     ///< by the inverses of the 3 x 3 blocks on it,
-  gradients_cholesky   ///< by an incomplete Cholesky factorization
+  blocks,              ///< separable prisms only: Matrix<T, 9, 9> and LLT per triangle
+  ldlt,                ///< SimplicialLDLT; the pattern is analysed once
+  gradients_diagonal,  ///< ConjugateGradient over RowMajor, Lower | Upper, with DiagonalPreconditioner
+  gradients_block,     ///< ConjugateGradient, preconditioned by the inverses of the 3 x 3 diagonal blocks
+  gradients_cholesky   ///< ConjugateGradient, preconditioned by IncompleteCholesky
 };
 
-/// A system in motion. State: three values per stick, one stick after another; separable prisms in their own
-/// order.
+/// A system and its state. The state arrays hold three values per stick, in the order of the topology's
+/// sticks.
 template <class T>
 class EigenSolver {
  public:
   virtual ~EigenSolver() = default;
   virtual T* q() = 0;
   virtual T* v() = 0;
-  virtual void forget() = 0;  ///< the change that conjugate gradients start from
-  virtual void step(const TopologyParams& params, const Moment& end) = 0;  ///< end: of the step
-  virtual long iterations() const = 0;  ///< of conjugate gradients, since the start
+  virtual void forget() = 0;  ///< resets the initial guess of conjugate gradients to 0
+  /// Advances the state by one step. `end` is the environment at the end of the step.
+  virtual void step(const TopologyParams& params, const Moment& end) = 0;
+  virtual long iterations() const = 0;  ///< conjugate gradient iterations since construction
 };
 
-/// Plain arrays: roots, normals (three each), phases (cosine, sine) per stick; edges as pairs of sticks.
+/// A system as plain arrays. Per stick: root (3 values), normal (3), cosine and sine of the gust's phase (2).
+/// Per edge: its two sticks and its rest length (R).
 template <class T>
 struct EigenSystem {
   int sticks = 0, edges = 0;
@@ -36,7 +38,8 @@ struct EigenSystem {
   const int* ends = nullptr;
 };
 
-/// Copies the system. `threads` of OpenMP; residual: |r| / |b| at which conjugate gradients stop.
+/// Returns a solver with a copy of the system. It uses `threads` OpenMP threads. Conjugate gradients stop
+/// when |r| / |b| is at most `residual`.
 std::unique_ptr<EigenSolver<float>> eigen_solver(const EigenSystem<float>& system, EigenWay way, int threads,
                                                  double residual);
 std::unique_ptr<EigenSolver<double>> eigen_solver(const EigenSystem<double>& system, EigenWay way,

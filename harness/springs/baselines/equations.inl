@@ -1,6 +1,6 @@
-// The forces of docs/topology.md for one mass at a time, as a plain program writes them. Included inside an
-// unnamed namespace of every file that is compiled with flags of its own.
-#define PELAGE_INLINE [[gnu::always_inline]] inline  // a call keeps a loop from being vectorized
+// The forces of docs/topology.md for one mass at a time, in the style of a plain program. Files that are
+// compiled with special flags include this file inside an unnamed namespace.
+#define PELAGE_INLINE [[gnu::always_inline]] inline  // a function call prevents the vectorization of a loop
 
 template <class T>
 struct V {
@@ -99,7 +99,7 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
           b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
 }
 
-// A stick's own part of backward Euler's equations: block dv = load.
+// A stick's own part of the equations of backward Euler: block dv = load.
 template <class T>
 struct Row {
   Symmetric<T> block;
@@ -118,8 +118,8 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// What an edge adds to the block of either end, and takes from the one between them: even I + along s s^T;
-// and h^2 J dv.
+// The part of an edge in the equations of backward Euler. The matrix even I + along s s^T is added to the
+// diagonal blocks of both ends and subtracted from the blocks that couple them. `drawn` is h^2 J dv.
 template <class T>
 struct Coupling {
   V<T> s, drawn;
@@ -133,7 +133,7 @@ PELAGE_INLINE Coupling<T> coupling_of(const Constants<T>& p, V<T> d, V<T> dv, T 
   return {a.s, even * dv + (stiff * dot(a.s, dv)) * a.s, even, stiff + p.step * p.edge_damping};
 }
 
-// Cholesky's way with a 3 x 3 matrix.
+// Solves m x = b by the Cholesky factorization of a 3 x 3 matrix.
 template <class T>
 PELAGE_INLINE V<T> solved(const Symmetric<T>& m, V<T> b) {
   const T over_x = T(1) / m.xx, yx = m.xy * over_x, zx = m.xz * over_x;

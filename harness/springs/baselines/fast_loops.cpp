@@ -1,4 +1,4 @@
-// The serial loops at -O3 -march=native -ffast-math (CMakeLists.txt).
+// The serial loops, compiled with -O3 -march=native -ffast-math (set in CMakeLists.txt).
 #include <cmath>
 
 #include "harness/springs/baselines/arrays.hpp"

@@ -1,9 +1,10 @@
-// The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). Sticks and triangles go
-// through all steps a tile at a time, so that a tile's state stays in the first cache.
+// The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). The loops over sticks
+// and over triangles compute all steps for one tile before the next tile, so that a tile's state stays in the
+// first-level cache.
 
 constexpr int tile = 256;
 
-// A Solver's properties as a template argument.
+// The properties of a Solver that are used as template arguments.
 struct Scheme {
   bool implicit = false, in_turn = false;
   int stages = 1;
@@ -26,7 +27,7 @@ PELAGE_INLINE Place<T> place(const Arrays<T>& a, int i) {
   return {at(a.root, i), at(a.normal, i), a.phase_cos[i], a.phase_sin[i]};
 }
 
-// N tops that hang together: a stick, or a triangle's three corners.
+// The tops of one independent system: N = 1 for a stick, N = 3 for the corners of a separable triangle.
 template <class T, int N>
 struct Block {
   V<T> q[N], v[N];
@@ -127,7 +128,7 @@ void through_blocks(const Arrays<T>& given, const Course& course) {
   }
 }
 
-// Shared prisms: the springs of a tile of edges, then added up at their ends.
+// Shared prisms: computes the spring forces of one tile of edges, then adds them to the forces of both ends.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& given, const Constants<T>& constants, const Moment& moment, T* const qs[3],
                 T* const vs[3]) {

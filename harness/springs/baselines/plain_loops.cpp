@@ -1,4 +1,4 @@
-// The serial loops at -O3 (CMakeLists.txt).
+// The serial loops, compiled with -O3 (set in CMakeLists.txt).
 #include <cmath>
 
 #include "harness/springs/baselines/arrays.hpp"

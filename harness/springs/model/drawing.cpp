@@ -14,10 +14,12 @@ namespace pelage::springs {
 namespace {
 
 constexpr double panel = 360, margin = 16, title = 26;  // pixels
-constexpr double pulled_in = 0.16;                      // of a separable corner towards its triangle's centre
-constexpr std::size_t most_dots = 300;                  // sticks whose masses are drawn, too
+// A separable corner is moved by this part of the way to its triangle's centre.
+constexpr double pulled_in = 0.16;
+// Masses are drawn as dots only if the topology has at most this many sticks.
+constexpr std::size_t most_dots = 300;
 
-// The picture's plane, and depth towards the eye.
+// The axes of the drawing plane (right, up), and the direction from the mesh to the eye.
 const glm::dvec3 towards = glm::normalize(glm::dvec3(0.35, 0.45, 1.0));
 const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towards));
 const glm::dvec3 up = glm::cross(towards, right);
@@ -109,7 +111,7 @@ class Panel {
   }
 
   const SpringNetwork& topology_;
-  std::vector<glm::dvec3> place_;  // of the masses, as seen
+  std::vector<glm::dvec3> place_;  // positions of the masses: x right, y up, z towards the eye
   glm::dvec3 low_{std::numeric_limits<double>::max()}, high_{std::numeric_limits<double>::lowest()};
   double scale_ = 1;
   std::vector<Item> items_;
@@ -119,10 +121,10 @@ class Panel {
 
 std::string drawing_of(const Mesh& mesh, float length) {
   if (mesh.triangle.size() > most_drawn)
-    throw InputError(
-        fmt::format("{}: {} triangles cannot be told apart in a drawing; at most {}, for instance "
-                    "--faces 2000",
-                    mesh.name, mesh.triangle.size(), most_drawn));
+    throw InputError(fmt::format(
+        "{}: the mesh has {} triangles; a drawing shows at most {}. Reduce the mesh, for instance with "
+        "--faces 2000",
+        mesh.name, mesh.triangle.size(), most_drawn));
   const double row = panel + title;
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "

@@ -1,4 +1,4 @@
-// A picture of the topologies over a mesh, as Figures 3 to 5 of Banisch and Wuethrich 2006 show them.
+// Draws the topologies over a mesh, like Figures 3 to 5 of Banisch and Wuethrich 2006.
 #pragma once
 #include <string>
 
@@ -6,13 +6,15 @@
 
 namespace pelage::springs {
 
-/// More triangles than this cannot be told apart on a page.
+/// Largest number of triangles that drawing_of accepts. More triangles are too small to distinguish on a
+/// page.
 inline constexpr std::size_t most_drawn = 20000;
 
-/// SVG of the four topologies on `mesh`, a panel each, seen from above its front: the surface, sticks in one
-/// colour and the springs between tops in another; what the surface hides is hidden. Where a topology is
-/// separable every triangle's own part is drawn a little smaller, so that it shows (Figure 5b). `length`, R:
-/// of the sticks, above 0. Throws InputError for a mesh of more than most_drawn triangles.
+/// Returns an SVG with one panel per topology (four panels). Each panel shows the surface of `mesh` from the
+/// front and slightly from above, the sticks in one colour and the springs between top masses in another.
+/// Parts behind the surface are hidden. In separable topologies each triangle's masses are moved towards its
+/// centre, so that gaps between triangles are visible (Figure 5b). `length` is the rest length of the sticks
+/// in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
 std::string drawing_of(const Mesh& mesh, float length);
 
 }  // namespace pelage::springs

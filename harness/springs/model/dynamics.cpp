@@ -13,20 +13,19 @@ namespace pelage::springs {
 namespace {
 
 void finite(const char* what, float value) {
-  if (!std::isfinite(value))
-    throw InputError(fmt::format("{}: {}; it has to be a finite number", what, value));
+  if (!std::isfinite(value)) throw InputError(fmt::format("{}: {}; it must be a finite number", what, value));
 }
 
 void finite(const char* what, glm::vec3 v) {
   for (int c = 0; c < 3; ++c)
     if (!std::isfinite(v[c]))
       throw InputError(
-          fmt::format("{}: ({}, {}, {}); all three have to be finite numbers", what, v.x, v.y, v.z));
+          fmt::format("{}: ({}, {}, {}); all three components must be finite", what, v.x, v.y, v.z));
 }
 
 void above_0(const char* what, float value) {
   finite(what, value);
-  if (!(value > 0)) throw InputError(fmt::format("{}: {}; it has to be above 0", what, value));
+  if (!(value > 0)) throw InputError(fmt::format("{}: {}; it must be above 0", what, value));
 }
 
 void not_negative(const char* what, float value) {
@@ -36,10 +35,12 @@ void not_negative(const char* what, float value) {
 
 void direction(const char* what, glm::vec3 v) {
   finite(what, v);
-  if (v == glm::vec3(0)) throw InputError(fmt::format("{}: (0, 0, 0); a direction needs a length", what));
+  if (v == glm::vec3(0))
+    throw InputError(fmt::format("{}: (0, 0, 0); a direction must not be the zero vector", what));
 }
 
-// v turned by -angle about the unit axis: a vector of the world seen from the turned object (Rodrigues).
+// Rotates v by -angle (rad) about the unit axis, by Rodrigues' formula. This transforms a vector from the
+// world frame to the frame of the rotated object.
 glm::dvec3 seen_turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
   return v * std::cos(angle) - glm::cross(axis, v) * std::sin(angle) +
          axis * glm::dot(axis, v) * (1 - std::cos(angle));
@@ -76,26 +77,27 @@ void check(const Dynamics& d) {
   above_0("mass, kg", d.mass);
   not_negative("stiffness of the sticks, N/m", d.stiffness);
   not_negative("damping of the sticks, N s/m", d.damping);
-  not_negative("stiffness between tops, N/m", d.edge_stiffness);
-  not_negative("damping between tops, N s/m", d.edge_damping);
-  not_negative("drag, N s/m", d.drag);
+  not_negative("stiffness of the springs between tops, N/m", d.edge_stiffness);
+  not_negative("damping of the springs between tops, N s/m", d.edge_damping);
+  not_negative("drag coefficient, N s/m", d.drag);
   not_negative("weight of the return force, N", d.return_weight);
   above_0("residual of conjugate gradients", d.residual);
   if (d.most_iterations < 1)
-    throw InputError(fmt::format("iterations of conjugate gradients: {}; at least one", d.most_iterations));
+    throw InputError(
+        fmt::format("limit of conjugate gradient iterations: {}; it must be at least 1", d.most_iterations));
   finite("gravity, m/s^2", d.gravity);
   direction("direction of the wind", d.wind.direction);
   finite("speed of the wind, m/s", d.wind.speed);
-  finite("gust of the wind", d.wind.gust);
+  finite("gust of the wind (fraction of its speed)", d.wind.gust);
   not_negative("frequency of the gusts, Hz", d.wind.frequency);
   above_0("wavelength of the gusts, R", d.wind.wavelength);
   finite("velocity of the object, R/s", d.motion.velocity);
-  finite("shake of the object, R", d.motion.shake);
-  not_negative("frequency of the shake, Hz", d.motion.shake_frequency);
-  direction("axis of the object's turn", d.motion.axis);
-  finite("spin of the object, rad/s", d.motion.spin);
-  finite("swing of the object, rad", d.motion.swing);
-  not_negative("frequency of the swing, Hz", d.motion.swing_frequency);
+  finite("shake of the object (amplitude), R", d.motion.shake);
+  not_negative("frequency of the object's shake, Hz", d.motion.shake_frequency);
+  direction("rotation axis of the object", d.motion.axis);
+  finite("spin of the object (angular velocity), rad/s", d.motion.spin);
+  finite("swing of the object (amplitude), rad", d.motion.swing);
+  not_negative("frequency of the object's swing, Hz", d.motion.swing_frequency);
 }
 
 bool turns(const Dynamics& d) {

@@ -27,7 +27,7 @@ std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
   return found;
 }
 
-// Rows by falling degree within each window.
+// Returns the place of each stick after sorting by descending degree within each window.
 std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour>>& around) {
   std::vector<std::uint32_t> order(around.size()), place(around.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -109,19 +109,20 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // Columns of floats per place: sites, push, offset, speed; and when a mass was lost.
+  // `columns` is the number of floats per place: sites, push, offset and speed. `values` is the number of
+  // other 4-byte values, such as the steps in which masses diverged.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  columns += 1 + 4;  // speeds and tips are rows of four
+  columns += 1 + 4;  // rows of four floats: 1 float more per speed, 4 per tip
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    columns += 8 + 6 + 12;  // x and d; r and A d; A's blocks and their inverses
+    columns += 8 + 6 + 12;  // x and d; r and A d; diagonal blocks of A and their inverses
     values += 3 * layout.neighbour.size();
   } else {
-    columns += 8;  // the next tips and speeds
+    columns += 8;  // tips and speeds after the step
     if (solver.multistage())
-      columns += 8 + 9;  // those of two stages; the stage's offset and the weighted rates
+      columns += 8 + 9;  // tips and speeds of a second stage; stage offsets, weighted sums
   }
   return 4 * (columns * layout.places() + values);
 }

@@ -14,9 +14,9 @@
 namespace pelage::springs {
 namespace {
 
-using Corners = std::vector<glm::uvec3>;  // sticks of each triangle
+using Corners = std::vector<glm::uvec3>;  // the three sticks of each triangle
 
-// The undirected edges of the triangles, each once, in ascending order.
+// Returns the undirected edges of the triangles in ascending order, each edge once.
 std::vector<glm::uvec2> unique_edges(const Corners& corners) {
   std::vector<glm::uvec2> edges;
   edges.reserve(3 * corners.size());
@@ -48,9 +48,10 @@ glm::dvec3 rest_top(const SpringNetwork& topology, std::uint32_t stick) {
 }  // namespace
 
 SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
-  if (mesh.triangle.empty()) throw InputError(fmt::format("{}: no triangle to stand a stick on", mesh.name));
+  if (mesh.triangle.empty())
+    throw InputError(fmt::format("{}: the mesh has no triangle; a topology needs at least one", mesh.name));
   if (!(length > 0) || !std::isfinite(length))
-    throw InputError(fmt::format("topology: a fur length of {} R; it has to be finite and above 0", length));
+    throw InputError(fmt::format("topology: the fur length is {} R; it must be finite and above 0", length));
   const Skin skin = weld(mesh);
 
   SpringNetwork topology;
@@ -91,11 +92,12 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   return topology;
 }
 
-// A scene asks for one ray: to build the tree of harness/mesh/search.hpp takes 50 times as long as this pass.
+// A scene casts one ray. To build the tree of harness/mesh/search.hpp takes 50 times as long as this loop.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
   std::optional<std::size_t> found;
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {  // Moeller and Trumbore 1997
+  // Each triangle is tested by the algorithm of Moeller and Trumbore 1997.
+  for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
     const glm::uvec3 t = mesh.triangle[f];
     const glm::dvec3 a(mesh.position[t.x]), u = glm::dvec3(mesh.position[t.y]) - a,
                                             v = glm::dvec3(mesh.position[t.z]) - a;
@@ -113,11 +115,12 @@ std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 d
 
 std::vector<glm::vec3> poke(const SpringNetwork& topology, std::size_t face, glm::vec3 force) {
   if (face >= topology.corner.size())
-    throw InputError(fmt::format("poke: triangle {} of {}", face, topology.corner.size()));
+    throw InputError(fmt::format("poke: triangle {} does not exist; the mesh has {} triangles", face,
+                                 topology.corner.size()));
   for (int c = 0; c < 3; ++c)
     if (!std::isfinite(force[c]))
-      throw InputError(fmt::format("poke: force ({}, {}, {}) N; all three have to be finite numbers", force.x,
-                                   force.y, force.z));
+      throw InputError(fmt::format("poke: the force is ({}, {}, {}) N; all three components must be finite",
+                                   force.x, force.y, force.z));
   std::vector<glm::vec3> push(topology.sticks(), glm::vec3(0));
   for (int c = 0; c < 3; ++c) push[topology.corner[face][c]] = force;
   return push;

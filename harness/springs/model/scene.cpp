@@ -9,7 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-// Where a poke is aimed at: a point, and the triangle that a ray meets there.
+// Target of a poke: a point (R), and the triangle that the ray hits. If the scene has no ray, `triangle` is
+// the number of triangles.
 struct Aim {
   glm::dvec3 point;
   std::size_t triangle;
@@ -20,7 +21,7 @@ Aim aimed(const Mesh& mesh, const PokeScene& poke) {
   const std::optional<std::size_t> found = hit(mesh, origin, direction);
   if (!found)
     throw InputError(
-        fmt::format("dynamics.poke.ray: from ({}, {}, {}) along ({}, {}, {}) it meets no triangle of {}",
+        fmt::format("dynamics.poke.ray: the ray from ({}, {}, {}) along ({}, {}, {}) hits no triangle of {}",
                     poke.point.x, poke.point.y, poke.point.z, poke.ray.x, poke.ray.y, poke.ray.z, mesh.name));
   glm::dvec3 corner[3];
   for (int c = 0; c < 3; ++c) corner[c] = glm::dvec3(mesh.position[mesh.triangle[*found][c]]);

@@ -1,4 +1,4 @@
-// What a scene says of a mass-spring topology.
+// Builds the mass-spring topology, its dynamics and its local forces from a scene.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace pelage::springs {
 
-/// The scene's dynamics in the topology's terms. The wind is air of speed strength / drag, which pushes a
-/// mass at rest with the scene's strength: the same force as on Silva's strand.
+/// Converts the scene's dynamics. The wind's speed is strength / drag, so that it pushes a mass at rest with
+/// the scene's `strength`, the same force as on Silva's strand.
 Dynamics dynamics_of(const DynamicsScene& scene);
 
-/// Sticks over surface points; those of a separable topology over every triangle's own corners.
+/// Returns the scene's topology over its mesh: one stick per surface point, or one per triangle corner if
+/// separable.
 SpringNetwork topology_of(const FrameInput& input);
 
-/// The scene's poke, N per stick; empty where there is none.
+/// Returns the scene's local force on each stick, N. The result is empty if the scene has no poke.
 std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke);
 
 }  // namespace pelage::springs

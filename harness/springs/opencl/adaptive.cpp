@@ -13,7 +13,7 @@ namespace {
 
 using Vectors = std::vector<glm::vec3>;
 
-/// The 99th percentile of the distances, of `length`.
+/// Returns the 99th percentile of the distances between a[i] and b[i], as a fraction of `length`.
 double difference(const Vectors& a, const Vectors& b, float length) {
   std::vector<double> error;
   error.reserve(a.size());
@@ -30,8 +30,8 @@ AdaptiveSteps::AdaptiveSteps(float span, int steps, float tolerance, int most)
     : span_(span), tolerance_(tolerance), steps_(steps), most_(most) {
   if (!(span > 0) || !(tolerance > 0) || steps < 1 || steps > most)
     throw InputError(fmt::format(
-        "adaptive steps: a frame of {} s in {} steps, tolerance {}, at most {} steps; all above 0, "
-        "and no more steps than the most",
+        "adaptive steps: frame length {} s, {} steps, tolerance {}, at most {} steps; frame length and "
+        "tolerance must be above 0, and the number of steps must be from 1 to the limit",
         span, steps, tolerance, most));
 }
 
@@ -45,7 +45,8 @@ AdaptiveSteps::Frame AdaptiveSteps::advance(const cl::Queue& queue, MassSprings&
     masses.check(queue);
     return masses.offsets(queue);
   };
-  // The coarser of the two was the finer one before; empty where it exploded.
+  // Computes one frame in `steps` steps. If the masses diverge, returns an empty result, so that advance()
+  // tries more steps.
   const auto tried = [&](int steps) {
     try {
       return moved(steps);
@@ -57,9 +58,9 @@ AdaptiveSteps::Frame AdaptiveSteps::advance(const cl::Queue& queue, MassSprings&
   Vectors coarse = tried(steps_);
   for (;;) {
     if (2 * steps_ > most_)
-      throw InputError(
-          fmt::format("tolerance {}: not reached with {} steps a frame; a larger one, or a shorter frame",
-                      tolerance_, steps_));
+      throw InputError(fmt::format(
+          "tolerance {}: not reached with {} steps per frame; use a larger tolerance or a shorter frame",
+          tolerance_, steps_));
     Vectors fine = tried(2 * steps_);
     const double error = coarse.empty() || fine.empty() ? std::numeric_limits<double>::infinity()
                                                         : difference(coarse, fine, masses.length());

@@ -1,26 +1,27 @@
-// Frames of a mass-spring system in as many steps as they need.
+// Advances a mass-spring system frame by frame with an adaptive number of steps per frame.
 #pragma once
 #include "harness/springs/opencl/mass_springs.hpp"
 
 namespace pelage::springs {
 
-/// Takes frames of equal length, each in n equal steps and again in 2 n from the same state; where the two
-/// differ by more than the tolerance n is doubled, until they do not, and the finer one is kept. The next
-/// frame begins with half as many once the difference is below a quarter of the tolerance: what a scheme of
-/// first order would still keep. An explosion is a difference, too. Costs three times what n steps do, and
-/// the state's way to the host and back.
+/// Computes frames of equal length. Each frame is computed in n equal steps and again in 2 n steps from the
+/// same state. If both results differ by more than the tolerance, or one diverges, n is doubled and the frame
+/// is repeated. Otherwise the result of 2 n steps is kept. If the difference is below a quarter of the
+/// tolerance, the next frame starts with n / 2, because a first-order scheme would still meet the tolerance.
+/// A frame costs three times as much as n steps, plus transfers of the state to the host and back.
 class AdaptiveSteps {
  public:
-  /// span: of a frame, s; steps: of the first one; tolerance: of the fur's length, asked of 99 tops in 100;
-  /// most: steps of a frame. Throws InputError unless span and tolerance are above 0 and 1 <= steps <= most.
+  /// span: length of a frame, s. steps: n of the first frame. tolerance: limit of the difference for 99 of
+  /// 100 top masses, as a fraction of the fur's length. most: limit of 2 n. Throws InputError unless span and
+  /// tolerance are above 0 and 1 <= steps <= most.
   AdaptiveSteps(float span, int steps, float tolerance, int most = 4096);
 
   struct Frame {
-    int steps = 0;     ///< that were kept
-    double error = 0;  ///< the difference from half as many, of the fur's length
+    int steps = 0;     ///< steps of the result that was kept
+    double error = 0;  ///< difference from half as many steps, as a fraction of the fur's length
   };
-  /// One frame further, from where `masses` are, at rest or after frames of this object. Throws Diverged or
-  /// InputError where `most` steps are too few.
+  /// Computes the next frame. `masses` must be at rest or in the state after the previous frame of this
+  /// object. Throws Diverged or InputError if `most` steps do not suffice.
   Frame advance(const cl::Queue& queue, MassSprings& masses, std::vector<cl::Event>* launches = nullptr);
 
  private:

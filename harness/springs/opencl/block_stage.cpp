@@ -7,15 +7,16 @@
 namespace pelage::springs {
 namespace {
 
-// "rk4_frame" and so on: kernels/springs/blocks.cl has one per solver.
+// Returns the name of the solver's kernel in kernels/springs/blocks.cl, such as "rk4_frame".
 std::string frame_kernel(const Solver& solver) {
   std::string name(solver.name);
   std::replace(name.begin(), name.end(), '-', '_');
   return name + "_frame";
 }
 
-// An Euler step of a stick is a short chain of dependent operations: two slices at a time keep a vector unit
-// busy. The longer schemes run out of registers.
+// Returns the number of slices that a work-item computes at a time. An Euler step of a stick is a short chain
+// of dependent operations, so two slices at a time keep a vector unit busy. The other schemes would need too
+// many registers for two slices.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
   const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
@@ -23,17 +24,18 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 
 }  // namespace
 
-// A second core costs some microseconds to wake: less than half of what it saves is a loss. Found by
-// `pelage run topology-solvers` on the paper's models (results/topology-notes.md).
+// The limits below were measured with `pelage run topology-solvers` on the paper's models
+// (results/topology-notes.md). One work-item uses one core. To wake a second core takes some microseconds,
+// more than it saves on a small model.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
-  // llvmpipe leaves a work-item's loops after 65535 turns, and says nothing.
+  // llvmpipe (platform rusticl) ends a loop of a work-item after 65535 iterations without an error.
   if (!device.cpu || device.platform == "rusticl") return false;
   if (!kind.shared_edges()) return sticks <= 2048;
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// A CPU's work-item takes a run of slices, so that the queue has a few dozen items a core and no more; a
-// GPU's takes one stick or triangle.
+// On a CPU a work-item computes up to 64 slices, so that there are about 8 work-items per core. On a GPU a
+// work-item computes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);
   if (lanes == 1) return 1;

@@ -28,7 +28,7 @@ std::size_t bytes_of(const cl::Buffer<T>& buffer) {
 Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
     : std::runtime_error(
           fmt::format("mass {} was out of bounds after step {} ({:.6g} s) of {} with dt = {} s and k = {} "
-                      "N/m; a shorter step, more damping or a softer spring would be stable",
+                      "N/m; use a shorter step, more damping or softer springs",
                       mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver),
                       d.step, d.stiffness)),
       step(step_number),
@@ -43,9 +43,10 @@ struct MassSprings::State {
   std::optional<BlockStage> blocks;
   std::optional<PrismStage> prisms;
   long steps = 0;
-  long known_from = 0, known_to = 0;  // the steps whose moments are on the device
+  long known_from = 0, known_to = 0;  // steps whose moments are on the device: known_from <= step < known_to
 
-  // Moments far ahead: a transfer to the device would cost a small launch as much again.
+  // Uploads the moments of many steps at once, because a transfer costs as much as the launch of a small
+  // model.
   void know_moments(const cl::Queue& queue, int substeps) {
     if (known_from <= steps && steps + substeps <= known_to) return;
     const int count = std::max(substeps, 512);
@@ -58,7 +59,7 @@ struct MassSprings::State {
     known_to = steps + count;
   }
 
-  // Of three columns, or of rows of four.
+  // Returns one vector per stick from a buffer of three columns, or of rows of four floats if `rows` is set.
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
     const std::vector<float> value = buffer.read(queue);
     std::vector<glm::vec3> values;
@@ -75,7 +76,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
                          const MassSpringOptions& options) {
   springs::check(dynamics);
   if (options.lanes != 0 && options.lanes != 1 && options.lanes != 16)
-    throw InputError(fmt::format("lanes: {}; 1 or 16", options.lanes));
+    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", options.lanes));
   const int lanes = options.lanes != 0 ? options.lanes : queue.device().info().lanes;
   Layout layout = lay_out(topology, dynamics.wind);
   const bool prisms = topology.kind.shared_edges();
@@ -119,12 +120,14 @@ void MassSprings::set(const cl::Queue& queue, const std::vector<glm::vec3>& offs
   const std::size_t sticks = s.layout.place.size();
   if (offsets.size() != sticks || speeds.size() != sticks)
     throw InputError(
-        fmt::format("state: {} offsets and {} speeds for {} sticks", offsets.size(), speeds.size(), sticks));
-  if (steps < 0 || steps >= never) throw InputError(fmt::format("state: {} steps done; 0 to 2^31", steps));
+        fmt::format("state: {} offsets and {} speeds for {} sticks; all three counts must be equal",
+                    offsets.size(), speeds.size(), sticks));
+  if (steps < 0 || steps >= never)
+    throw InputError(fmt::format("state: {} steps done; the number must be from 0 to 2^31 - 2", steps));
   std::vector<float> q = s.layout.offset, v(s.buffers.speed.size(), 0.0f);
   for (std::size_t i = 0; i < sticks; ++i) {
     if (!finite(offsets[i]) || !finite(speeds[i]))
-      throw InputError(fmt::format("state of stick {}: all values have to be finite numbers", i));
+      throw InputError(fmt::format("state of stick {}: all values must be finite numbers", i));
     const std::size_t place = s.layout.place[i];
     for (std::size_t c = 0; c < 3; ++c) {
       q[column_of(place, 3, c)] = offsets[i][int(c)];
@@ -155,13 +158,14 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
   s.params.pushed = 0;
   if (force.empty()) return;
   if (force.size() != s.layout.place.size())
-    throw InputError(fmt::format("local forces: {} for {} sticks", force.size(), s.layout.place.size()));
+    throw InputError(fmt::format("local forces: {} forces for {} sticks; both counts must be equal",
+                                 force.size(), s.layout.place.size()));
   std::vector<float> columns(3 * s.layout.places(), 0.0f);
   for (std::size_t i = 0; i < force.size(); ++i) {
     const glm::vec3 f = force[i];
     if (!finite(f))
       throw InputError(fmt::format(
-          "local force on stick {}: ({}, {}, {}) N; all three have to be finite numbers", i, f.x, f.y, f.z));
+          "local force on stick {}: ({}, {}, {}) N; all three components must be finite", i, f.x, f.y, f.z));
     for (std::size_t c = 0; c < 3; ++c) columns[column_of(s.layout.place[i], 3, c)] = f[int(c)];
   }
   s.buffers.push.write(queue, std::span<const float>(columns));
@@ -170,8 +174,8 @@ void MassSprings::push(const cl::Queue& queue, const std::vector<glm::vec3>& for
 
 void MassSprings::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches) {
   State& s = *state_;
-  if (substeps <= 0) throw InputError(fmt::format("substeps: {}; at least one", substeps));
-  if (s.steps > never - 1 - substeps) throw InputError("substeps: 2^31 steps are the most of one run");
+  if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
+  if (s.steps > never - 1 - substeps) throw InputError("substeps: a run has at most 2^31 steps in total");
   s.know_moments(queue, substeps);
   TopologyParams params = s.params;
   params.substeps = substeps;
@@ -194,7 +198,7 @@ void MassSprings::check(const cl::Queue& queue) const {
   std::size_t stick = 0;
   for (std::size_t i = 0; i < s.layout.place.size(); ++i)
     if (at[s.layout.place[i]] < step) step = at[s.layout.place[i]], stick = i;
-  if (step == never) return;  // only places past the last stick
+  if (step == never) return;  // only padding places after the last stick diverged
   throw Diverged(step, s.layout.place.size() + stick, s.dynamics);
 }
 

@@ -1,4 +1,4 @@
-// A topology in motion on an OpenCL device.
+// Moves the masses of a topology on an OpenCL device.
 #pragma once
 #include <memory>
 #include <stdexcept>
@@ -9,75 +9,80 @@
 
 namespace pelage::springs {
 
-/// The masses flew apart: dt is too long for the stiffness, or the forces are absurd.
+/// Thrown if a mass diverged. Typical causes are a step dt that is too long for the stiffness, and very large
+/// forces.
 struct Diverged : std::runtime_error {
   Diverged(long step_number, std::size_t mass_number, const Dynamics& dynamics);
-  long step;         ///< the first step after which a mass was out of bounds or not a number, from 0
-  std::size_t mass;  ///< the lowest such mass of the topology
+  long step;         ///< number (from 0) of the first step after which a mass was out of bounds or not finite
+  std::size_t mass;  ///< index of that mass; the lowest index if there are several
 };
 
 struct MassSpringOptions {
-  int lanes = 0;            ///< sticks or triangles at a time, 1 or 16; 0: as suits the device
-  std::size_t group = 0;    ///< work-items of a work-group; 0: as suits the device
-  int blocks_per_item = 0;  ///< slices that a work-item goes through; 0: as suits the device
-  /// One work-item takes the whole model through all steps of a launch: what suits a CPU where the model is
-  /// so small that the launches cost more than the steps.
+  int lanes = 0;  ///< sticks or triangles per work-item at a time, 1 or 16; 0 selects the device's default
+  std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
+  int blocks_per_item = 0;  ///< slices per work-item; 0 selects the device's default
+  /// Whether one work-item computes all steps of a launch for the whole model. On a CPU this is faster for
+  /// models so small that launches cost more than the steps.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
-/// Whether that suits: the sticks of shared prisms, or the slices of the others, are few.
+/// Returns whether Whole::as_suits selects one work-item for the whole model: only on a CPU, and only for few
+/// sticks.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
-/// What conjugate gradients did so far; all 0 where nothing was solved by them.
+/// Statistics of conjugate gradients since construction; all 0 if no system was solved by them.
 struct LinearSolves {
   long solves = 0, iterations = 0;
-  int most_iterations = 0;    ///< of one solve
-  double worst_residual = 0;  ///< largest |r| / |b| that a solve ended with, by its own reckoning
+  int most_iterations = 0;    ///< largest number of iterations of one solve
+  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve, as computed by the solver
 };
 
 class MassSprings {
  public:
-  /// At rest. Throws InputError where check(dynamics) does.
+  /// Creates the system at rest. Throws InputError if check(dynamics) does.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
   ~MassSprings();
   MassSprings(MassSprings&&) noexcept;
   MassSprings& operator=(MassSprings&&) noexcept;
 
-  /// Puts every top where these say, R and R/s per stick, as if `steps` steps were done; none is lost, and
-  /// conjugate gradients start from nothing. Throws InputError for another count, or a value that is not
-  /// finite.
+  /// Sets the state of all top masses: per stick, the position relative to the base (R) and the velocity
+  /// (R/s). `steps` is the number of steps done before. Clears recorded divergence and the initial guess of
+  /// conjugate gradients. Throws InputError if a size is wrong or a value is not finite.
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
-  /// Steps of another length from now on, s; the number of those done is as set() says. Throws InputError
-  /// where check(dynamics) does.
+  /// Sets the length of the next steps, s. The number of steps done does not change; set() can change it.
+  /// Throws InputError if check(dynamics) does.
   void retime(float step);
 
-  /// Local forces on the tops from now on, N, one per stick, in the object's frame; empty: none. Throws
-  /// InputError for another count, or a force that is not finite.
+  /// Sets local forces on the top masses, N, one per stick, in the object's frame; an empty vector removes
+  /// them. Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues that many steps. Waits for nothing but the host's own tables, and for conjugate gradients. Adds
-  /// every launch to `launches`, where one is given.
+  /// Enqueues `substeps` steps. It may wait for the upload of the moments, and for the queue if conjugate
+  /// gradients test their residual. Appends the event of every launch to `launches` unless it is null.
   void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
 
-  /// Throws Diverged when a step enqueued so far went wrong; waits for the queue.
+  /// Waits for the queue. Throws Diverged if a mass diverged in a step enqueued so far.
   void check(const cl::Queue& queue) const;
 
-  /// enqueue, then check.
+  /// Calls enqueue() and then check().
   void advance(const cl::Queue& queue, int substeps);
 
-  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;  ///< per stick, top less base, R
-  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;   ///< per stick, of the top, R/s
-  /// Those offsets on the device; where each stick's x lies there, y and z being 16 further each.
+  /// Returns per stick the position of the top mass relative to its base, R.
+  std::vector<glm::vec3> offsets(const cl::Queue& queue) const;
+  /// Returns per stick the velocity of the top mass, R/s.
+  std::vector<glm::vec3> speeds(const cl::Queue& queue) const;
+  /// These functions return the device buffer of the offsets, and per stick the index of its x in this
+  /// buffer. The y and z follow 16 and 32 floats later.
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
-  long steps() const;         ///< done or enqueued
-  float length() const;       ///< of the fur, R
-  std::size_t bytes() const;  ///< of device memory, as memory() counts it
+  long steps() const;         ///< number of steps done or enqueued
+  float length() const;       ///< length of the fur, R
+  std::size_t bytes() const;  ///< bytes of device memory in use, without the tables that memory() excludes
   const LinearSolves& solves() const;
-  const cl::Program& program() const;  ///< of the solver
+  const cl::Program& program() const;  ///< program of the solver's kernels
 
  private:
   struct State;

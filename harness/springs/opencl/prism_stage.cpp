@@ -9,8 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // of gradients.cl
-enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // what gradients_whole notes
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // indices of the kernels of gradients.cl
+enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // indices of the results that gradients_whole writes
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
 
@@ -39,7 +39,7 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Rows of root + q.
+// Returns rows of four floats per place: root + q (R), and 0.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
   std::vector<float> found(4 * layout.places(), 0.0f);
   for (std::size_t place = 0; place < layout.places(); ++place)
@@ -106,7 +106,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
-  // A single Euler step is one launch either way, and then two cores fetch what the host has written sooner.
+  // A single Euler step is one launch in any case. It is faster with many work-items, because several cores
+  // then read the host's new data in parallel.
   const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);
@@ -165,7 +166,8 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // The stages' tips and speeds go to and fro between two buffers; the step's own stay where they are.
+  // Stages 1 to 3 alternate between two pairs of tip and speed buffers. The tips and speeds at the start of
+  // the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {
@@ -190,7 +192,7 @@ bool PrismStage::converged(const cl::Queue& queue) {
   else
     read(0.0f);
   if (!std::isfinite(rr) || !std::isfinite(bb))
-    return true;  // the masses are lost, which is noted by the last kernel
+    return true;  // the masses diverged; the kernel MOVE records this
   const bool done = rr <= residual_ * residual_ * bb;
   last_residual_ = bb > 0 ? std::sqrt(rr / bb) : 0;
   return done;
@@ -212,7 +214,9 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
-  // As many as the step before needed, less the two that a test may have wasted; then two at a time.
+  // A convergence test waits for the queue. Thus the first iterations run without a test: as many as the
+  // previous step needed, minus the two that its last test may have added. After them, a test follows every
+  // two iterations.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)
     for (int i = 0; i < 2; ++i) iterate();

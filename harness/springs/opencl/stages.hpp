@@ -1,4 +1,5 @@
-// What MassSprings is made of: the buffers that every solver shares, and the launches of each.
+// The parts of MassSprings: the buffers that all solvers share, and one class per group of solvers that
+// enqueues its launches.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,27 +10,32 @@
 
 namespace pelage::springs {
 
-/// Columns per place, as places.clh lays them out; on shared prisms speed lies in rows of four.
+/// Buffers that all solvers share. The float buffers are stored slice by slice in columns (see places.clh).
+/// On shared prisms `speed` is stored in rows of four floats instead.
 struct Buffers {
-  cl::Buffer<Moment> moments;  ///< from params.first_moment on of the launch in hand
+  /// The environment at each half step. A launch reads from index params.first_moment on.
+  cl::Buffer<Moment> moments;
   cl::Buffer<float> sites, push, offset, speed;
-  cl::Buffer<std::int32_t> diverged_at;  ///< per place, the first step after which the mass was lost
-  cl::Buffer<std::int32_t> first;        ///< one: the least of those
+  /// Per place, the number of the first step after which the mass diverged.
+  cl::Buffer<std::int32_t> diverged_at;
+  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of diverged_at
 };
 
-/// "-D NAME=value" for a build at `lanes` lanes; turning: the object turns.
+/// Returns the build options that set LANES and TURNING. `turning`: whether the object rotates.
 std::string build_options(int lanes, bool turning);
 
-/// How many units (16 / LANES to a slice) one work-item goes through; `wanted`: slices, 0 for the device's
-/// own.
+/// Returns the number of units per work-item. A unit is LANES sticks of a slice, so a slice has 16 / LANES
+/// units. `units` is the number of units of the model. `wanted` is the number of slices per work-item, or 0
+/// for the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
-/// Work-items of a work-group. A CPU's work-item is a long loop of its own, and its drivers compile a kernel
-/// anew for every size of group: one size, 1, is enough. A GPU's takes 64.
+/// Returns the work-group size: `wanted` if it is above 0, else 64 for one lane (GPU) and 1 for 16 lanes
+/// (CPU). On a CPU a work-item is a long loop, so groups of 1 suffice. One size for all launches also saves
+/// time, because CPU drivers compile a kernel anew for each work-group size.
 std::size_t group_size(int lanes, std::size_t wanted);
 
-/// Sticks, separable sticks, separable prisms: one launch takes every block through all substeps, whole: by
-/// one work-item.
+/// Advances sticks, separable sticks and separable prisms. One launch computes all substeps of all blocks. If
+/// `whole` is set, one work-item computes them.
 class BlockStage {
  public:
   BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
@@ -47,15 +53,17 @@ class BlockStage {
   int blocks_, units_, per_item_;
 };
 
-/// Shared prisms: a launch per evaluation of the forces, and three per iteration of conjugate gradients; or
-/// one launch of one work-item for the whole model and all steps.
+/// Advances shared prisms. Explicit solvers need one launch per evaluation of the forces, and conjugate
+/// gradients three launches per iteration. If `whole` is set, one work-item computes all steps of the whole
+/// model in one launch.
 class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
-  /// Other offsets, columns as the layout's; what follows from them, and conjugate gradients from the start.
+  /// Sets the offsets, in columns as in Layout::offset. Updates the tips and resets the initial guess of
+  /// conjugate gradients.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
-  /// Waits for the queue where conjugate gradients have to be tested.
+  /// Enqueues params.substeps steps. Waits for the queue if conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
                std::vector<cl::Event>* launches);
   const LinearSolves& solves() const { return solves_; }
@@ -71,28 +79,31 @@ class PrismStage {
   void whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
   void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
 
-  std::vector<cl::Event>* launches_ = nullptr;  // where they are noted during enqueue(), if anywhere
+  // Receives the events of launches during enqueue(); may be null.
+  std::vector<cl::Event>* launches_ = nullptr;
 
   Solver solver_;
   bool whole_;
   double residual_;
   int most_iterations_;
   cl::Program program_;
-  std::vector<cl::Kernel> kernels_;  // in the order of their names in prism_stage.cpp
+  std::vector<cl::Kernel> kernels_;  // in the order of kernels_of() in prism_stage.cpp
   std::size_t group_;
   int units_, per_item_, per_chunk_, chunks_;
   bool double_sums_;
-  int expected_ = 4;  // iterations of the step before
+  int expected_ = 4;  // iterations that run before the first convergence test of a step
   double last_residual_ = 0;
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  cl::Buffer<float> tip_, other_tip_, other_speed_;                                    // rows
-  cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;  // rk4: two of rows
-  // A's blocks, their inverses and couplings; x (rows), r, d (rows), A d and then z
+  cl::Buffer<float> tip_, other_tip_, other_speed_;  // rows of four floats
+  // These are used by rk4 only. The first two hold rows of four floats.
+  cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
+  // Conjugate gradients on A x = b: diagonal blocks of A, their inverses, couplings; x (rows of four), r, d
+  // (rows of four), A d and later z.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
-  cl::Buffer<float> solved_;  // of gradients_whole
+  cl::Buffer<float> solved_;  // results of gradients_whole
 };
 
 }  // namespace pelage::springs

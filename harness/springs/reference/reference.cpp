@@ -13,7 +13,7 @@ namespace {
 
 using Vectors = std::vector<glm::dvec3>;
 
-// The object's place X = T + R r, and its first two derivatives.
+// The object's motion X = T + R r, and its first two time derivatives.
 struct Pose {
   glm::dvec3 shift, shift_1, shift_2;
   glm::dmat3 turn, turn_1, turn_2;
@@ -26,7 +26,8 @@ Pose pose(const Motion& m, double t) {
   const double angle = double(m.spin) * t + double(m.swing) * std::sin(b * t);
   const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
   const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
-  // Rodrigues: R = cos I + sin [n] + (1 - cos) n n^T, differentiated by the angle and then by time.
+  // Rodrigues' formula: R = cos I + sin [n] + (1 - cos) n n^T. The derivatives by time follow from those
+  // by the angle.
   const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
   const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
   const double c = std::cos(angle), s = std::sin(angle);
@@ -41,7 +42,7 @@ Pose pose(const Motion& m, double t) {
 }
 
 struct Spring {
-  glm::dvec3 along;  // unit, from a to b; zero where the masses coincide
+  glm::dvec3 along;  // unit vector from the first to the second mass; 0 where both coincide
   double length, rest, stiffness, damping;
 };
 
@@ -55,7 +56,8 @@ Spring spring(const System& system, const State& state, std::size_t number) {
           double(stick ? d.stiffness : d.edge_stiffness), double(stick ? d.damping : d.edge_damping)};
 }
 
-// Gravity, wind, drag and the object's motion, felt by a mass in the object's frame.
+// Returns gravity, wind, drag and the inertial forces of the object's motion on one mass, N, in the object's
+// frame.
 glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 root, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
@@ -64,8 +66,7 @@ glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 ro
       std::sin(tau * (double(d.wind.frequency) * time - glm::dot(root, blow) / double(d.wind.wavelength)));
   const glm::dvec3 air = double(d.wind.speed) * (1 + double(d.wind.gust) * swell) * blow;
   const glm::dvec3 velocity = at.shift_1 + at.turn_1 * r + at.turn * v;
-  const glm::dvec3 carried =
-      at.shift_2 + at.turn_2 * r + 2.0 * (at.turn_1 * v);  // what the frame's motion takes
+  const glm::dvec3 carried = at.shift_2 + at.turn_2 * r + 2.0 * (at.turn_1 * v);
   const glm::dvec3 world = m * glm::dvec3(d.gravity) + double(d.drag) * (air - velocity) - m * carried;
   return glm::transpose(at.turn) * world;
 }
@@ -79,7 +80,7 @@ State moved(const State& from, double h, const Vectors& position_rate, const Vec
   return to;
 }
 
-// M^-1 F with the skin's masses infinite.
+// Returns M^-1 F. The masses on the skin are fixed and have no acceleration.
 Vectors accelerations(const System& system, const State& state, double time) {
   Vectors a = forces(system, state, time);
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -118,9 +119,10 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// Linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), f at the new time and the old state. J
-// leaves out what would make it indefinite: the transverse part of compressed springs, and of Eq. 5 the part
-// that is not symmetric. D holds the damping of the springs and the drag.
+// The equations of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), where f is the force at
+// the new time and the old state. J omits the parts that would make the matrix indefinite: the transverse
+// part of compressed springs, and the asymmetric part of Eq. 5. D holds the damping of the springs and the
+// drag.
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;
@@ -141,7 +143,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   for (std::size_t i = 0; i < sticks; ++i) {
     const std::size_t top = topology.top(i);
     add(i, i, glm::dmat3(double(system.dynamics.mass) + h * double(system.dynamics.drag)));
-    const Spring s = spring(system, y, i);  // Eq. 3's vector is its direction
+    const Spring s = spring(system, y, i);  // s.along is the vector s of Eq. 3
     const glm::dvec3 n(topology.normal[i]);
     const double cosine = glm::dot(n, s.along);
     const glm::dvec3 lean = n - cosine * s.along;
@@ -160,7 +162,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
     const glm::dvec3 drawn = h * h * (stiff * (y.velocity[ends.y] - y.velocity[ends.x]));
     for (const auto& [self, other, sign] :
          {std::tuple(ends.x, ends.y, 1.0), std::tuple(ends.y, ends.x, -1.0)}) {
-      if (self < sticks) continue;  // a mass of the skin
+      if (self < sticks) continue;  // a fixed mass on the skin
       load[self - sticks] += sign * drawn;
       add(self - sticks, self - sticks, block);
       if (other >= sticks) add(self - sticks, other - sticks, -block);
@@ -177,7 +179,9 @@ State backward_euler(const System& system, const State& y, double t, double h) {
   const SpringNetwork& topology = system.topology;
   const Equations equations = backward_equations(system, y, t, h);
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(equations.matrix);
-  if (factors.info() != Eigen::Success) throw std::runtime_error("backward Euler: the matrix has no factors");
+  if (factors.info() != Eigen::Success)
+    throw std::runtime_error(
+        "backward Euler: the LDL^T factorization of the matrix failed; a shorter time step may help");
   const Eigen::VectorXd change = factors.solve(equations.right);
   State next = y;
   for (std::size_t i = 0; i < topology.sticks(); ++i) {
@@ -206,7 +210,7 @@ Vectors forces(const System& system, const State& state, double time) {
   for (std::size_t i = 0; i < topology.mass.size(); ++i)
     force.push_back(
         outside(d, at, time, state.position[i % topology.sticks()], state.position[i], state.velocity[i]));
-  for (std::size_t k = 0; k < topology.spring.size(); ++k) {  // Hooke, and damping along the spring
+  for (std::size_t k = 0; k < topology.spring.size(); ++k) {  // Hooke's law, and damping along the spring
     const Spring s = spring(system, state, k);
     const glm::uvec2 ends = topology.spring[k];
     const double parting = glm::dot(state.velocity[ends.y] - state.velocity[ends.x], s.along);

@@ -1,5 +1,5 @@
-// Banisch and Wuethrich 2006 in double precision, mass by mass and spring by spring as the paper says it,
-// written without the kernels: what they are held against.
+// The double-precision reference of Banisch and Wuethrich 2006: it follows the paper mass by mass and spring
+// by spring and shares no code with the kernels. The results of the kernels are compared with it.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -9,36 +9,39 @@
 
 namespace pelage::springs::reference {
 
-/// Of all masses, in the object's frame: R and R/s.
+/// Positions (R) and velocities (R/s) of all masses, in the object's frame.
 struct State {
   std::vector<glm::dvec3> position, velocity;
 };
 
-/// A topology in the hands of its forces.
+/// A topology and the forces on it.
 struct System {
   const SpringNetwork& topology;
   const Dynamics& dynamics;
-  std::vector<glm::dvec3> push =
-      {};  ///< local force on each stick's top, N, in the object's frame; empty: none
+  /// Local force on each stick's top mass, N, in the object's frame; empty if there is none.
+  std::vector<glm::dvec3> push = {};
 };
 
-/// Every stick along its normal, nothing moves.
+/// Returns the rest state: every stick points along its normal, and all velocities are 0.
 State rest(const SpringNetwork& topology);
 
-/// F(t, p, v) of Eq. 1 on every mass, N; time in s. Forces on the fixed masses of the skin are reported too.
+/// Returns the force F(t, p, v) of Eq. 1 on every mass, N, at `time` (s). It includes the forces on the fixed
+/// masses.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
 
-/// The state one dt later, by the dynamics' solver; `number` steps were done before.
+/// Returns the state after one more step dt of the solver in `system.dynamics`. `number` counts the steps
+/// done before.
 State step(const System& system, const State& state, long number);
 
-/// |b - A x| / |b| of the equations A x = b that backward Euler solves for the change x of the tops'
-/// velocities.
+/// Returns |b - A x| / |b| of the equations A x = b of backward Euler, where x is `change`, the change of the
+/// top masses' velocities (R/s) in the step after `number` steps.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
-/// Kinetic energy and the springs' potential energy, J. Weight, drag, wind and Eq. 5 have no part in it.
+/// Returns the kinetic energy plus the potential energy of the springs, J. It excludes the potentials of
+/// gravity and of Eq. 5.
 double energy(const System& system, const State& state);
 
-/// Offset of each top from its base, R: the kernels' q.
+/// Returns the position of each top mass relative to its base, R: the kernels' q.
 std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference

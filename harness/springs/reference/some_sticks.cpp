@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
-// Those sticks (ascending), and the springs between them.
+// Returns the network of the given sticks (in ascending order) and the springs between them.
 springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std::uint32_t>& sticks) {
   SpringNetwork part;
   part.kind = whole.kind;
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t cou
     std::iota(found.begin(), found.end(), 0u);
     return found;
   }
-  // The three of a separable prism stay together.
+  // The three sticks of a separable prism are kept together.
   const std::size_t together = separable(topology.kind) ? 3 : 1, groups = all / together;
   const std::size_t wanted = std::clamp<std::size_t>(count / together, 1, groups);
   for (std::size_t i = 0; i < wanted; ++i)
@@ -62,8 +62,8 @@ reference::State moved(const SpringNetwork& topology, const DynamicsScene& scene
                        std::vector<glm::dvec3> push, int frames) {
   if (scene.tolerance > 0)
     throw InputError(fmt::format(
-        "dynamics.tolerance = {}: the reference takes `substeps` steps a frame, and so does what is held "
-        "against it (pelage run, pelage check); 0 there",
+        "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons "
+        "with it (pelage run, pelage check) need dynamics.tolerance = 0",
         scene.tolerance));
   const Dynamics dynamics = dynamics_of(scene);
   const reference::System system{topology, dynamics, std::move(push)};

@@ -12,8 +12,8 @@
 namespace pelage::springs {
 namespace {
 
-// Largest system whose backward Euler the double reference, spring by spring and factored whole, is asked
-// for.
+// Backward Euler is compared with the double-precision reference up to this number of sticks. For larger
+// models its sparse factorization is too slow.
 constexpr std::size_t most_factored = 20000;
 
 class Duel : public Subject {
@@ -56,7 +56,8 @@ class Duel : public Subject {
       sample.phase_wall_ms[name] = theirs.wall_ms;
       sample.phase_cpu_ms[name] = theirs.cpu_ms;
       processor_[i].push_back(theirs.cpu_ms);
-      // OpenMP's threads go on looking for work a while: not in somebody else's time.
+      // OpenMP threads keep spinning for a while after their work. The pause keeps this out of the next
+      // measurement.
       if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return sample;
@@ -131,8 +132,9 @@ class Duel : public Subject {
     return state;
   }
 
-  // A step of backward Euler whose equations are too many to be factored in double: the change of the
-  // velocities is put into them.
+  // Checks one step of backward Euler if the model is too large for the reference. Inserts the change of the
+  // velocities into the reference's equations and computes their residual. Also checks that the positions
+  // follow from the new velocities.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
     const Motions& before = setting_.start;
@@ -168,9 +170,10 @@ class Duel : public Subject {
   cl::Program measure_;
   cl::Kernel nothing_;
   std::array<cl::Buffer<float>, 7> nowhere_;
-  std::vector<double> enqueue_;  // wall ms of a launch that does nothing, warm-up turns among them
+  std::vector<double> enqueue_;  // wall time in ms of empty launches, including those of warm-up frames
   std::vector<NamedRival> rivals_;
-  std::vector<std::vector<double>> processor_;  // of every rival, then ours
+  // CPU times in ms: one list per baseline, and a last list for the device.
+  std::vector<std::vector<double>> processor_;
 };
 
 }  // namespace

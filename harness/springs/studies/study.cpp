@@ -25,7 +25,7 @@ Motions rest(const SpringNetwork& topology) {
   return state;
 }
 
-// `seconds` in launches of a sixtieth; told the time after each.
+// Simulates `seconds` in launches of 1/60 s. Calls `after` with the simulated time (s) after each launch.
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
               const std::function<void(double)>& after = {}) {
   const long steps = std::max(1L, std::lround(seconds / double(dynamics.step)));
@@ -39,7 +39,7 @@ void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynam
   queue.finish();
 }
 
-// What the studies below share: one measurement, made once, whose samples are `frame`'s.
+// Base class of the studies: each frame is one whole measurement.
 class Study : public Subject {
  public:
   Study(const cl::Device& device, Setting setting) : queue_(device), setting_(std::move(setting)) {}
@@ -101,7 +101,7 @@ class LimitStudy : public Study {
   FrameSample frame() override {
     if (longest_ > 0) return {.wall_ms = taken_};
     double low = 1e-5, high = 1;  // s
-    if (!stable(low)) throw OutOfBounds("two seconds do not stay in bounds with dt = 1e-5 s");
+    if (!stable(low)) throw OutOfBounds("the masses diverge within two seconds even with dt = 1e-5 s");
     if (stable(high)) low = high;
     while (high / low > 1.02) {
       const double middle = std::sqrt(low * high);
@@ -219,12 +219,13 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
   Scene scene = scene_of(context.experiment, which);
   if (!has_springs(scene.dynamics))
     throw InputError(
-        fmt::format("{}: dynamics.topology is {}; the solvers need one of the four of docs/topology.md",
+        fmt::format("{}: dynamics.topology is {}; this experiment needs sticks, prisms, separable-sticks or "
+                    "separable-prisms",
                     which.name, scene.dynamics.topology));
   return scene;
 }
 
-// At rest, before the scene's `time`.
+// Returns the scene's system without an initial state.
 Setting setting_of(SubjectContext& context, const Scene& scene) {
   const auto mesh = context.mesh_of(scene);
   return {
@@ -262,7 +263,7 @@ std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case&
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
   const Scene scene = scene_with_springs(context, which);
   Setting setting = setting_of(context, scene);
-  Scene any = scene;  // all cases that differ by step and solver only have one exact state
+  Scene any = scene;  // cases that differ only in step and solver have the same exact state
   any.dynamics.step = 1;
   any.dynamics.substeps = 1;
   any.dynamics.solver = highest_order.name;

@@ -1,5 +1,5 @@
-// Solvers of the mass-spring topologies as subjects of the harness: they move, draw nothing, and are held
-// against rivals and against finer runs.
+// Subjects of experiments on the solvers of the mass-spring topologies. They draw no picture. Their results
+// are compared with the baselines, or with runs of finer steps.
 #pragma once
 #include <functional>
 #include <map>
@@ -13,37 +13,42 @@
 
 namespace pelage::springs {
 
-/// What moves in a case, and from which state: `time` s of its scene's dynamics have passed, by the device.
+/// The system of a case and its initial state: the state after `time` seconds of the scene's dynamics,
+/// computed by the device.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
   Motions start;
-  long steps = 0;  ///< done by then
+  long steps = 0;  ///< number of steps done before the initial state
 };
 
-/// The studies of docs/topology.md, Studies, of the case's scene. They throw InputError where the scene
-/// names no topology, and OutOfBounds where a mass is lost.
+/// These functions make the subjects described in docs/topology.md, section Studies, from the case's scene.
+/// They throw InputError if the scene's topology is not a mass-spring topology. The subjects throw
+/// OutOfBounds if a mass diverges.
 std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_limit(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case& which);
 
-/// A frame's substeps on the device and by every rival, one after the other, all from the setting's state.
+/// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, by every
+/// baseline. All runs start from the setting's state and follow one after the other.
 std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
 
-/// A simulated second from rest, timed; its error against a run in double with RK4 at 1/8 of the shortest
-/// stable step.
+/// Makes a subject that times one simulated second from rest. Its error is the distance from `exact`, the
+/// state after this second.
 std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
 
-/// The state after a second from rest, in double, by RK4 with `step`.
+/// Returns the state after one second from rest, computed in double precision by RK4 with steps of `step`
+/// seconds.
 Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
-/// The longest step with which two seconds from rest leave every stick shorter than twice its length: metric
-/// "longest_step_ms".
+/// Makes a subject that finds the longest step for which every stick stays shorter than twice its length
+/// during two seconds from rest. The metric is "longest_step_ms".
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
-/// Four seconds from rest: the springs' and the masses' energy over time as metrics "energy_uJ_at_<s>".
+/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses over
+/// time as metrics "energy_uJ_at_<s>".
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting);
 
 }  // namespace pelage::springs

@@ -1,4 +1,5 @@
-// No rival's time counts before it is shown to solve the same equations as the reference.
+// Tests that every baseline solves the same equations as the reference. Otherwise its times could not be
+// compared with others.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -31,7 +32,8 @@ double largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm
   return worst;
 }
 
-// On objects at rest and on one that turns; 4, 16 and 320 triangles, the last more than a tile of sticks.
+// Tests objects at rest and rotating objects, with meshes of 4, 16 and 320 triangles. 320 triangles are more
+// than one tile of triangles or of separable sticks.
 TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
   for (const bool turning : {false, true})
     for (const Mesh& mesh : {square(1), square(2), sphere(2)}) {
@@ -59,7 +61,7 @@ TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
           rival->advance(moments(dynamics, done, count), count);
         }
         const double error = largest_difference(rival->state().offset, offsets) / double(fur_length);
-        // The records, the state handed over and, at times, the arithmetic are floats.
+        // Some inputs, the initial state and, in some baselines, the arithmetic are floats.
         EXPECT_LT(error, name.find("double") != std::string::npos ? tolerance::double_baseline
                                                                   : tolerance::stick_top)
             << name << ", " << topology.sticks() << " sticks";

@@ -1,4 +1,5 @@
-// The builder's arrays against the counts that follow from V, E and F, and against the paper's own figures.
+// Compares the arrays of build() with the counts that follow from V, E and F, and with the numbers in the
+// paper.
 #include "harness/springs/model/network.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,8 @@ TEST(Topology, ThePapersGrassHas13VerticesAnd16Faces) {
   ASSERT_EQ(mesh->welded, 13u);
   ASSERT_EQ(mesh->triangle.size(), 16u);
   expect_counts(build(Kind::sticks, *mesh, length), 26, 13);
-  expect_counts(build(Kind::prisms, *mesh, length), 26, 13 + 28);  // V + F - 1 edges: Euler on a disk
+  // Euler's formula for a disk: V + F - 1 edges
+  expect_counts(build(Kind::prisms, *mesh, length), 26, 13 + 28);
   expect_counts(build(Kind::separable_sticks, *mesh, length), 96, 48);
   expect_counts(build(Kind::separable_prisms, *mesh, length), 96, 96);
 }
@@ -100,7 +102,7 @@ TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
   const Mesh mesh = cut_in_two(sphere(1));
   const SpringNetwork points = build(Kind::prisms, mesh, length, Vertices::points),
                       copies = build(Kind::prisms, mesh, length, Vertices::copies);
-  // Reach across springs from one top.
+  // Returns the tops that can be reached over springs from one top.
   const auto reached = [](const SpringNetwork& topology) {
     std::set<std::uint32_t> seen{topology.edges()[0].x};
     for (std::size_t before = 0; before != seen.size();) {
@@ -121,13 +123,13 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_EQ(apart.least, 3);
   EXPECT_EQ(apart.most, 3);
   const Degrees whole = degrees(build(Kind::prisms, mesh, length));
-  EXPECT_EQ(whole.least, 1 + 3);  // a corner: two sides and a diagonal
-  EXPECT_EQ(whole.most, 1 + 8);   // the middle: four sides and four diagonals
+  EXPECT_EQ(whole.least, 1 + 3);  // a corner of the square: two sides and a diagonal
+  EXPECT_EQ(whole.most, 1 + 8);   // the centre of the square: four sides and four diagonals
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 
 TEST(Hit, TakesTheTriangleThatTheRayMeetsAndNoneBesideIt) {
-  // A triangle over half of the unit square and, farther along the rays, one over twice its area.
+  // The near triangle covers half of the unit square. The far triangle has four times its area.
   const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {0, 2, 1}},
                                   {{3, 4, 5}, {0, 1, 2}});
   const auto from = [&](double x, double y) { return hit(mesh, {x, y, -1}, {0, 0, 1}); };

@@ -1,5 +1,5 @@
-// Frames in as many steps as they need: near the fine solution, many where the springs are stiff, few where
-// nothing moves.
+// Tests adaptive steps: the result is close to the fine solution, stiff springs get many steps, and a system
+// at rest gets few.
 #include "harness/springs/opencl/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,8 @@ TEST(AdaptiveSteps, StayNearTheFineSolutionAsTheToleranceAsks) {
       const double error = largest_difference(masses.offsets(queue()), fine) / double(fur_length);
       std::printf("%s, tolerance %g: %ld steps in 30 frames, error %.2g\n", name(solver).data(),
                   double(tolerance), all, error);
-      // Frames forget: springs are damped. What the later ones add is what counts.
+      // The springs are damped, so the errors of early frames decay. The error after 30 frames therefore
+      // stays within a small multiple of the tolerance.
       EXPECT_LT(error, 20 * double(tolerance)) << name(solver);
       EXPECT_LE(error, 1.01 * before) << name(solver);
       before = std::max(error, 1e-6);
@@ -65,14 +66,15 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
     return found;
   };
   Dynamics stiff = lively(Solver::explicit_euler);
-  stiff.stiffness = 1000;  // explodes at 0.1 ms steps: 167 to a frame
+  stiff.stiffness = 1000;  // steps of 0.1 ms (167 per frame) diverge
   const int soft = last(lively(Solver::explicit_euler)), many = last(stiff);
   EXPECT_GT(many, 2 * soft);
   EXPECT_GT(many, 150);
   EXPECT_EQ(last(still(Solver::explicit_euler)), 2);
 }
 
-// The tolerance holds for 99 tops in 100: 5 of 162 that move ask for steps, one does not.
+// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, the number of steps grows. If only one
+// moves, it does not grow.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
   const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);

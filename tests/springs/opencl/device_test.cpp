@@ -1,5 +1,5 @@
-// What only a device can show: one set of bits for every cut of the work, pokes that stay where they were
-// made, and explosions that are reported.
+// Tests on a device: results do not depend on the division of the work, pokes act locally, and divergence is
+// reported.
 #include "tests/springs/support/device.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ bool same_bits(const Offsets& a, const Offsets& b) {
 }
 
 TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
-  const Mesh mesh = sphere(2);  // 162 points: no multiple of 16
+  const Mesh mesh = sphere(2);  // 162 points, which is not a multiple of 16
   for (const Kind kind : kinds) {
     const SpringNetwork topology = build(kind, mesh, fur_length);
     for (const Solver solver : solvers) {
@@ -54,7 +54,7 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
         return same_bits(once, after(topology, d, 120, options, {}, launch));
       };
       EXPECT_TRUE(same({}, 7)) << name(kind) << ' ' << name(solver) << ", launches of 7 steps";
-      // So small a model is one work-item's, were it not told otherwise.
+      // By default a single work-item computes a model of this size.
       const auto never = MassSpringOptions::Whole::never;
       if (kind == Kind::prisms && solver == Solver::backward_euler)
         once = after(topology, d, 120, {.whole = never});
@@ -66,7 +66,7 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
   }
 }
 
-// Moments are uploaded 512 steps ahead: launches of one step reach the end of a table.
+// Moments are uploaded for 512 steps at once, so 600 launches of one step read beyond the first upload.
 TEST(TopologyDevice, SixHundredLaunchesOfAStepAreOneOfSixHundred) {
   for (const Kind kind : {Kind::sticks, Kind::prisms}) {
     const SpringNetwork topology = build(kind, square(1), fur_length);
@@ -78,8 +78,8 @@ TEST(TopologyDevice, SixHundredLaunchesOfAStepAreOneOfSixHundred) {
   }
 }
 
-// One work-item for the whole model computes what the launches of many compute: the same bits, but where sums
-// are added in another order and tested more often, those of conjugate gradients.
+// One work-item for the whole model gives the same bits as launches of many work-items. The exception is
+// conjugate gradients, which add sums in another order and test the residual more often.
 TEST(TopologyDevice, OneWorkItemForTheWholeModelDoesWhatManyDo) {
   using Whole = MassSpringOptions::Whole;
   const Mesh mesh = sphere(2);
@@ -112,14 +112,15 @@ TEST(TopologyDevice, OneWorkItemSolvesToTheResidualToo) {
     EXPECT_LE(springs->solves().worst_residual, double(d.residual));
     EXPECT_GT(springs->solves().worst_residual, 1e-3 * double(d.residual));
   }
-  // It asks after every iteration and the launches after every second.
+  // One work-item tests the residual after every iteration. Separate launches test it after every second
+  // iteration.
   EXPECT_LE(one.solves().iterations, many.solves().iterations);
   EXPECT_GE(one.solves().iterations, 30);
   EXPECT_GE(30 * one.solves().most_iterations, one.solves().iterations);
 }
 
-// What is read back, set again with its number of steps, goes on with the same bits; conjugate gradients,
-// which then start from nothing, end where they did but for their residual.
+// A state that is read back and set again with its step number continues with the same bits. The exception is
+// conjugate gradients, which restart from 0 and agree only up to their residual.
 TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
   const Mesh mesh = sphere(2);
   for (const Kind kind : kinds)
@@ -152,7 +153,8 @@ TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
   EXPECT_THROW(springs.set(queue(), none, none, -1), InputError);
 }
 
-// Drivers compile a kernel anew for every size of group, which takes seconds: two schemes have to do.
+// Drivers compile a kernel anew for each work-group size, which takes seconds. The test is therefore limited
+// to two schemes.
 TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
   const Mesh mesh = sphere(2);
   for (const auto& [kind, solver] : {std::pair(Kind::separable_prisms, Solver::backward_euler),
@@ -211,7 +213,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
   for (const Kind kind : kinds) {
     const SpringNetwork topology = build(kind, sphere(1), fur_length);
     Dynamics d = lively(Solver::explicit_euler);
-    d.stiffness = 1e5f;  // stable below dt = 2 c / k = 0.4 us at that damping
+    d.stiffness = 1e5f;  // with this damping, steps are stable only below dt = 2 c / k = 0.4 us
     MassSprings springs(queue(), topology, d);
     try {
       for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
@@ -224,7 +226,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
       EXPECT_NE(text.find("mass " + std::to_string(said.mass)), std::string::npos) << text;
       EXPECT_NE(text.find("step " + std::to_string(said.step)), std::string::npos) << text;
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-      // The step is the first: a launch of so many steps is sound, one more is not.
+      // The reported step is the first failing one: all steps before it succeed, and the next step fails.
       MassSprings again(queue(), topology, d);
       EXPECT_NO_THROW(again.advance(queue(), int(said.step)));
       EXPECT_THROW(again.advance(queue(), 1), Diverged);
@@ -233,7 +235,8 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
   }
 }
 
-// Springs that explode after some 20 steps, in launches of one step and in one of 100.
+// The springs diverge after about 20 steps. The reported step and mass must be equal for launches of 1, 7 and
+// 100 steps.
 TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
   for (const Kind kind : kinds) {
     const SpringNetwork topology = build(kind, sphere(1), fur_length);
@@ -256,12 +259,13 @@ TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
   }
 }
 
-// No solver turns a lost mass into a picture, nor waits for ever for it to come back.
+// If a mass diverges, every solver ends and reports it. No solver loops forever.
 TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)
     for (const Solver solver : solvers)
-      for (const float force : {1e30f, 3e38f})  // the sums overflow, and the tops' own equations do
+      // 1e30 overflows the sums; 3e38 also overflows the equations of a single top mass.
+      for (const float force : {1e30f, 3e38f})
         for (const Whole whole : {Whole::never, Whole::always}) {
           const SpringNetwork topology = build(kind, sphere(1), fur_length);
           Offsets push(topology.sticks(), glm::vec3(0));
@@ -273,7 +277,7 @@ TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
             ADD_FAILURE() << name(kind) << ' ' << name(solver) << ' ' << force;
           } catch (const Diverged& said) {
             EXPECT_EQ(said.step, 0) << name(kind) << ' ' << name(solver) << ' ' << force;
-            // Where tops solve or stretch together others are lost in the same step.
+            // If springs connect the tops, other masses may diverge in the same step.
             if (!kind.edges) {
               EXPECT_EQ(said.mass, topology.top(17));
             }
@@ -291,7 +295,7 @@ TEST(TopologyDevice, TakesTheMemoryThatIsForetold) {
     }
 }
 
-// Each absurd value is refused with one line that names it.
+// An invalid value is rejected by an error of one line that names it.
 TEST(TopologyDevice, RefusesAbsurdDynamics) {
   const float nan = std::numeric_limits<float>::quiet_NaN(),
               infinite = std::numeric_limits<float>::infinity();
@@ -316,8 +320,8 @@ TEST(TopologyDevice, RefusesAbsurdDynamics) {
   for (const float bad : {-1.0f, nan, infinite}) {
     refused("stiffness of the sticks", [&](Dynamics& d) { d.stiffness = bad; });
     refused("damping of the sticks", [&](Dynamics& d) { d.damping = bad; });
-    refused("stiffness between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
-    refused("damping between tops", [&](Dynamics& d) { d.edge_damping = bad; });
+    refused("stiffness of the springs between tops", [&](Dynamics& d) { d.edge_stiffness = bad; });
+    refused("damping of the springs between tops", [&](Dynamics& d) { d.edge_damping = bad; });
     refused("drag", [&](Dynamics& d) { d.drag = bad; });
     refused("return force", [&](Dynamics& d) { d.return_weight = bad; });
     refused("frequency of the gusts", [&](Dynamics& d) { d.wind.frequency = bad; });

@@ -1,4 +1,5 @@
-// What must hold whatever the reference says: orders of convergence, rest, energy, Eq. 5's limits.
+// Tests properties that do not need the reference's motion: orders of convergence, rest, energy, and limits
+// of Eq. 5.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,13 +25,13 @@ std::string kind_name(const testing::TestParamInfo<Kind>& given) {
   return text;
 }
 
-// The error at 0.05 s against a run of 2048 steps of RK4, over falling dt: each halving divides it by
-// 2^order.
+// Computes the error at 0.0625 s against RK4 with 2048 steps, for decreasing dt. Each halving of dt must
+// divide the error by 2^order.
 TEST_P(PropertiesOf, OrdersOfConvergence) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   const auto offsets_after = [&](Solver solver, int steps) {
     Dynamics d = lively(solver);
-    d.step = 0.0625f / float(steps);  // exact
+    d.step = 0.0625f / float(steps);  // exactly representable
     Shim shim(topology, d);
     shim.advance(steps);
     return shim.offsets();
@@ -52,20 +53,20 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   const auto rest = reference::offsets(topology, reference::rest(topology));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
-    d.step = lively(solver).step;  // at 1/240 s explicit Euler would blow up the rounding itself
+    d.step = lively(solver).step;  // steps of 1/240 s would amplify rounding errors in explicit Euler
     Shim shim(topology, d);
     shim.advance(500);
     MassSprings device(queue(), topology, d);
     device.advance(queue(), 500);
-    // Normals, places and rest lengths are floats of about 1 R, exact within 6e-8 R, and so are the device's
-    // own differences of places.
+    // Normals, positions and rest lengths are floats of about 1 R with an error up to 6e-8 R. Differences of
+    // positions on the device have an error of the same size.
     EXPECT_LT(largest_difference(shim.offsets(), rest), 6e-8) << name(solver);
     EXPECT_LT(largest_difference(device.offsets(queue()), rest), 1.2e-7) << name(solver);
   }
 }
 
-// Without Eq. 5, damping and drag the springs are conservative, and semi-implicit Euler, which is symplectic,
-// keeps the energy within a band for ever.
+// Without Eq. 5, damping and drag the system is conservative. Semi-implicit Euler is symplectic and keeps the
+// energy within a band at all times.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -100,7 +101,7 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
 }
 
-// Backward Euler may only lose energy there.
+// In the same conservative system backward Euler must never increase the energy.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -130,7 +131,8 @@ TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   EXPECT_LT(last, 0.5 * start);
 }
 
-// A stick leant over and let go comes back by Eq. 5 alone, each swing smaller than the one before.
+// A stick is tilted and released. Eq. 5 returns it to its normal, and each swing is smaller than the one
+// before.
 TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -154,14 +156,15 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  peaks.erase(peaks.begin() + 1);  // nothing was noted before the first crossing
+  peaks.erase(peaks.begin() + 1);  // the second entry is 0: recording starts at the first crossing
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
 }
 
-// "Grass does therefore not flip to the wrong side": the load that would pull the fur through the skin is
-// less than w, and no top goes below the plane of its root; without Eq. 5 they hang down.
+// The paper says: "Grass does therefore not flip to the wrong side". Here the force that pulls the fur
+// through the skin is smaller than w, so no top mass sinks below the plane of its root. Without Eq. 5 the top
+// masses hang down.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {

@@ -1,4 +1,5 @@
-// Mass-springs on no device: the kernels' text in double, driven as MassSprings drives them.
+// Runs the source of the mass-spring kernels as C++ in double precision, in the same order as MassSprings
+// runs the kernels.
 #pragma once
 #include <vector>
 
@@ -6,34 +7,36 @@
 
 namespace pelage::springs::test {
 
-/// What the kernels of one layout are handed, the state in double.
+/// The arguments of the kernels for one layout, with the state in double precision.
 struct Memory {
   TopologyParams params{};
   std::vector<Moment> moments;
   const Layout* layout = nullptr;
-  std::vector<double> sites, push, sides, rest;  ///< the layout's floats
-  std::vector<double> offset, speed;             ///< columns; of shared prisms speed lies in rows of four
+  std::vector<double> sites, push, sides, rest;  ///< the float arrays of the layout, converted to double
+  std::vector<double> offset, speed;  ///< stored in columns; on shared prisms speed is stored in rows of four
   std::vector<int> diverged_at, first;
-  std::vector<double> tip, change;  ///< shared prisms, rows: root + q, and the last step's dv
+  /// shared prisms only, rows of four: root + q, and dv of the previous step
+  std::vector<double> tip, change;
 };
 
 using BlockKernel = void (*)(TopologyParams, const Moment*, const double*, const double*, const double*,
                              double*, double*, int*, int*);
-/// blocks.cl's, built for one kind of block.
+/// The kernels of blocks.cl, compiled for one kind of block.
 struct BlockKernels {
   BlockKernel explicit_euler, backward_euler, semi_implicit_euler, rk4;
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
 
-/// One launch over all blocks.
+/// Runs all work-items of one launch, which computes all blocks.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
-/// Substep number `substep` of a launch on shared prisms; backward Euler's conjugate gradients until |r| is
-/// `residual` |b|.
+/// Computes substep number `substep` of a launch on shared prisms. The second function uses backward Euler
+/// with conjugate gradients until |r| <= `residual` |b|, and returns the number of iterations.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
-/// All substeps of memory.params by one work-item; how many iterations they took (explicit: 0).
+/// Computes all substeps of memory.params as one work-item. Returns the number of conjugate gradient
+/// iterations (0 for explicit solvers).
 int prisms_whole(Solver solver, Memory& memory);
 int gradients_whole(Memory& memory, double residual);
 
@@ -41,13 +44,15 @@ class Shim {
  public:
   Shim(const SpringNetwork& topology, const Dynamics& dynamics);
   void push(const std::vector<glm::vec3>& force);
-  void advance(int substeps, bool whole = false);  ///< whole: one work-item for all, shared prisms only
+  /// Advances by `substeps` steps. If `whole` is set, one work-item computes all of them (shared prisms
+  /// only).
+  void advance(int substeps, bool whole = false);
   std::vector<glm::dvec3> offsets() const { return by_stick(memory_.offset, false); }
   std::vector<glm::dvec3> speeds() const { return by_stick(memory_.speed, kind_ == Kind::prisms); }
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
 
  private:
-  void stand();  // tips from offsets
+  void stand();  // computes the tips from the offsets
   std::vector<glm::dvec3> by_stick(const std::vector<double>& values, bool rows) const;
   std::size_t at(std::size_t stick, std::size_t c, bool rows) const;
   Dynamics dynamics_;

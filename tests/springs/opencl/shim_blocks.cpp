@@ -1,5 +1,5 @@
 #include "tests/springs/opencl/shim.hpp"
-// clang-format off: it defines words that no header after it would survive
+// clang-format off: this header defines macros that would break any header after it
 #include "tests/springs/support/in_double.hpp"
 // clang-format on
 

@@ -1,5 +1,5 @@
-// Each scheme of each topology against the independent reference: the kernels' text in double, which must
-// agree to the records' rounding, and the device, which must agree to 1e-4 of the fur's length.
+// Compares every scheme on every topology with the independent reference. The kernels compiled in double
+// precision must agree to the rounding of their float inputs, and the device to 1e-4 of the fur's length.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -56,7 +56,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
     EXPECT_GT(largest_difference(reference::offsets(topology, reference::rest(topology)), offsets), 0.01)
         << "something moved";
 
-    // Shared prisms have kernels for many work-items and for one.
+    // Shared prisms have one set of kernels for many work-items, and one for a single work-item.
     std::vector<Whole> mappings{Whole::never};
     if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
@@ -64,7 +64,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       shim.push(force);
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
-      // Weight, moments, 1/m and a unit normal are floats in the records.
+      // Even in the double-precision build gravity, wind, 1/m and the unit normals are rounded to floats.
       EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
       MassSprings device(queue(), topology, dynamics, {.whole = whole});
@@ -80,7 +80,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
 }
 
 struct Spread {
-  double rms = 0, percentile_99 = 0, worst = 0;  // of the fur's length
+  double rms = 0, percentile_99 = 0, worst = 0;  // as fractions of the fur's length
 };
 
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b) {
@@ -95,8 +95,8 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b)
   return {std::sqrt(squares / double(error.size())), error[error.size() * 99 / 100], error.back()};
 }
 
-// An irregular mesh of the paper's size. Compressed springs between tops may buckle, one way or the other by
-// the last bit: shared prisms are held by their spread.
+// Tests an irregular mesh of the paper's size. Compressed springs between tops may buckle in a direction that
+// depends on the last bit, so shared prisms are compared by rms and 99th percentile.
 TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind kind : {Kind::prisms, Kind::separable_prisms})
@@ -121,8 +121,9 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
     }
 }
 
-// |b - A x| / |b| in double, after one step with springs of that stiffness between tops. From rest the change
-// of the velocities is the velocities, so that nothing is rounded between the solver and this.
+// Returns |b - A x| / |b|, computed in double precision, after one step from rest. `stiffness` is that of the
+// springs between tops, N/m. From rest, x equals the new velocities, so no rounding occurs between the solver
+// and this test.
 double residual_left(const Mesh& mesh, float stiffness, float step, float asked, Whole whole) {
   const SpringNetwork topology = build(Kind::prisms, mesh, fur_length);
   Dynamics dynamics = lively(Solver::backward_euler);
@@ -146,8 +147,8 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
     for (const float asked : {1e-2f, 1e-3f, 1e-4f})
       EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, asked, whole), 1.05 * double(asked));
     EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
-    // Less than the floats of the tops' places allow: they are exact to 6e-8 R, and so are the forces of
-    // springs at rest to k times that, which is what b then differs by.
+    // A residual of 1e-7 cannot be reached, because the positions of the top masses are floats with an error
+    // of 6e-8 R. The spring forces at rest, and hence b, have an error of k times that.
     EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
   }
 }

@@ -1,5 +1,5 @@
-// The reference itself: that the object's frame, in which it and the kernels compute, is the world seen from
-// the object, and that its schemes do what their closed forms say.
+// Tests the reference: its motion in the object's frame equals the motion in the world frame, and its schemes
+// agree with closed-form solutions.
 #include "harness/springs/reference/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -32,9 +32,8 @@ Pose pose(const Motion& m, double t) {
       glm::dmat3(glm::rotate(glm::dmat4(1), angle, glm::normalize(glm::dvec3(m.axis))))};
 }
 
-// Newton's law in the world itself: the skin's masses are carried along, tops feel springs to them, weight,
-// wind, drag and Eq. 5, and no force of any frame. Stoermer and Verlet's scheme with velocities from the last
-// half step.
+// Integrates Newton's law in the world frame by RK4. The bases move with the object. The forces on the top
+// masses are springs, gravity, wind, drag and Eq. 5, without inertial forces.
 std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, const Dynamics& d, double until,
                                              int steps) {
   const double h = until / steps, tau = 2 * std::numbers::pi;
@@ -123,7 +122,7 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
   }
 }
 
-// A stick pulled along itself is the damped oscillator m x'' + c x' + k x = 0.
+// A stick that is stretched along its axis is the damped oscillator m x'' + c x' + k x = 0.
 TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::rk4);
@@ -141,7 +140,7 @@ TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
   }
 }
 
-// The linearised step is exact for a straight pull: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
+// For a stretched stick the linearised step is exact: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
 TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -158,7 +157,7 @@ TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
   }
 }
 
-// Action and reaction: the springs' forces sum to nothing over all masses, also those of the skin.
+// Newton's third law: the spring forces on all masses, including the fixed ones, sum to 0.
 TEST(ReferenceTopology, SpringsPushBothEnds) {
   const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
   Dynamics d = still(Solver::explicit_euler);
@@ -176,7 +175,7 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
   EXPECT_LT(glm::length(sum), 1e-12 * size);
 }
 
-// F = -dE/dp of the springs, by finite differences.
+// Compares the spring forces with -dE/dp, computed by finite differences.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
   const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);

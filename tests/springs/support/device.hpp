@@ -1,4 +1,4 @@
-// The device that the tests of this room run on, and how far two sets of vectors are apart.
+// The device of the tests in this folder, and the distance between two lists of vectors.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -9,13 +9,14 @@
 
 namespace pelage::springs::test {
 
-/// Of $PELAGE_DEVICE, else the first.
+/// Returns a queue on the device that $PELAGE_DEVICE selects, or else on the first device.
 inline const cl::Queue& queue() {
   static const cl::Queue shared(cl::choose_device(""));
   return shared;
 }
 
-/// Largest distance of entries; something enormous where one is no number.
+/// Returns the largest distance between entries of equal index. If an entry is not finite, returns a huge
+/// value.
 template <class A, class B>
 double largest_difference(const std::vector<A>& a, const std::vector<B>& b) {
   EXPECT_EQ(a.size(), b.size());

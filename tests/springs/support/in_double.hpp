@@ -1,6 +1,6 @@
-// The kernels' own text, whole kernels with their indexing and memory, as C++ in double: what
-// opencl_as_cpp.hpp is to equations. A source includes this and then, in a namespace of its own, the .cl file
-// it wants.
+// Compiles whole kernels, with their indexing and memory accesses, as C++ in double precision.
+// opencl_as_cpp.hpp does this for equations only. A source file includes this header and then, in its own
+// namespace, a .cl file.
 #pragma once
 #include <cstddef>
 
@@ -50,7 +50,7 @@ inline int atomic_min(int* place, int value) {
   return before;
 }
 
-/// The work-item that the next call of a kernel is.
+/// Index of the work-item of the next kernel call.
 inline int work_item = 0;
 inline int get_global_id(int) {
   return work_item;
@@ -59,7 +59,7 @@ inline int get_global_id(int) {
 }  // namespace pelage::in_double
 
 #define LANES 1
-// NOLINTBEGIN(bugprone-reserved-identifier): OpenCL's own words
+// NOLINTBEGIN(bugprone-reserved-identifier): these are keywords of OpenCL C
 #define __kernel static inline
 #define __global
 // NOLINTEND(bugprone-reserved-identifier)

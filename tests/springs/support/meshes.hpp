@@ -1,4 +1,4 @@
-// Small meshes made of formulas.
+// Small meshes that are computed by formulas.
 #pragma once
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -9,7 +9,7 @@
 
 namespace pelage::springs::test {
 
-/// A mesh without UV seams of the given points and triangles.
+/// Returns a mesh with the given points and triangles and without UV seams.
 inline Mesh mesh_of(std::vector<glm::vec3> points, std::vector<glm::uvec3> triangles) {
   Mesh mesh;
   mesh.name = "formula";
@@ -23,7 +23,8 @@ inline Mesh mesh_of(std::vector<glm::vec3> points, std::vector<glm::uvec3> trian
   return mesh;
 }
 
-/// The unit square in the plane y = 0, facing +y, of `quads` x `quads` quads split in four at their centres.
+/// Returns the unit square in the plane y = 0, facing +y. It has `quads` x `quads` quads, each split into
+/// four triangles at its centre.
 inline Mesh square(int quads) {
   std::vector<glm::vec3> points;
   std::vector<glm::uvec3> triangles;
@@ -41,7 +42,7 @@ inline Mesh square(int quads) {
   return mesh_of(std::move(points), std::move(triangles));
 }
 
-/// An icosphere of radius 1: 20 * 4^halvings triangles.
+/// Returns an icosphere of radius 1 with 20 * 4^halvings triangles.
 inline Mesh sphere(int halvings) {
   const float g = (1 + std::sqrt(5.0f)) / 2;
   std::vector<glm::vec3> points{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
@@ -69,8 +70,8 @@ inline Mesh sphere(int halvings) {
   return mesh_of(std::move(points), std::move(triangles));
 }
 
-/// The same surface cut along the plane x = 0, as a UV seam would: points touched by triangles of both sides
-/// get a copy for each.
+/// Returns the same surface cut along the plane x = 0, like a UV seam: points with triangles on both sides
+/// are duplicated.
 inline Mesh cut_in_two(const Mesh& whole) {
   Mesh mesh = whole;
   mesh.position.clear(), mesh.weld.clear(), mesh.uv.clear();
@@ -90,7 +91,7 @@ inline Mesh cut_in_two(const Mesh& whole) {
   return mesh;
 }
 
-/// Edges of the surface, counted by another way than the builder's: pairs in a set.
+/// Counts the edges of the surface as a set of vertex pairs, independently of build().
 inline std::size_t edge_count(const Mesh& mesh, bool welded) {
   std::set<std::set<std::uint32_t>> edges;
   for (const glm::uvec3& t : mesh.triangle)

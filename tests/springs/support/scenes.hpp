@@ -1,4 +1,4 @@
-// Dynamics for the tests.
+// Dynamics that the tests use.
 #pragma once
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
@@ -7,7 +7,7 @@ namespace pelage::springs::test {
 
 inline constexpr float fur_length = 0.05f;
 
-/// Everything at once: gravity, gusts, an object that travels, shakes and swings.
+/// Returns dynamics with all effects: gravity, gusts, and an object that travels, shakes, spins and swings.
 inline Dynamics lively(Solver solver) {
   Dynamics d;
   d.solver = solver;
@@ -17,7 +17,7 @@ inline Dynamics lively(Solver solver) {
   return d;
 }
 
-/// No gravity, no wind, no drag, an object at rest: nothing but springs and Eq. 5.
+/// Returns dynamics with springs and Eq. 5 only: no gravity, wind or drag, and an object at rest.
 inline Dynamics still(Solver solver) {
   Dynamics d;
   d.solver = solver;
