@@ -1,4 +1,4 @@
-// What a layer's vertices and fragments share: three rows of numbers that the host computes (harness/shells/opengl/layers.cpp).
+// What a layer's vertices and fragments share: three rows of numbers that the host computes (harness/shells/opengl/scene_glsl.cpp).
 //   bend: factors of A, B and of the curl's u, v      step: factors of A, B in dB(n)
 //   look: f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n), n
 #ifdef INSTANCED

@@ -3,7 +3,6 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "harness/compare/shares.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/picture/picture.hpp"
 

@@ -21,10 +21,12 @@ std::vector<std::string_view> names_in(std::span<const Row> table) {
 }
 
 template <class Row>
-Row row_named(const std::string& wanted, std::span<const Row> table, std::string_view what) {
+Row row_named(const std::string& wanted, std::span<const Row> table, std::string_view one,
+              std::string_view many) {
   for (const Row& row : table)
     if (row.name == wanted) return row;
-  throw InputError(fmt::format("{} {}: none of {}", what, wanted, fmt::join(names_in(table), ", ")));
+  throw InputError(
+      fmt::format("unknown {} \"{}\"; the {} are {}", one, wanted, many, fmt::join(names_in(table), ", ")));
 }
 
 }  // namespace
@@ -33,11 +35,11 @@ constinit const std::span<const Kind> kinds = kind_table;
 constinit const std::span<const Solver> solvers = solver_table;
 
 Kind kind_of(const std::string& name) {
-  return row_named(name, kinds, "topology");
+  return row_named(name, kinds, "topology", "topologies");
 }
 
 Solver solver_of(const std::string& name) {
-  return row_named(name, solvers, "solver");
+  return row_named(name, solvers, "solver", "solvers");
 }
 
 std::vector<std::string_view> kind_names() {

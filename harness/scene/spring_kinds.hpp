@@ -8,16 +8,18 @@
 
 namespace pelage::springs {
 
-/// A topology of Banisch and Wuethrich 2006, section 4. Code tests a property, never a name. To add a
-/// topology: a row in spring_kinds.cpp.
+/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. Code tests these
+/// properties and never compares names. To add a topology, add a row to the table of spring_kinds.cpp.
 struct Kind {
-  std::string_view name;   ///< as users write it
-  bool separable = false;  ///< every triangle has sticks of its own at its three corners, so layers can part
-  bool edges = false;      ///< springs also run along the edges of the outermost layer
+  std::string_view name;   ///< name in scene files and on the command line
+  bool separable = false;  ///< each triangle has its own three sticks, so triangles of a layer can separate
+  bool edges = false;      ///< springs also connect top masses along the edges of the outermost layer
 
   constexpr bool operator==(const Kind& other) const { return name == other.name; }
-  bool shared_edges() const { return edges && !separable; }  ///< springs join a top to all neighbouring tops
-  bool own_edges() const { return edges && separable; }  ///< springs join only the three tops of a triangle
+  /// Whether springs connect the tops of adjacent triangles.
+  bool shared_edges() const { return edges && !separable; }
+  /// Whether springs connect tops, but only the three tops of one triangle.
+  bool own_edges() const { return edges && separable; }
 
   static const Kind sticks, prisms, separable_sticks, separable_prisms;
 };
@@ -26,13 +28,13 @@ inline constexpr Kind Kind::prisms{"prisms", false, true};
 inline constexpr Kind Kind::separable_sticks{"separable-sticks", true, false};
 inline constexpr Kind Kind::separable_prisms{"separable-prisms", true, true};
 
-extern const std::span<const Kind> kinds;  ///< all of them
+extern const std::span<const Kind> kinds;  ///< the table of topologies
 
-/// The name of the topology.
 inline std::string_view name(const Kind& kind) {
   return kind.name;
 }
-/// Throws InputError with the known names.
+/// Returns the topology with this name. Throws InputError with a list of the valid names if the name is
+/// unknown.
 Kind kind_of(const std::string& name);
 
 constexpr bool separable(const Kind& kind) {
@@ -43,36 +45,37 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
   return out << kind.name;
 }
 
-/// A time integration scheme. Code tests a property, never a name. To add a solver: a row in spring_kinds.cpp
-/// and its step in kernels/springs/ and harness/springs/reference/reference.cpp.
+/// A time integration scheme, described by its properties. Code tests these properties and never compares
+/// names. To add a scheme, add a row to the table of spring_kinds.cpp and its step to kernels/springs/ and to
+/// harness/springs/reference/reference.cpp.
 struct Solver {
-  std::string_view name;  ///< as users write it
-  bool implicit = false;  ///< solves a linear system per step
-  bool in_turn = false;   ///< moves positions with the new velocities
-  int stages = 1;         ///< evaluations of the forces per step: 1, or 4 of the classical Runge-Kutta scheme
+  std::string_view name;  ///< name in scene files and on the command line
+  bool implicit = false;  ///< whether a step solves a linear system
+  bool in_turn = false;   ///< whether positions are updated with the new velocities
+  int stages = 1;         ///< evaluations of the forces per step: 4 for classical Runge-Kutta, else 1
 
   constexpr bool operator==(const Solver& other) const { return name == other.name; }
   bool multistage() const { return stages > 1; }
 
   static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4;
 };
-inline constexpr Solver Solver::explicit_euler{"explicit-euler"};  ///< the paper's first solver
-/// The paper's second solver: one linearised step (Baraff and Witkin 1998).
+inline constexpr Solver Solver::explicit_euler{"explicit-euler"};  ///< the first scheme of the paper
+/// The second scheme of the paper, as one linearised step (Baraff and Witkin 1998).
 inline constexpr Solver Solver::backward_euler{"backward-euler", true, true};
 inline constexpr Solver Solver::semi_implicit_euler{"semi-implicit-euler", false, true};
 inline constexpr Solver Solver::rk4{"rk4", false, false, 4};
 
-extern const std::span<const Solver> solvers;  ///< all of them
+extern const std::span<const Solver> solvers;  ///< the table of schemes
 
-inline constexpr Solver highest_order =
-    Solver::rk4;  ///< most accurate for steps at which all solvers are stable
+/// The scheme of the highest order. It is the most exact one if the step is short enough.
+inline constexpr Solver highest_order = Solver::rk4;
 inline constexpr Solver default_solver = Solver::semi_implicit_euler;
 
-/// The name of the solver.
 inline std::string_view name(const Solver& solver) {
   return solver.name;
 }
-/// Throws InputError with the known names.
+/// Returns the scheme with this name. Throws InputError with a list of the valid names if the name is
+/// unknown.
 Solver solver_of(const std::string& name);
 
 inline std::ostream& operator<<(std::ostream& out, const Solver& solver) {

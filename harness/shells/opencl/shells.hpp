@@ -44,7 +44,6 @@ struct FrameTiming {
   double wall_ms = 0;                            ///< from the first enqueue until the queue has finished
   std::map<std::string, double> phase_event_ms;  ///< sums for simulate, transform, bin and raster
   std::vector<KernelTime> kernels;               ///< in launch order; empty if phase_event_ms is empty
-  std::uint64_t covered_fragments = 0;           ///< not set by frame(); see Shells::count()
 };
 
 /// A scene on a device. The constructor uploads the scene, builds the kernels and computes the wetness mask.

@@ -87,7 +87,7 @@ class Painter {
     const Raster raster({snap(part[0].point), snap(part[1].point), snap(part[2].point)}, input_.camera.width,
                         input_.camera.height);
     if (raster.empty()) return;
-    if (layer_ >= 0 && options_.mutant == Mutant::back_faces_culled && raster.faces_away()) return;
+    if (layer_ >= 0 && options_.mutant == Mutant::front_faces_culled && raster.faces_eye()) return;
     const Window box = raster.box(tile.window);
     for (int y = box.y; y < box.y + box.height; ++y)
       for (int x = box.x; x < box.x + box.width; ++x) {

@@ -18,7 +18,7 @@ constexpr Planted planted[] = {
     {"layer_missing", Mutant::layer_missing},
     {"height_without_one", Mutant::height_without_one},
     {"triangles_reversed", Mutant::triangles_reversed},
-    {"back_faces_culled", Mutant::back_faces_culled},
+    {"front_faces_culled", Mutant::front_faces_culled},
     {"uv_swapped", Mutant::uv_swapped},
     {"mask_bilinear", Mutant::mask_bilinear},
     {"droplets_reversed", Mutant::droplets_reversed},

@@ -168,7 +168,7 @@ TEST(OpenGlPicture, MistakesAreSeen) {
   const auto input = small_frame("curling");
   const Picture drawn = drawn_by_opengl(input);
   for (const Mutant mutant : {Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed,
-                              Mutant::back_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
+                              Mutant::front_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
                               Mutant::droplets_reversed, Mutant::log_negated}) {
     const Agreement agreement = compare(drawn_by_reference(*input, mutant), drawn);
     EXPECT_LT(agreement.psnr, tolerance::other_filter_psnr)

@@ -131,7 +131,7 @@ TEST(ReferenceCoverage, EdgesAreTheBarycentricsOfTheirCorner) {
     for (std::size_t k = 0; k < 3; ++k)
       x += double(edges.value[k]) / sum * double((flipped && k < 2 ? c[1 - k] : c[k]).x);
     EXPECT_NEAR(x, (15 + .5 - width / 2.0) * 256, 1e-9);
-    EXPECT_EQ(raster.faces_away(), flipped);
+    EXPECT_EQ(raster.faces_eye(), flipped);
   }
 }
 

@@ -252,7 +252,7 @@ TEST(ReferenceRender, EveryMutantIsSeenAndTheOriginalIsNot) {
   const Picture right = render(input, after(20));
   EXPECT_TRUE(within(compare(right, render(input, after(20)))));
   for (const Mutant mutant : {Mutant::layer_missing, Mutant::height_without_one, Mutant::triangles_reversed,
-                              Mutant::back_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
+                              Mutant::front_faces_culled, Mutant::uv_swapped, Mutant::mask_bilinear,
                               Mutant::droplets_reversed, Mutant::log_negated}) {
     Options options = after(20);
     options.mutant = mutant;
