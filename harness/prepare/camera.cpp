@@ -31,9 +31,10 @@ struct Stand {
   double across, along;
 };
 
-/// The eye whose rays of slope +`slope` and -`slope` touch the points from both sides. With the coordinates p
-/// across and q along the view axis, the first ray touches the point of greatest p - slope q, and the second
-/// ray touches the point of greatest -p - slope q. `margin` is added to the points on both sides.
+/// The eye for which all points lie between two rays of the slopes +`slope` and -`slope`, and each ray
+/// touches a point. With the coordinates p across and q along the view axis, the first ray touches the point
+/// of greatest p - slope q, and the second ray touches the point of greatest -p - slope q. Every point is
+/// extended by `margin` on both sides, R.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;

@@ -69,7 +69,7 @@ class Places {
 
   std::shared_ptr<const Mesh> mesh_;
   std::optional<SurfaceSearch> in_space_, in_atlas_;
-  std::vector<std::size_t> face_;  ///< number of the mesh's triangle, per triangle of the flat mesh
+  std::vector<std::size_t> face_;  ///< index of the mesh's triangle for each triangle of the flat mesh
 };
 
 /// Greatest distance in R between a disc's centre and the surface points of its texels. It is twice the
@@ -112,7 +112,7 @@ class Patches {
   Patches(const Skin& skin, const WetnessScene& wetness)
       : size_(double(wetness.patch_size)), seed_(wetness.seed), everywhere_(wetness.patch_cover >= 1.0f) {
     if (everywhere_) return;
-    std::vector<std::pair<double, double>> value;  // noise and area, per face
+    std::vector<std::pair<double, double>> value;  // noise value and area of each face
     double total = 0;
     for (std::size_t f = 0; f < skin.triangle.size(); ++f) {
       const glm::uvec3 t = skin.triangle[f];

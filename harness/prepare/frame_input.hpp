@@ -25,7 +25,7 @@ struct StrandSet {
   // A sparse matrix in compressed rows. It maps strands to surface points by the area-weighted mean over the
   // triangles around the point.
   std::vector<std::uint32_t> row;   ///< W + 1 offsets into face and weight
-  std::vector<std::uint32_t> face;  ///< row.back() numbers of triangles
+  std::vector<std::uint32_t> face;  ///< row.back() indices of triangles
   std::vector<float> weight;        ///< row.back() weights; the sum over a row is 1
 };
 
@@ -36,8 +36,8 @@ struct CurlFrame {
   std::vector<glm::vec2> mask_uv;
 };
 
-/// The derivatives dX/du and dX/dv per vertex, R per UV unit. They are the tangent and bitangent of W Eq. 4,
-/// whose change of basis follows later.
+/// The derivatives dX/du and dX/dv per vertex, R per UV unit. They are the tangent and bitangent of W Eq. 4
+/// before its change of basis.
 struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< V
 };
@@ -63,8 +63,8 @@ struct Droplet {
   float radius;      ///< r_drop, UV
   float wetness;     ///< rho_drop
   glm::vec3 point;   ///< c_mesh, surface point of the centre, R
-  /// The droplet covers only texels whose surface point is at most this far from `point`, R. It does not wet
-  /// other charts that are near in UV.
+  /// The droplet covers only texels whose surface point is at most this far from `point`, R. The limit
+  /// keeps the droplet off other charts that are near in UV but far away on the surface.
   float reach;
 };
 

@@ -20,13 +20,13 @@ enum Stream : std::uint32_t {
 };
 
 constexpr double lock_share = 0.4;  // fraction of the shade's variation that all hairs of a lock share
-constexpr double undercoat_thinness = 0.8;  // radius of undercoat hairs over that of guard hairs
+constexpr double undercoat_thinness = 0.8;  // ratio of an undercoat hair's radius to a guard hair's radius
 
 glm::dvec2 shortest(glm::dvec2 d) {
   return d - glm::round(d);
 }
 
-/// Number of the lock whose centre is nearest to `point`; the square repeats.
+/// Index of the lock centre nearest to `point`. Distances wrap around the unit square.
 std::size_t nearest(const std::vector<glm::dvec2>& centres, glm::dvec2 point) {
   std::size_t best = 0;
   double least = 1e30;

@@ -16,7 +16,7 @@ struct FurStrand {
   double steep = 2.5;       ///< c of the bend's exponential curve
   double length = 1;        ///< fraction of L0
   double radius = 0;        ///< radius at the root
-  double width = 1;         ///< width of a blade along `across` over its thickness
+  double width = 1;         ///< ratio of a blade's width along `across` to its thickness
   glm::dvec2 across{0, 1};  ///< unit vector across the bend
   double shade = 1;         ///< factor on the coat's colour
 };
@@ -30,10 +30,11 @@ std::vector<FurStrand> grow_strands(const FurScene& fur);
 glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
 
 /// Radius of the strand's cross-section at height h <= length. The radius decreases from the root to the tip,
-/// where it is the fraction fur.tip_radius of the root's. Then the section is widened to a disc of the area
-/// pi r^2 + 2 r spacing fur.sweep, where `spacing` is the distance of two slices. This is the area that the
-/// section sweeps if an oblique ray with the tangent fur.sweep crosses the slice. Without this correction,
-/// rays pass between the sections of a strand if layers are few, and the fur becomes thinner and darker.
+/// where it is fur.tip_radius times the root's radius. Then the section is widened to a disc of the area
+/// pi r^2 + 2 r spacing fur.sweep, where `spacing` is the distance of two slices. A ray whose angle to the
+/// strand has the tangent fur.sweep hits the strand between two slices if it enters this area. Without the
+/// widening, rays pass between the sections of a strand if layers are few, and the fur becomes thinner and
+/// darker.
 double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
 
 /// Returns `count` points that are evenly distributed over [0,1)^2. The rows have nearly equal numbers of

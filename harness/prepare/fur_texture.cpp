@@ -10,7 +10,7 @@ namespace {
 
 constexpr int fine = 4;                  // sub-samples per texel and axis
 constexpr double shade_unit = 127.5;     // stored value of the shade 1
-constexpr double reference_layers = 16;  // number of layers for which coverage is stored without correction
+constexpr double reference_layers = 16;  // number of layers at which the stored coverage needs no correction
 
 /// One slice of the texture during its generation; coverage is 0..1.
 struct Slice {

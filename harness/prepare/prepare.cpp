@@ -26,7 +26,8 @@ glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
 }  // namespace
 
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
-  if (!mesh || mesh->triangle.empty()) throw InputError("mesh: no triangles; give a mesh with at least one");
+  if (!mesh || mesh->triangle.empty())
+    throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   auto input = std::make_shared<FrameInput>();
   // The fur texture takes the longest time, even if it is read from the cache, and does not depend on the
   // mesh. Another thread prepares it.

@@ -9,14 +9,14 @@
 namespace pelage {
 
 struct Skin {
-  std::vector<glm::uvec3> triangle;       ///< F, numbers of surface points
+  std::vector<glm::uvec3> triangle;       ///< F, indices of surface points
   std::vector<glm::dvec3> position;       ///< W, R
-  std::vector<std::uint32_t> first_copy;  ///< W, lowest number of a vertex at the point
+  std::vector<std::uint32_t> first_copy;  ///< W, lowest index of a vertex at the point
   std::vector<double> area;               ///< F, R^2
   std::vector<glm::dvec3> face_normal;    ///< F, unit; for zero area the mean normal of the corners
   std::vector<glm::dvec3> normal;         ///< W, unit, area-weighted
   std::vector<std::uint32_t> row;         ///< W + 1; the faces around point w are face[row[w] .. row[w+1])
-  std::vector<std::uint32_t> face;        ///< numbers of faces, ascending and unique within a row
+  std::vector<std::uint32_t> face;        ///< indices of faces, ascending and unique within a row
 };
 
 Skin weld(const Mesh& mesh);

@@ -14,7 +14,7 @@ struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  std::vector<int> source;  ///< number of the covered texel whose point a texel gets
+  std::vector<int> source;  ///< index of the covered texel whose point a texel gets
 };
 
 void draw(Grid& grid, const glm::dvec2 (&uv)[3], const glm::dvec3 (&position)[3]) {

@@ -7,7 +7,8 @@ namespace pelage {
 
 /// The derivatives dX/du and dX/dv per vertex, R per UV unit: the mean over the triangles of the vertex,
 /// weighted by UV area. The weights limit the influence of triangles that are small in UV, whose derivatives
-/// are large. If all triangles of a vertex have zero UV area, its tangents have the mean lengths of the mesh.
+/// are large. If all triangles of a vertex have zero UV area, its tangents have the lengths in
+/// mesh.length_per_uv.
 SurfaceTangents surface_tangents(const Mesh& mesh, const Skin& skin);
 
 /// The vectors u and v of S Eq. 4 per surface point, orthonormal and tangential. With curl.frame "uv", u is

@@ -21,7 +21,7 @@ struct FurScene {
   float tile = 1.8f;     ///< repeats of the fur texture per R of surface
   int strands = 5000;    ///< number of guard hairs in one slice
   float radius = 1.2f;   ///< mean radius of guard hairs at the root, texels of a slice of 256 x 256 texels
-  float width = 1.0f;    ///< width of a guard hair across its bend over its thickness (grass: 2.4)
+  float width = 1.0f;    ///< ratio of a guard hair's width across its bend to its thickness (grass: 2.4)
   int undercoat = 4000;  ///< number of undercoat hairs in one slice
   float undercoat_length = 0.45f;  ///< greatest length of an undercoat hair, fraction of L0
   float least_length = 0.6f;       ///< length of the shortest guard hair, fraction of L0
