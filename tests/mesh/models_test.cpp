@@ -103,12 +103,12 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   EXPECT_EQ(message(head + "faces = \"many\"\n"), "models.toml:6: faces must be a whole number");
   EXPECT_EQ(message(head + "faces = 0\n"), "models.toml:6: faces must be 1 to 100000000");
   EXPECT_EQ(message(head + "rotation = [1, 2]\n"), "models.toml:6: rotation must be three numbers");
-  EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be left out: unknown key");
+  EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be removed: unknown key");
   EXPECT_EQ(message(head + "published.sticks = [4, 2]\n"), "accepted");
   EXPECT_EQ(message(head + "published.sticks = [4, -2]\n"),
             "models.toml:6: published must be a table of pairs, topology = [masses, springs]");
-  EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be a text; it is missing");
-  EXPECT_EQ(message("x = 1\n"), "models.toml: no [[model]] in it");
+  EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be given as a string");
+  EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
 }
 
 }  // namespace
