@@ -20,8 +20,8 @@ std::vector<Surface> split(const Surface& surface);
 
 /// Returns `surface` with the UV maps of its components `parts`, in the order of split(), packed side by side
 /// into the unit square without overlap. All charts have the same ratio of UV area to surface area. Up to 163
-/// charts have margins of 2 texels of a 256 x 256 mask, more charts have smaller margins. Throws InputError
-/// if a component has no UV map.
+/// charts have margins of 2 texels of a 256 x 256 mask; with more charts the margins are smaller. Throws
+/// InputError if a component has no UV map.
 Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name);
 
 }  // namespace pelage

@@ -149,7 +149,7 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
     }
   }
   // The larger diagonal element fixes the translation, which the other equations leave free: it keeps the
-  // first vertex at the origin. The solution has the same shape.
+  // first vertex at the origin. The shape of the solution does not change.
   diagonal[0] *= 2;
   for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
   LaplaceSolver::Matrix matrix(size, size);

@@ -1,4 +1,4 @@
-// Flattens a topological disk of triangles. Suitable for large meshes.
+// Flattens a topological disk of triangles. Its time grows linearly with the number of triangles.
 #pragma once
 #include <functional>
 #include <glm/vec2.hpp>

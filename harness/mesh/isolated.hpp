@@ -18,7 +18,7 @@ using Say = std::function<void(const std::string&)>;
 
 /// Runs `work` in a child process and returns its bytes. `progress` receives the messages of `work`. If
 /// `work` sends no message for limits.silence, `progress` receives a message with the elapsed seconds.
-/// Rethrows an InputError of the child. A crash, an exceeded limit or any other exception throws an
+/// Rethrows an InputError of the child. A crash, an exceeded limit or any other exception becomes an
 /// InputError that begins with `name`.
 std::string isolated(const std::string& name, const Limits& limits,
                      const std::function<std::string(const Say&)>& work, const Say& progress);

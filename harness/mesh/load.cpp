@@ -111,9 +111,9 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
-// A coarse version of the prepared mesh with about `faces` faces, on which cuts are tried. Its count is odd
-// if the final count is odd, so that it has the same hole. Returns `surface` itself if it cannot be made
-// coarser.
+// A coarse version of the prepared mesh with about `faces` faces, on which cuts are tried. If the final face
+// count is odd, the coarse count is odd too, so both meshes have a hole of one face. Returns `surface` itself
+// if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -126,8 +126,8 @@ Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces
   }
 }
 
-// Returns a component of a file with its UV map. The more components the file has, the coarser is the version
-// on which cuts are tried.
+// Returns a component of a file with its UV map. The coarse version for trying cuts has fewer faces
+// if the file has many components.
 Surface mapped(const Surface& component, Model model, const std::string& label, std::size_t number,
                std::size_t count, Stages& stages) {
   const std::string of = count == 1 ? "" : fmt::format(", component {} of {}", number + 1, count);

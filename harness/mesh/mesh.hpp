@@ -18,7 +18,7 @@ namespace pelage {
 struct Mesh {
   std::string name;
   std::string hash;                  ///< content_hash() in hexadecimal, for caches and provenance
-  std::vector<glm::vec3> position;   ///< V, the number of vertices
+  std::vector<glm::vec3> position;   ///< V, positions of the vertices
   std::vector<glm::vec2> uv;         ///< V, in [0,1]^2
   std::vector<std::uint32_t> weld;   ///< V, surface point of each vertex, in [0, welded)
   std::vector<glm::uvec3> triangle;  ///< F, indices of vertices, counter-clockwise seen from outside

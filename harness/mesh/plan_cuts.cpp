@@ -62,8 +62,8 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
                                  const std::function<void(double)>& part) {
   // On a surface with handles the cut depends on its root. Four distant roots are tried.
   std::vector<glm::dvec3> roots{proxy.point.front()};
-  const long euler = 2 * long(proxy.point.size()) -
-                     long(proxy.triangle.size());  // twice the Euler number of a closed surface
+  const long euler =
+      2 * long(proxy.point.size()) - long(proxy.triangle.size());  // twice the Euler characteristic if closed
   while (euler < 4 && roots.size() < 4) {
     const auto near = [&](const glm::dvec3& p) {
       double least = std::numeric_limits<double>::max();

@@ -14,8 +14,8 @@ Surface make_square(int quads);
 
 /// A pear around the y axis: a closed implicit surface of revolution of height 2, without UV map. The 20
 /// triangles of an icosahedron are split into four `halvings` times, and the points are projected onto the
-/// surface. The result is deterministic. The result of CGAL's mesher for implicit surfaces is not, because it
-/// depends on memory addresses.
+/// surface. The result is deterministic. CGAL's mesher for implicit surfaces is not used,
+/// because its result depends on memory addresses.
 Surface make_pear(int halvings);
 
 }  // namespace pelage

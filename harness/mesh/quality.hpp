@@ -31,8 +31,9 @@ struct UvQuality {
   double flipped = 0;      ///< UV area of flipped faces, fraction of the UV area of all faces
   double overlapping = 0;  ///< fraction of the covered texels that more than one face covers
   double covered = 0;      ///< fraction of the unit square that faces cover
-  /// Percentiles, weighted by surface area, of a face's UV area over its surface area: at 1%, 50% and 99%.
-  /// The values are relative to the whole map's ratio, so 1 means neither stretched nor compressed.
+  /// Percentiles (1%, 50% and 99%, weighted by surface area) of the ratio of a face's UV area to its surface
+  /// area. The values are relative to the ratio of the whole map, so 1 means neither stretched nor
+  /// compressed.
   double area_low = 0, area_median = 0, area_high = 0;
 };
 

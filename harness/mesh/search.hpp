@@ -1,4 +1,4 @@
-// Finds the nearest surface point of a point and the intersection with a ray, by CGAL's AABB tree.
+// Finds nearest points on a mesh and intersections of rays with a mesh, by CGAL's AABB tree.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>

@@ -31,8 +31,8 @@ Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::str
                      const std::function<void(double)>& part = {});
 
 /// Chooses cut plans by trials. Cuts into limbs are added one after another, the farthest tip first. A cut is
-/// kept if it lowers the cost of the map, which measures stretch, overlap and flipped faces. Dozens of maps
-/// are computed, so `proxy` should be a coarse version of the surface (about 6000 faces). A plan consists of
+/// kept if it lowers the map's cost, a measure of stretch, overlap and flipped faces. Dozens of maps are
+/// computed, so `proxy` should be a coarse version of the surface (about 6000 faces). A plan consists of
 /// positions and therefore also applies to the fine surface. Returns one plan for a surface without handles,
 /// four plans with different roots otherwise. `part` receives the completed fraction.
 struct TriedPlan {

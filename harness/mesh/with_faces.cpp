@@ -15,8 +15,8 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 namespace pelage {
 namespace {
 
-// The stop condition, because CGAL 5.5 can stop at edge counts only. A collapse removes two faces, or one
-// face at a border, so it stops at `faces` + 1 or fewer.
+// A stop condition on the number of faces; CGAL 5.5 provides only conditions on the number of edges. A
+// collapse removes two faces, or one face at a border, so the collapses stop at `faces` or `faces` + 1.
 struct Few_enough_faces {
   std::size_t faces, before;
   const std::function<void(double)>* part;
