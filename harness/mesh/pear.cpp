@@ -10,8 +10,8 @@ namespace pelage {
 namespace {
 
 // Implicit function of the pear, negative inside: a wide sphere below and a narrow sphere above, joined by a
-// smooth minimum of blend width 0.6, with a shallow dimple at the stem. The pear extends from y = -1 to
-// about 1.
+// smooth minimum of blend width 0.6, with a shallow dimple at the stem. The pear
+// extends from y = -0.98 to about 0.9.
 double pear(glm::dvec3 p) {
   const double across = p.x * p.x + p.z * p.z, y = p.y;
   const double low = std::sqrt(across + (y + 0.3) * (y + 0.3)) - 0.68;

@@ -12,7 +12,7 @@ Surface make_torus(int around, int across, double minor_radius);
 /// that meet in the quad's centre. UV is (x, -z).
 Surface make_square(int quads);
 
-/// A pear around the y axis: a closed implicit surface of revolution of height 2, without UV map. The 20
+/// A pear around the y axis: a closed implicit surface of revolution of height 1.9, without UV map. The 20
 /// triangles of an icosahedron are split into four `halvings` times, and the points are projected onto the
 /// surface. The result is deterministic. CGAL's mesher for implicit surfaces is not used,
 /// because its result depends on memory addresses.

@@ -1,4 +1,4 @@
-// Bad mesh files: one clear line each, never a crash.
+// Every bad mesh file gives an error message of one line, and none crashes.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -12,7 +12,7 @@ struct Bad {
   std::string name;  ///< of the case
   std::string file;  ///< its name
   std::string bytes;
-  std::string message;  ///< what follows the path
+  std::string message;  ///< text of the error after the path
 };
 
 std::string binary_stl(std::uint32_t triangles, std::size_t bytes) {
@@ -105,7 +105,7 @@ TEST_P(BadFile, is_refused_in_one_line) {
 INSTANTIATE_TEST_SUITE_P(Each, BadFile, testing::ValuesIn(cases),
                          [](const auto& one) { return one.param.name; });
 
-// Assimp words these errors itself: one line, and the file is named.
+// Assimp writes the text of these errors, so the test checks only for the file's name and for a single line.
 TEST(BadMesh, garbage_in_formats_that_assimp_reads_is_refused_in_one_line) {
   const TempFolder folder;
   for (const char* name : {"a.3ds", "a.gltf", "a.glb"}) {
