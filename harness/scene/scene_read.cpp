@@ -90,7 +90,7 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
       if (here < least) least = here, best = name;
     }
   }
-  if (best.empty()) return "no such key; `pelage scene` prints them all";
+  if (best.empty()) return "no such key; `pelage scene` prints all keys";
   return fmt::format("no such key; did you mean {}?", best);
 }
 
