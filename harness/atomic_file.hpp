@@ -1,4 +1,5 @@
-// Files that are whole or absent: written beside their place and renamed into it.
+// Atomic writing of files: a file is written under a temporary name and then renamed, so that an incomplete
+// file never has the final name.
 #pragma once
 #include <unistd.h>
 
@@ -11,7 +12,8 @@
 
 namespace pelage {
 
-/// Throws InputError when no file can be at `path`: its folder does not exist, or it is a folder itself.
+/// Throws InputError if no file can be written to `path`, because its folder does not exist or because `path`
+/// is a folder.
 inline void require_place(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -22,9 +24,10 @@ inline void require_place(const std::filesystem::path& path) {
   if (fs::is_directory(path, error)) throw InputError(path.string() + ": cannot be written, it is a folder");
 }
 
-/// Calls write(temporary path), then renames that file to `path`. The temporary lies in the same folder and
-/// keeps the extension, for libraries that choose a format by it. When `write` throws, nothing is left and
-/// `path` is as it was. Throws InputError when the folder does not exist or `path` is a folder.
+/// Calls write(temporary path), then renames the written file to `path`. The temporary file is in the same
+/// folder and has the same extension, because some libraries choose the format by the extension. If `write`
+/// throws, the temporary file is removed and `path` is unchanged. Throws InputError if the folder does not
+/// exist, if `path` is a folder, or if renaming fails.
 template <class Write>
 void write_atomically(const std::filesystem::path& path, Write&& write) {
   namespace fs = std::filesystem;

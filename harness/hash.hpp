@@ -1,4 +1,4 @@
-// FNV-1a, 64 bits: names contents and notices damage. Not meant against malice.
+// The 64-bit FNV-1a hash. It identifies contents and detects damaged files; it is not a cryptographic hash.
 #pragma once
 #include <cstddef>
 #include <cstdint>

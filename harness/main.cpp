@@ -1,5 +1,6 @@
-// pelage: the command line. Every failure becomes one line on stderr and an exit code:
-// 0 done, 1 a check failed, 2 bad usage or input, 3 no usable device, 5 regression, 130/143 interrupted.
+// The command line of pelage. A failure prints a message on stderr and sets the exit code:
+// 0 success, 1 failed check or other error, 2 bad usage or input, 3 no usable device, 5 regression,
+// 130 or 143 interrupted by a signal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -96,7 +97,7 @@ int main(int argc, char** argv) {
   } catch (const NoDeviceError& error) {
     return failed(error.what(), 3);
   } catch (const DeviceError& error) {
-    // Not on one line: it may carry a kernel's build log.
+    // Newlines are kept, because the text may contain the build log of a kernel.
     fmt::print(stderr, "pelage: {}\n", error.what());
     return 1;
   } catch (const std::bad_alloc&) {

@@ -1,4 +1,4 @@
-// One file out of a .tar.gz.
+// Reads one file of a .tar.gz archive.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// The bytes of `member`; empty when the archive holds no such file. Throws InputError when the archive is
-/// missing or damaged.
+/// Returns the bytes of the file `member`; empty if the archive does not contain it. Throws InputError if the
+/// archive is missing or damaged, or if `member` is larger than 1 GiB.
 std::optional<std::string> read_member(const std::filesystem::path& archive, const std::string& member);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Prepared meshes on disk.
+// The cache of prepared meshes on disk.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -9,12 +9,13 @@
 namespace pelage {
 
 std::string encode(const Mesh& mesh);
-/// Empty when the bytes are not exactly what encode() once gave: torn, damaged or of another version.
+/// Decodes the result of encode(). Empty if the bytes are incomplete, damaged or from another version.
 std::optional<Mesh> decode(std::string_view bytes);
 
-/// The mesh in `file`; empty when there is none or it is damaged.
+/// Reads a mesh from the cache. Empty if the file is missing or damaged.
 std::optional<Mesh> read_cached(const std::filesystem::path& file);
-/// False when that was not possible: the mesh is still good, only slower the next time.
+/// Writes a mesh to the cache. Returns false if the file cannot be written; the next run then prepares the
+/// mesh again.
 bool write_cached(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace pelage

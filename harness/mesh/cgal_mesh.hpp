@@ -1,4 +1,4 @@
-// CGAL's mesh type, for the few sources that work on it; nothing else includes this.
+// CGAL's mesh type and its conversions. Only sources that call CGAL's mesh functions include this header.
 #pragma once
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

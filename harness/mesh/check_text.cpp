@@ -1,5 +1,5 @@
-// Where a mesh file stops being one. CGAL's readers stop silently at the first thing they cannot read, and
-// believe a header's counts: these checks come first, and know the line.
+// Checks the text of mesh files and reports errors with their lines. The checks run before CGAL's readers,
+// because these readers stop without an error at the first unreadable text and trust the counts in a header.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
   throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
 }
 
-// The words of one line.
+// Splits a line into words.
 class Words {
  public:
   explicit Words(std::string_view line) : rest_(line) {}
@@ -74,7 +74,7 @@ void need_point(Words& words, const std::string& name, std::size_t line) {
     const std::string_view word = words.next();
     const auto number = read<double>(word);
     if (!number || !std::isfinite(*number) || std::abs(*number) > 1e30)
-      fail(name, line, fmt::format("{} where a vertex needs three finite numbers", shown(word)));
+      fail(name, line, fmt::format("found {}, but a vertex needs three finite numbers", shown(word)));
   }
 }
 
@@ -83,7 +83,7 @@ void no_binary(std::string_view bytes, std::string_view format, const std::strin
     fail(name, 0, fmt::format("binary data, not {} text", format));
 }
 
-// OBJ: v and f lines are checked and kept, all others dropped.
+// Checks the v and f lines of an OBJ file and returns them. All other lines are dropped.
 std::string check_obj(std::string_view bytes, const std::string& name) {
   no_binary(bytes, "OBJ", name);
   std::string kept;
@@ -102,11 +102,11 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
       for (std::string_view word; !(word = words.next()).empty(); ++corners) {
         const auto index = read<std::int64_t>(word.substr(0, word.find('/')));
         if (!index || *index == 0 || *index < -vertices)
-          fail(name, lines.number(), fmt::format("{} is no vertex; indices count from 1", shown(word)));
+          fail(name, lines.number(), fmt::format("{} is not a vertex; indices start at 1", shown(word)));
         if (*index > largest) largest = *index, largest_line = lines.number();
       }
       if (corners < 3)
-        fail(name, lines.number(), fmt::format("a face of {} corners; it needs three", corners));
+        fail(name, lines.number(), fmt::format("a face of {} corners; give at least three", corners));
     } else {
       continue;
     }
@@ -118,7 +118,7 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
   return kept;
 }
 
-// OFF, line by line; only the plain layout of a vertex or a face a line is followed, others are left to CGAL.
+// Checks an OFF file that has one vertex or one face per line. Other layouts are refused.
 void check_off(std::string_view bytes, const std::string& name) {
   no_binary(bytes, "OFF", name);
   Lines lines(bytes);
@@ -128,13 +128,12 @@ void check_off(std::string_view bytes, const std::string& name) {
       line = line.substr(0, line.find('#'));
       if (!Words(line).next().empty()) return;
     }
-    fail(name, lines.number(), fmt::format("the file ends where {} should come", wanted));
+    fail(name, lines.number(), fmt::format("the file ends before {}", wanted));
   };
   next("OFF");
   Words head(line);
   const std::string_view word = head.next();
-  if (!word.ends_with("OFF"))
-    fail(name, lines.number(), fmt::format("{} where OFF should stand", shown(word)));
+  if (!word.ends_with("OFF")) fail(name, lines.number(), fmt::format("found {} instead of OFF", shown(word)));
   if (word != "OFF" && word != "COFF" && word != "NOFF" && word != "CNOFF")
     fail(name, lines.number(), fmt::format("{}: only OFF, COFF and NOFF are read", shown(word)));
   std::string_view count = head.next();
@@ -145,10 +144,10 @@ void check_off(std::string_view bytes, const std::string& name) {
     count = head.next();
   }
   const auto vertices = read<std::int64_t>(count), faces = read<std::int64_t>(head.next());
-  // A vertex takes at least six bytes of text, a face eight.
+  // The text of a vertex has at least six bytes, the text of a face at least eight.
   const auto size = std::int64_t(bytes.size());
   if (!vertices || !faces || *vertices < 0 || *faces < 0)
-    fail(name, lines.number(), "no counts of vertices and faces");
+    fail(name, lines.number(), "the counts of vertices and faces are missing or invalid");
   if (*vertices == 0 || *faces == 0) fail(name, lines.number(), "no faces in it");
   if (*vertices > size / 5 + 1 || *faces > size / 7 + 1)
     fail(name, lines.number(),
@@ -164,20 +163,20 @@ void check_off(std::string_view bytes, const std::string& name) {
     const std::string_view first = words.next();
     const auto corners = read<std::int64_t>(first);
     if (!corners || *corners < 1)
-      fail(name, lines.number(), fmt::format("{} is no number of corners", shown(first)));
+      fail(name, lines.number(), fmt::format("{} is not a number of corners", shown(first)));
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view corner = words.next();
       const auto index = read<std::int64_t>(corner);
       if (!index || *index < 0 || *index >= *vertices)
         fail(name, lines.number(),
-             fmt::format("{} is no vertex; they count from 0 to {}", shown(corner), *vertices - 1));
+             fmt::format("{} is not a vertex; give 0 to {}", shown(corner), *vertices - 1));
     }
   }
 }
 
-// PLY: the header's counts must fit the file, an element taking two bytes or more.
+// Checks that the counts in the header of a PLY file are not larger than the number of bytes in the file.
 void check_ply(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with("ply")) fail(name, 1, "'ply' should stand here");
+  if (!bytes.starts_with("ply")) fail(name, 1, "the line must be 'ply'");
   const std::size_t end = bytes.find("end_header");
   if (end == std::string_view::npos) fail(name, 0, "the header has no end_header");
   Lines lines(bytes.substr(0, end));
@@ -188,14 +187,15 @@ void check_ply(std::string_view bytes, const std::string& name) {
     const std::string_view what = words.next();
     const auto count = read<std::int64_t>(words.next());
     if (!count || *count < 0 || *count > std::int64_t(bytes.size()))
-      fail(name, lines.number(), fmt::format("so many elements do not fit into {} bytes", bytes.size()));
+      fail(name, lines.number(), fmt::format("too many elements for a file of {} bytes", bytes.size()));
     if (what == "vertex") vertices = *count;
     if (what == "face") faces = *count;
   }
   if (vertices <= 0 || faces <= 0) fail(name, 0, "no faces in it");
 }
 
-// STL: binary files say how many triangles they hold.
+// Checks the vertices and the end of a text STL file, and the size of a binary STL file against its number of
+// triangles.
 void check_stl(std::string_view bytes, const std::string& name) {
   const bool text = bytes.starts_with("solid") && bytes.find("facet") != std::string_view::npos;
   if (text) {
@@ -210,7 +210,7 @@ void check_stl(std::string_view bytes, const std::string& name) {
     if (!ended) fail(name, lines.number(), "the file ends before endsolid");
     return;
   }
-  if (bytes.size() < 84) fail(name, 0, "neither STL text nor a binary STL's 84 bytes of header");
+  if (bytes.size() < 84) fail(name, 0, "neither STL text nor binary STL, which has a header of 84 bytes");
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + 80, sizeof count);
   if (count == 0) fail(name, 0, "no faces in it");

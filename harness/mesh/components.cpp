@@ -20,13 +20,13 @@ std::size_t count_of(const std::vector<std::uint32_t>& component) {
   return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t(1);
 }
 
-// A chart on its way into the square: its size, and where its lowest corner comes to lie.
+// Size, rotation and placement of a chart in the unit square.
 struct Chart {
-  double degrees = 0;  // by which it is turned
-  glm::dvec2 low{0};   // of its box, turned
-  glm::dvec2 size{0};  // of its box, with the gap on every side
-  glm::dvec2 place{0};
-  double scale = 1;  // to the surface's lengths
+  double degrees = 0;   // rotation of the chart
+  glm::dvec2 low{0};    // lower corner of the rotated chart's box, before scaling
+  glm::dvec2 size{0};   // size of the rotated chart's box, after scaling, without margins
+  glm::dvec2 place{0};  // lower corner of the box in the packing
+  double scale = 1;     // factor from the chart's lengths to lengths on the surface
 };
 
 glm::dvec2 turned(glm::dvec2 p, double degrees) {
@@ -34,7 +34,7 @@ glm::dvec2 turned(glm::dvec2 p, double degrees) {
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-// Turned so that its box is smallest, and lies rather than stands.
+// Rotates a chart so that the area of its bounding box is least and the box is at least as wide as high.
 Chart measured(const Surface& part, const std::string& name) {
   double area = 0, uv_area = 0;
   for (std::size_t f = 0; f < part.triangle.size(); ++f) {
@@ -65,7 +65,8 @@ Chart measured(const Surface& part, const std::string& name) {
   return chart;
 }
 
-// Places the charts in shelves of this width, the highest first; the side of the square they need.
+// Packs the charts in the given order into rows of at most `width`. Returns the side of the least square that
+// contains all rows. `gap` is the margin around a chart.
 double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order, double width, double gap) {
   double x = 0, y = 0, shelf = 0, widest = 0;
   for (const std::size_t i : order) {
@@ -78,7 +79,8 @@ double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order,
   return std::max(widest, y + shelf);
 }
 
-// The smallest square of many widths. The gap is a share of the square's side, which is found on the way.
+// Packs the charts for many row widths and keeps the packing in the least square. Returns the square's side.
+// The margin is a fraction of the unknown side, so the packing is repeated until the side changes little.
 double pack(std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -193,7 +195,7 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts, const 
     Surface::Corners corners = parts[n].uv[next[n]++];
     for (glm::dvec2& p : corners) {
       p = (chart.place + chart.scale * (turned(p, chart.degrees) - chart.low)) / side;
-      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding only
+      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // removes rounding errors
     }
     result.uv.push_back(corners);
   }

@@ -16,14 +16,15 @@ constexpr double far = std::numeric_limits<double>::max();
 
 struct Edge {
   std::uint32_t a, b;         // points, a < b
-  std::uint32_t left, right;  // faces; right none on a border
+  std::uint32_t left, right;  // adjacent faces; right is `none` on a border
   double length;
 };
 
 struct Graph {
   std::vector<Edge> edge;
-  std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face joins its corners k and k + 1
-  std::vector<std::uint32_t> row, at_point;  // edges at point p, ascending: at_point[row[p] .. row[p + 1])
+  std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face connects its corners k and k + 1
+  std::vector<std::uint32_t> row,
+      at_point;  // at_point[row[p] .. row[p + 1]) are the edges at point p, ascending
   std::span<const std::uint32_t> of_point(std::uint32_t p) const {
     return {at_point.data() + row[p], at_point.data() + row[p + 1]};
   }
@@ -68,12 +69,13 @@ Graph make_graph(const Surface& surface) {
   return graph;
 }
 
-// Nearest first; equal distances by number, so that the result never depends on chance.
+// Pairs of distance and index, least distance first. Equal distances are ordered by index, so that the result
+// is deterministic.
 using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
-// Marks the edges that a shortest-path tree over the faces does not cross, then takes dead ends away. True:
-// cut.
+// Returns a flag per edge: 1 if the edge is cut. First, every edge is cut unless the shortest-path
+// tree over the faces crosses it. Then edges with a free end are removed from the cut until none is left.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];
@@ -122,11 +124,11 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
 
 struct Reach {
   std::vector<double> distance;
-  std::vector<std::uint32_t> via;  // the edge towards the source
+  std::vector<std::uint32_t> via;  // per point, the last edge of the shortest path from a source
   std::uint32_t farthest = 0;
 };
 
-// Dijkstra's walk from the sources; it ends at `until`, where the way there is final.
+// Dijkstra's algorithm from the sources over the edges. It stops when the shortest path to `until` is known.
 Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources, std::uint32_t until = none) {
   Reach reach{std::vector<double>(graph.points(), far), std::vector<std::uint32_t>(graph.points(), none), 0};
   Queue queue;
@@ -169,7 +171,7 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
   std::vector<std::uint32_t> sources = points_of(graph, cut);
   for (const glm::dvec3& tip : plan.tips) {
     std::uint32_t p = nearest_point(surface, tip);
-    if (sources.empty()) {  // a sphere, nothing cut yet: its first tip is where the cut begins
+    if (sources.empty()) {  // a sphere has an empty cut graph; the first tip is the start of its cuts
       sources.push_back(p);
       continue;
     }
@@ -201,7 +203,7 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   const std::vector<char> cut = cut_as_planned(surface, graph, plan);
   Disk disk;
 
-  // Corners that meet across an uncut edge are one copy.
+  // Two corners of the same point on both sides of an uncut edge belong to the same copy.
   std::vector<std::uint32_t> root(surface.triangle.size() * 3);
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](std::uint32_t c) {

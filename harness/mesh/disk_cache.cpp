@@ -88,7 +88,7 @@ void trim_cache(const std::filesystem::path& folder, std::uintmax_t most) {
   std::vector<Kept> files;
   std::uintmax_t total = 0;
   std::error_code error;
-  // Other processes write and remove here, too: what is gone meanwhile is left out.
+  // Other processes may remove files at the same time; files that no longer exist are skipped.
   for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     std::error_code gone;

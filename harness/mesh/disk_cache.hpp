@@ -1,4 +1,5 @@
-// What is worth keeping on disk between runs: one file each, named by what it was made from, with a checksum.
+// A cache on disk. Each entry is a file with a checksum. Its name contains a hash of the data from which it
+// was computed.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -11,10 +12,11 @@
 
 namespace pelage {
 
-/// $XDG_CACHE_HOME/pelage, else ~/.cache/pelage, else a folder among the temporary files.
+/// The folder of the cache: $XDG_CACHE_HOME/pelage, or ~/.cache/pelage if this variable is not set, or a
+/// folder in the system's temporary folder if HOME is not set either.
 std::filesystem::path cache_folder();
 
-/// Values one after another as bytes, as this machine has them.
+/// Writes values to a byte string in the machine's own representation.
 class Writer {
  public:
   template <class T>
@@ -30,14 +32,14 @@ class Writer {
     value(std::uint64_t(item.size()));
     out_ += item;
   }
-  /// What was written under a title, with its checksum. The writer is empty afterwards.
+  /// Returns the title, the written bytes and a checksum of both. The writer is empty afterwards.
   std::string sealed(std::string_view title);
 
  private:
   std::string out_;
 };
 
-/// Reads back what a Writer wrote; every read says whether the bytes sufficed.
+/// Reads the values that a Writer wrote. Each function returns false if the bytes do not suffice.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
@@ -70,19 +72,19 @@ class Reader {
   std::string_view rest_;
 };
 
-/// What was sealed under this title; empty when the bytes are not exactly that: torn, damaged or of another
-/// version.
+/// The bytes that Writer::sealed() received with this title. Empty if the bytes are incomplete, damaged or
+/// have another title.
 std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title);
 
-/// The file's bytes; empty when there is none.
+/// The bytes of a file; empty if it cannot be read. Sets the file's time to now, for trim_cache().
 std::optional<std::string> read_cache_file(const std::filesystem::path& file);
 
-/// Written beside and moved into place, so that no reader ever sees half of it. False when that was not
-/// possible (a full disk, a read-only folder).
+/// Writes a file under a temporary name and renames it, so that other processes never read an incomplete
+/// file. Returns false if writing fails (full disk, read-only folder).
 bool write_cache_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Removes the files of a folder that were not used for longest until `most` bytes are left. Reading a file
-/// by read_cache_file is use.
+/// Removes the least recently used files of a folder until at most `most` bytes are left. Writing a file and
+/// reading it by read_cache_file() count as use.
 void trim_cache(const std::filesystem::path& folder, std::uintmax_t most);
 
 }  // namespace pelage

@@ -17,7 +17,7 @@
 namespace pelage {
 namespace {
 
-// The bits of a coordinate in [-1,1], 21 of them, with two zeros between neighbours.
+// Quantizes a coordinate in [-1,1] to 21 bits and inserts two zero bits between neighbouring bits.
 std::uint64_t spread(double coordinate) {
   std::uint64_t bits = std::uint64_t(std::clamp((coordinate * 0.5 + 0.5) * 2097151.0, 0.0, 2097151.0));
   bits = (bits | bits << 32) & 0x1f00000000ffffu;
@@ -31,7 +31,7 @@ std::uint64_t morton(glm::dvec3 p) {
   return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// The order that sorts `points` along the curve; ties keep their place.
+// The permutation that sorts `points` along the Morton curve; points with equal keys keep their order.
 std::vector<std::uint32_t> morton_order(const std::vector<glm::dvec3>& points) {
   std::vector<std::uint64_t> key(points.size());
   std::transform(points.begin(), points.end(), key.begin(), morton);
@@ -74,8 +74,8 @@ Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
   return box;
 }
 
-// Moves a map into the unit square, turned so that it is as large as can be there, with a margin of two
-// texels of a 256 mask around it.
+// Rotates and scales a UV map into the unit square. The rotation maximizes its size; the margin is two texels
+// of a 256 x 256 mask.
 void fit_uv(std::vector<Surface::Corners>& uv) {
   double best = 0, least = std::numeric_limits<double>::max();
   for (double degrees = 0; degrees < 90; degrees += 2)
@@ -90,14 +90,15 @@ void fit_uv(std::vector<Surface::Corners>& uv) {
     for (glm::dvec2& p : corners) p = turn(p) * scale + shift;
 }
 
-// A file's own map may lie within the unit square already: a texture of the user's fits it then.
+// True if the map lies in the unit square. A file's own map then stays unchanged, so that textures made for
+// the file fit.
 bool fits(const std::vector<Surface::Corners>& uv) {
   const Box box = box_of(uv, 0);
   return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
 }
 
-// Area-weighted over the UV square for maps that repeat, whose axes differ; sqrt(surface / UV area) for
-// others.
+// The mean length on the surface per unit of u and of v. Periodic maps have one value per axis, weighted by
+// UV area. Other maps have the value sqrt(surface area / UV area) for both axes.
 glm::vec2 length_per_uv(const std::vector<glm::dvec3>& point, const Surface& surface,
                         const std::vector<Surface::Corners>& uv) {
   double area = 0, uv_area = 0;
@@ -143,7 +144,7 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
   for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
   std::vector<std::uint32_t> copy_order(mesh.position.size()), number(mesh.position.size());
   std::iota(copy_order.begin(), copy_order.end(), 0u);
-  // Stable: the copies of a point stay sorted by UV.
+  // The sort is stable, so the copies of a point stay sorted by UV.
   std::stable_sort(copy_order.begin(), copy_order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rank[mesh.weld[a]] < rank[mesh.weld[b]]; });
   for (std::uint32_t i = 0; i < copy_order.size(); ++i) number[copy_order[i]] = i;
@@ -191,12 +192,14 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.notes = surface.notes;
   if (fitted && surface.keep_uv)
     mesh.notes.push_back(
-        "the file's UV map leaves the unit square: it was turned and scaled into it, so a picture made for "
-        "the file does not fit");
+        "the file's UV map leaves the unit square: it was rotated and scaled into the square, so pictures "
+        "made "
+        "for the file do not fit");
   mesh.welded = std::uint32_t(point.size());
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 
-  // A copy is a surface point with a UV; copies are numbered by point, then UV. Corners by point first.
+  // A copy is a pair of a surface point and a UV. Copies are numbered in the order of points, then of UV.
+  // First, the corners of the triangles are grouped by point.
   const auto point_of = [&](std::uint32_t c) { return rank[surface.triangle[c / 3][c % 3]]; };
   const auto uv_of = [&](std::uint32_t c) { return glm::vec2(uv[c / 3][c % 3]); };
   const auto corners = std::uint32_t(3 * surface.triangle.size());

@@ -1,4 +1,4 @@
-// The last step: a surface with UV becomes the Mesh that the pipelines read.
+// The last step of mesh preparation: it converts a surface with a UV map to the Mesh that the pipelines read.
 #pragma once
 #include <glm/mat3x3.hpp>
 
@@ -7,19 +7,20 @@
 
 namespace pelage {
 
-/// Turns by `degrees` about x, then y, then z.
+/// The matrix of a rotation by `degrees` about the fixed axes x, then y, then z.
 glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 
-/// Turns by `rotation` (degrees about x, then y, then z), normalises positions to the unit sphere and the UV
-/// map into [0,1]^2 (isotropic maps keep their aspect), splits seam points into copies, sorts everything
+/// Rotates the surface by `rotation` (degrees about x, then y, then z) and scales it to the unit bounding
+/// sphere. Rotates and scales the UV map into [0,1]^2, except for periodic maps and for given maps that
+/// already lie in this square. Splits points on UV seams into copies, and sorts points, copies and triangles
 /// along a Morton curve.
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation);
 
-/// The mesh turned by `rotation` (degrees about x, then y, then z), sorted along a Morton curve again; only
-/// positions and orders change. The mesh itself where the rotation is 0.
+/// Rotates a finished mesh by `rotation` (degrees about x, then y, then z) and sorts it along a Morton curve
+/// again. Adds a note and updates the hash. A rotation of 0 returns the mesh unchanged.
 Mesh turned(Mesh mesh, glm::dvec3 rotation);
 
-/// The hash of everything that a picture depends on: arrays and flags, not the name or the notes.
+/// Hash of all data of the mesh that influence a picture: the arrays and flags, not the name and the notes.
 std::string content_hash(const Mesh& mesh);
 
 }  // namespace pelage

@@ -18,8 +18,8 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 constexpr std::uint32_t none = 0xffffffffu;
 constexpr int iterations = 10;
 
-// A triangle in its own plane: corners (0, 0), (base, 0), (x, y), and per side k, from corner k to k + 1,
-// half the cotangent of the angle that faces it.
+// A triangle in its own plane with the corners (0, 0), (base, 0) and (x, y). weight[k] is half the cotangent
+// of the angle opposite to side k, which goes from corner k to k + 1.
 struct Local {
   double base, x, y;
   double weight[3];
@@ -28,7 +28,8 @@ struct Local {
   }
 };
 
-// Weights are kept positive and bounded: the systems stay definite on obtuse and on almost flat triangles.
+// Half the cotangent of the angle between a and b, clamped to positive, bounded values. The linear systems
+// stay definite for obtuse and for degenerate triangles.
 double half_cotangent(glm::dvec3 a, glm::dvec3 b) {
   const double sine = glm::length(glm::cross(a, b));
   return 0.5 * std::clamp(sine > 0 ? glm::dot(a, b) / sine : 1.0, 0.01, 100.0);
@@ -52,7 +53,7 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
   return list;
 }
 
-// The border of a disk, in its order; empty when it is not one loop.
+// The copies on the border of a disk, in order along the border. Empty if the border is not a single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(disk.triangle.size() * 3);
@@ -73,7 +74,8 @@ std::vector<std::uint32_t> border_of(const Disk& disk) {
   return one_loop ? border : std::vector<std::uint32_t>();
 }
 
-// By arc length on a circle of the disk's own area; x of every vertex that is not on the border is 0.
+// Places the border by arc length on a circle whose area is the disk's surface area. Other rows of x are
+// unchanged.
 void place_border(const Surface& surface, const Disk& disk, const std::vector<std::uint32_t>& border,
                   const std::vector<Local>& local, Columns& x) {
   double area = 0, length = 0, at = 0;
@@ -91,8 +93,9 @@ void place_border(const Surface& surface, const Disk& disk, const std::vector<st
   }
 }
 
-// Every vertex off the border the weighted mean of its neighbours: one to one, since the weights are positive
-// and the border is convex (Tutte 1963).
+// Computes the harmonic map: every inner vertex is the weighted mean of its neighbours. The map is
+// one-to-one, because the weights are positive and the border is convex (Tutte 1963). Returns false if the
+// solver fails.
 bool harmonic(const Disk& disk, const std::vector<Local>& local, const std::vector<std::uint32_t>& border,
               Columns& x) {
   std::vector<std::uint32_t> number(disk.point.size(), 0);
@@ -145,7 +148,8 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
       entries.emplace_back(int(q), int(p), -w);
     }
   }
-  // Holds the first vertex at the origin, without which the map could lie anywhere; costs nothing elsewhere.
+  // The larger diagonal element fixes the translation, which the other equations leave free: it keeps the
+  // first vertex at the origin. The shape of the solution does not change.
   diagonal[0] *= 2;
   for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
   LaplaceSolver::Matrix matrix(size, size);
@@ -153,7 +157,8 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// The right-hand side for every triangle turned as its map is turned now.
+// The right-hand side of the global step: every triangle is rotated by the rotation of its image in the map
+// x.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };
@@ -186,7 +191,8 @@ double twice_area(const Columns& x, const Surface::Triangle& t) {
   return ux * vy - uy * vx;
 }
 
-// Moves the corners of faces turned over to the mean of their neighbours, as long as fewer remain.
+// Moves the inner corners of flipped faces to the mean of their neighbours. Stops when the number of flipped
+// faces no longer decreases.
 void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns& x) {
   std::vector<char> fixed(disk.point.size(), 0);
   for (const std::uint32_t p : border) fixed[p] = 1;

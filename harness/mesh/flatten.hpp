@@ -1,4 +1,4 @@
-// A disk of triangles laid flat, for meshes of any size.
+// Flattens a topological disk of triangles. Its time grows linearly with the number of triangles.
 #pragma once
 #include <functional>
 #include <glm/vec2.hpp>
@@ -11,14 +11,15 @@
 namespace pelage {
 
 struct FlatDisk {
-  std::vector<glm::dvec2> uv;  ///< per copy of the disk
-  std::size_t flipped = 0;     ///< faces turned over
-  bool rigid = false;          ///< as rigid as possible; else harmonic on a circle, which never turns a face
+  std::vector<glm::dvec2> uv;  ///< UV of each copy of the disk
+  std::size_t flipped = 0;     ///< number of flipped faces
+  bool rigid = false;          ///< true: as rigid as possible; false: harmonic map onto a circle
 };
 
-/// Lays the disk flat as rigidly as possible (Liu et al. 2008, 10 iterations), from a harmonic map on a
-/// circle; time and memory grow with the number of triangles. `part` is told the fraction that is done.
-/// Throws InputError where no map of an area comes out.
+/// Flattens the disk as rigidly as possible (Liu et al. 2008, 10 iterations). The initial map is the harmonic
+/// map onto a circle, which is also the result if the iterations fail. Time and memory grow linearly with the
+/// number of triangles. `part` receives the completed fraction, 0 to 1. Throws InputError if no usable map is
+/// found.
 FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
                  const std::function<void(double)>& part);
 

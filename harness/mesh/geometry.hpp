@@ -1,4 +1,4 @@
-// Small geometric facts about points.
+// The bounding sphere of points.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -10,7 +10,7 @@ struct Sphere {
   double radius = 0;
 };
 
-/// The smallest sphere that holds all points (CGAL's Min_sphere_of_spheres_d).
+/// The smallest sphere that contains all points (CGAL's Min_sphere_of_spheres_d).
 Sphere bounding_sphere(const std::vector<glm::dvec3>& points);
 
 }  // namespace pelage

@@ -20,12 +20,13 @@ namespace pelage {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;  // its shadow memory needs the whole address space, its reports stderr
+// AddressSanitizer needs the whole address space for its shadow memory, and stderr for its reports.
+constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
 #endif
 
-// What crosses the pipe: a kind, a length, the bytes.
+// A message in the pipe consists of a kind, a length and the bytes.
 enum class Kind : char { progress = 'p', result = 'r', input_error = 'i', error = 'e' };
 
 void send(int pipe, Kind kind, const std::string& text) {
@@ -35,7 +36,7 @@ void send(int pipe, Kind kind, const std::string& text) {
   for (std::size_t done = 0; done < message.size();) {
     const ssize_t written = ::write(pipe, message.data() + done, message.size() - done);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) ::_exit(1);  // nobody listens any more
+    if (written <= 0) ::_exit(1);  // the parent has closed the pipe
     done += std::size_t(written);
   }
 }
@@ -54,7 +55,7 @@ std::uint64_t address_space() {
   const int quiet = ::open("/dev/null", O_WRONLY);
   ::dup2(quiet, STDOUT_FILENO);
   if (!sanitized) {
-    ::dup2(quiet, STDERR_FILENO);  // CGAL and Assimp talk; the user gets one line from us
+    ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
     ::setrlimit(RLIMIT_AS, &space);
     const rlimit no_core{0, 0};
@@ -75,7 +76,7 @@ std::uint64_t address_space() {
 class Inbox {
  public:
   void add(const char* bytes, std::size_t size) { bytes_.append(bytes, size); }
-  // The next whole message, if there is one.
+  // Removes and returns the next complete message; empty if none is complete.
   std::optional<std::pair<Kind, std::string>> next() {
     std::uint64_t size = 0;
     if (bytes_.size() < 1 + sizeof size) return {};
@@ -157,11 +158,11 @@ std::string isolated(const std::string& name, const Limits& limits,
   }
   if (late)
     throw InputError(
-        fmt::format("{}: gave up after {} s; a simpler mesh would do", name, limits.time.count()));
+        fmt::format("{}: not finished after {} s; give a simpler mesh", name, limits.time.count()));
   if (!answer && WIFSIGNALED(status))
     throw InputError(fmt::format("{}: cannot be used; the mesh library crashed on it ({})", name,
                                  ::strsignal(WTERMSIG(status))));
-  if (!answer) throw InputError(fmt::format("{}: cannot be used; the mesh library gave up on it", name));
+  if (!answer) throw InputError(fmt::format("{}: cannot be used; the mesh library ended the process", name));
   if (answer->first == Kind::input_error) throw InputError(answer->second);
   if (answer->first == Kind::error)
     throw InputError(fmt::format("{}: cannot be used: {}", name, one_line(answer->second)));

@@ -9,8 +9,8 @@ namespace pelage {
 namespace {
 
 constexpr Eigen::Index direct_unknowns = 6000;
-constexpr double strong = 0.02;      // |a_ij| against sqrt(a_ii a_jj): weaker neighbours are not joined
-constexpr double damping = 2.0 / 3;  // of the Jacobi step that smooths the interpolation
+constexpr double strong = 0.02;      // least ratio of |a_ij| to sqrt(a_ii a_jj) for a strong connection
+constexpr double damping = 2.0 / 3;  // damping of the Jacobi step that smooths the interpolation
 constexpr double good = 1e-9, usable = 1e-5;
 constexpr int most_iterations = 300;
 
@@ -22,7 +22,8 @@ bool joined(const Eigen::VectorXd& diagonal, Eigen::Index i, Eigen::Index j, dou
   return j != i && value * value > strong * strong * diagonal[i] * diagonal[j];
 }
 
-// Numbers disjoint groups of neighbours, in the order of the unknowns.
+// Partitions the unknowns into groups of strongly connected neighbours. Returns the group of each unknown;
+// `count` receives the number of groups.
 std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, int& count) {
   std::vector<int> group(std::size_t(a.rows()), none);
   count = 0;
@@ -57,7 +58,7 @@ std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, in
   return group;
 }
 
-// Constant over each group, then smoothed by a Jacobi step.
+// The interpolation from groups to unknowns: constant over each group, then smoothed by a damped Jacobi step.
 Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std::vector<int>& group,
                      int count) {
   Matrix step(a.rows(), count);
@@ -79,7 +80,7 @@ Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std
   return step;
 }
 
-// Gauss and Seidel's sweep over the unknowns in ascending or descending order.
+// A Gauss-Seidel sweep over the unknowns in ascending or descending order.
 void sweep(const Matrix& a, const Eigen::VectorXd& diagonal, const Columns& b, Columns& x, bool ascending) {
   for (Eigen::Index k = 0; k < a.rows(); ++k) {
     const Eigen::Index i = ascending ? k : a.rows() - 1 - k;

@@ -1,4 +1,5 @@
-// Large sparse systems of Laplace's kind: one unknown per vertex of a mesh, two right-hand sides.
+// Solves large sparse systems with Laplacian matrices: one unknown per vertex of a mesh, two right-hand
+// sides.
 #pragma once
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -8,24 +9,24 @@
 
 namespace pelage {
 
-/// Solves A X = B by conjugate gradients, preconditioned by algebraic multigrid with smoothed aggregation
-/// (Vanek, Mandel and Brezina 1996): time and memory grow with the number of unknowns, where a factorization
-/// of A takes its 1.5th power. Systems of a few thousand unknowns are factored.
+/// Solves A X = B by conjugate gradients. The preconditioner is algebraic multigrid with smoothed aggregation
+/// (Vanek, Mandel and Brezina 1996). Time and memory grow linearly with the number of unknowns n; the time of
+/// a factorization grows as n^1.5. Systems of at most 6000 unknowns are factorized.
 class LaplaceSolver {
  public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-  /// A symmetric positive definite matrix, whole (both triangles), positive on its diagonal.
+  /// `matrix` is symmetric and positive definite, with both triangles stored.
   explicit LaplaceSolver(Matrix matrix);
 
-  /// Starts from the `x` given; stops when the residual is 1e-9 of `b` in norm. The number of iterations;
-  /// empty when 300 leave more than 1e-5 of it.
+  /// Solves for `x`, starting from its given value. Stops when the norm of the residual is at most 1e-9 times
+  /// the norm of `b`. Returns the number of iterations; empty if the ratio exceeds 1e-5 after 300 iterations.
   std::optional<int> solve(const Columns& b, Columns& x) const;
 
  private:
   struct Level {
-    Matrix a, up, down;  ///< `up` interpolates from the next level to this one, `down` is its transpose
+    Matrix a, up, down;  ///< `up` interpolates from the next coarser level; `down` is its transpose
     Eigen::VectorXd diagonal;
   };
   Columns cycle(std::size_t level, const Columns& b) const;

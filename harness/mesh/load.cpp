@@ -25,20 +25,22 @@
 namespace pelage {
 namespace {
 
-// Part of every cache file's name: raise it whenever the same source would give another mesh.
+// Version of the mesh preparation, part of every cache file's name. Increase it if the same source gives
+// another mesh than before.
 constexpr int recipe = 3;
-constexpr int procedural_recipe = 3;  // the same for procedural shapes alone
-constexpr int file_recipe = 1;        // the same for users' files alone
+constexpr int procedural_recipe = 3;  // additional version for procedural shapes
+constexpr int file_recipe = 1;        // additional version for users' files
 
 constexpr std::uint32_t most_faces = 8'000'000;
-constexpr int most_torus_faces = 8'000'000;  // it needs no preparation
+constexpr int most_torus_faces = 8'000'000;
 const std::filesystem::path cgal_archive = "/usr/share/doc/libcgal-dev/data.tar.gz";
 const std::filesystem::path glmark2_folder = "/usr/share/glmark2/models";
 
 struct Source {
-  std::string kind,
-      item;           ///< "procedural", "cgal", "glmark2" and what follows the colon; "file" and its path
-  std::string label;  ///< how errors call it
+  /// kind: "procedural", "cgal", "glmark2" or "file". item: the name of a procedural shape, the name of a
+  /// file in the package of CGAL or glmark2, or the path of a file.
+  std::string kind, item;
+  std::string label;  ///< name of the source in messages
   std::filesystem::path file() const {
     if (kind == "cgal") return cgal_archive;
     return kind == "glmark2" ? glmark2_folder / item : std::filesystem::path(item);
@@ -52,20 +54,21 @@ Source source_of(const Model& model) {
   return {kind, item, kind == "file" ? item : model.name};
 }
 
-// The direction in the source's own axes that `rotation` turns into +y.
+// The direction in the source's axes that `rotation` maps to +y.
 glm::dvec3 up_before(glm::dvec3 rotation) {
   const glm::dmat3 matrix = rotation_matrix(rotation);
   return {matrix[0].y, matrix[1].y, matrix[2].y};
 }
 
-// "torus-AxB": the torus of A x B quads, however fine; empty for other names.
+// The numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if they are
+// out of range.
 std::optional<glm::ivec2> finer_torus(const std::string& name) {
   std::smatch quads;
   if (!std::regex_match(name, quads, std::regex("torus-([0-9]{1,4})x([0-9]{1,4})"))) return {};
   const glm::ivec2 count{std::stoi(quads[1]), std::stoi(quads[2])};
   if (std::min(count.x, count.y) < 3 || 2 * count.x * count.y > most_torus_faces)
     throw InputError(
-        fmt::format("{}: 3 quads or more each way, and {} faces in all at most", name, most_torus_faces));
+        fmt::format("{}: give at least 3 quads per direction and at most {} faces", name, most_torus_faces));
   return count;
 }
 
@@ -92,7 +95,8 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   if (source.kind == "cgal") {
     auto bytes = read_member(cgal_archive, "data/meshes/" + source.item);
     if (!bytes)
-      throw InputError(fmt::format("{}: no data/meshes/{} in it", cgal_archive.string(), source.item));
+      throw InputError(
+          fmt::format("{}: the archive has no data/meshes/{}", cgal_archive.string(), source.item));
     soup = parse_soup(std::move(*bytes), std::filesystem::path(source.item).extension().string().substr(1),
                       source.item);
   } else {
@@ -107,7 +111,9 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
-// A coarse version of what `surface` will become, hole of an odd count included, for trying cuts on.
+// A coarse version of the prepared mesh with about `faces` faces, on which cuts are tried. If the final face
+// count is odd, the coarse count is odd too, so both meshes have a hole of one face. Returns `surface` itself
+// if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -116,11 +122,12 @@ Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces
   try {
     return with_faces(surface, std::min(wanted, coarse), up_before(model.rotation), model.name, part);
   } catch (const InputError&) {
-    return surface;  // it cannot be made so coarse
+    return surface;
   }
 }
 
-// The map of one component of a file. A part of many is judged by a coarser version.
+// Returns a component of a file with its UV map. The coarse version for trying cuts has fewer faces
+// if the file has many components.
 Surface mapped(const Surface& component, Model model, const std::string& label, std::size_t number,
                std::size_t count, Stages& stages) {
   const std::string of = count == 1 ? "" : fmt::format(", component {} of {}", number + 1, count);
@@ -140,10 +147,11 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
                       });
 }
 
-// A file's recipe: every step grows with the number of triangles, and every component gets a chart.
+// The preparation of a file after its repair. The time of every step grows linearly with the number of
+// triangles. Every component gets a chart.
 Surface mapped_file(Surface surface, const Model& model, const std::string& label, Stages& stages) {
   if (model.faces) {
-    stages.begin("making the face count");
+    stages.begin("changing the face count");
     surface = with_faces(surface, *model.faces, up_before(model.rotation), label, stages.parts());
   }
   std::vector<Surface> parts = split(surface);
@@ -180,7 +188,7 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
     const std::vector<TriedPlan> plans =
         plan_cuts(proxy_of(surface, model, 6000), source.label, unfold, stages.parts());
     if (model.faces) {
-      stages.begin("making the face count");
+      stages.begin("changing the face count");
       surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());
     }
     tell();
@@ -216,7 +224,8 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
   return hash.hex();
 }
 
-// Several times what the named models take on a slow machine; what needs more has run away.
+// Limits for the preparing process. They are several times the demand of the named models on a slow machine,
+// so only an endless computation exceeds them.
 Limits limits_for(const Model& model, const Source& source) {
   const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
   const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;
@@ -234,19 +243,19 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   } else if (finer_torus(name_or_file)) {
     model.name = name_or_file;
     model.source = "procedural:" + name_or_file;
-    model.rotation = {25, 0, 0};  // as the torus of the tables stands
+    model.rotation = {25, 0, 0};  // the rotation of the model "torus"
   } else {
     if (!std::filesystem::exists(name_or_file)) {
       std::string names;
       for (const Model& m : known) names += (names.empty() ? "" : ", ") + m.name;
-      throw InputError(fmt::format("{}: no such file, nor a model; there are {}", name_or_file, names));
+      throw InputError(fmt::format("{}: neither a file nor a model; the models are {}", name_or_file, names));
     }
     model.name = std::filesystem::path(name_or_file).stem().string();
     model.source = "file:" + name_or_file;
   }
   if (options.faces) {
     if (*options.faces < 4 || *options.faces > most_faces)
-      throw InputError(fmt::format("{} faces: 4 to {} can be made", *options.faces, most_faces));
+      throw InputError(fmt::format("{} faces are out of range; give 4 to {}", *options.faces, most_faces));
     model.faces = options.faces;
   }
   return model;
@@ -276,9 +285,10 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
       source.label, limits_for(model, source),
       [&](const Say& tell) { return encode(prepare(model, source, options, tell)); }, say);
   auto mesh = decode(bytes);
-  if (!mesh) throw std::runtime_error(fmt::format("{}: the prepared mesh came back damaged", model.name));
+  if (!mesh)
+    throw std::runtime_error(fmt::format("{}: the preparing process returned a damaged mesh", model.name));
   if (options.cache && !write_cached(cached, *mesh))
-    say(fmt::format("{} could not be written", cached.string()));
+    say(fmt::format("{} could not be written; the mesh is not cached", cached.string()));
   return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
 }
 

@@ -1,4 +1,5 @@
-// The mesh as every later stage sees it, and how to get one. CGAL stays behind this header.
+// The prepared mesh that all other folders use, and the function that loads it. This header does not include
+// CGAL.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -11,40 +12,40 @@
 
 namespace pelage {
 
-/// A prepared triangle mesh with a UV atlas. Lengths in R: the bounding sphere is centred on the origin and
-/// has radius 1. A vertex on a UV seam has one copy per chart side; `weld` names the surface point that its
-/// copies share. Vertices, surface points and triangles are in Morton order.
+/// A prepared triangle mesh with a UV map. Lengths are in R: the bounding sphere is centred at the origin and
+/// has radius 1. A surface point on a UV seam has several vertices, its copies, one for each UV; `weld` maps
+/// a vertex to its surface point. Vertices, surface points and triangles are sorted along a Morton curve.
 struct Mesh {
   std::string name;
-  std::string hash;                  ///< hex hash of the content below, for caches and provenance
-  std::vector<glm::vec3> position;   ///< V copies
+  std::string hash;                  ///< content_hash() in hexadecimal, for caches and provenance
+  std::vector<glm::vec3> position;   ///< V, positions of the vertices
   std::vector<glm::vec2> uv;         ///< V, in [0,1]^2
-  std::vector<std::uint32_t> weld;   ///< V, the surface point of each copy, in [0, welded)
-  std::vector<glm::uvec3> triangle;  ///< F, copies, counter-clockwise seen from outside
+  std::vector<std::uint32_t> weld;   ///< V, surface point of each vertex, in [0, welded)
+  std::vector<glm::uvec3> triangle;  ///< F, indices of vertices, counter-clockwise seen from outside
   std::uint32_t welded = 0;          ///< W, number of surface points
-  bool periodic_uv = false;          ///< the UV square wraps (torus): textures repeat seamlessly
-  /// Mean surface length per unit of u and of v, in R: the atlas's scale, one value per axis.
+  bool periodic_uv = false;          ///< true: the UV map repeats without seam (torus)
+  /// Mean length on the surface per unit of u and of v, R.
   glm::vec2 length_per_uv{1.0f, 1.0f};
-  /// What was done to the source to get here, a line each: repairs, remeshing, how the UV map was made.
+  /// The steps of the preparation, one line each: repairs, remeshing, method of the UV map.
   std::vector<std::string> notes;
 };
 
 struct MeshOptions {
-  std::optional<std::uint32_t> faces;  ///< exact face count; empty: the model's own, or the file's
-  bool keep_uv = false;                ///< use the file's own UV map (OBJ, PLY, 3DS, glTF)
-  /// Turns the model as it would stand otherwise: degrees about x, then y, then z, the axes being fixed.
+  std::optional<std::uint32_t> faces;  ///< exact face count; empty: the count of the model or the file
+  bool keep_uv = false;                ///< true: use the file's own UV map (OBJ, PLY, 3DS, glTF)
+  /// Additional rotation of the prepared model about the fixed axes x, then y, then z, degrees.
   glm::vec3 rotate{0};
-  bool largest_only = false;  ///< of a file's components only the largest is kept
-  bool cache = true;          ///< read and write the folder of prepared meshes
-  /// Told what is going on while a mesh is prepared (seconds to minutes), and each of its notes.
+  bool largest_only = false;  ///< true: keep only the largest component of a file
+  bool cache = true;          ///< true: read and write the cache of prepared meshes
+  /// Receives messages during the preparation (seconds to minutes) and the mesh's notes.
   std::function<void(const std::string&)> progress;
-  double silent_s = 2;  ///< stages of the preparation are told after so many seconds of it
+  double silent_s = 2;  ///< time after which the names of stages are reported, s
 };
 
-/// The mesh that `name_or_file` means: a name of experiments/models.toml at its face count, else a file (OBJ,
-/// OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached by content in $XDG_CACHE_HOME/pelage. The same
-/// source and options give the same bits. Throws InputError for an unknown name, and for a file that is no
-/// usable mesh, saying why.
+/// Loads a model by its name in experiments/models.toml, a torus by the name "torus-AxB", or a mesh file
+/// (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage by hashes of source
+/// and options. The same source and options give the same bits. Throws InputError with the reason if the name
+/// is unknown or the file is not a usable mesh.
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options = {});
 
 }  // namespace pelage

@@ -25,8 +25,8 @@ class Reader {
   }
 
   std::string text(std::string_view key) const {
-    if (const auto value = find<std::string>(key, "a text")) return *value;
-    fail(table_, key, "a text; it is missing");
+    if (const auto value = find<std::string>(key, "a string")) return *value;
+    fail(table_, key, "given as a string");
   }
 
   glm::dvec3 vector(std::string_view key) const {
@@ -65,7 +65,7 @@ class Reader {
   void only(std::initializer_list<std::string_view> keys) const {
     for (const auto& [key, node] : table_)
       if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
-        fail(node, key.str(), "left out: unknown key");
+        fail(node, key.str(), "removed: unknown key");
   }
 
   [[noreturn]] void fail(const toml::node& node, std::string_view key, std::string_view wanted) const {
@@ -107,7 +107,7 @@ std::vector<Model> read_models(const std::filesystem::path& file) {
   }
   std::vector<Model> list;
   const toml::array* entries = table["model"].as_array();
-  if (!entries) throw InputError(fmt::format("{}: no [[model]] in it", file.string()));
+  if (!entries) throw InputError(fmt::format("{}: the file has no [[model]]", file.string()));
   for (const toml::node& entry : *entries) {
     const toml::table* model = entry.as_table();
     if (!model)

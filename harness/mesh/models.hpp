@@ -1,4 +1,4 @@
-// experiments/models.toml: the named models and where their shapes come from.
+// Reads experiments/models.toml, the list of the named models and their sources.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,18 +14,19 @@ namespace pelage {
 struct Model {
   std::string name;
   std::string source;                  ///< "procedural:NAME" | "cgal:FILE" | "glmark2:FILE"
-  std::optional<std::uint32_t> faces;  ///< exact; empty: the source's own
-  glm::dvec3 rotation{0};              ///< degrees about x, then y, then z
-  bool wrap = false;                   ///< alpha wrap first
+  std::optional<std::uint32_t> faces;  ///< exact face count; empty: the source's count
+  glm::dvec3 rotation{0};              ///< rotation about x, then y, then z, degrees
+  bool wrap = false;                   ///< true: apply CGAL's alpha wrap first
   bool stand_in = false;
   std::string licence, footnote;
-  /// What a paper says it has, per topology (harness/springs): masses, springs.
+  /// Numbers of masses and springs per topology (harness/springs) that the paper publishes for this model.
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 
-/// All models in the file's order. Throws InputError with file, line and key.
+/// Reads all models in the file's order. Throws InputError with file, line and key.
 std::vector<Model> read_models(const std::filesystem::path& file);
-std::vector<Model>
-models();  ///< those of $PELAGE_DATA/experiments, else the source tree's, else the installed share's
+/// Reads the first models.toml found in $PELAGE_DATA/experiments, in the source tree or in the installed
+/// share folder.
+std::vector<Model> models();
 
 }  // namespace pelage

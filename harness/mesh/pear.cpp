@@ -9,8 +9,9 @@
 namespace pelage {
 namespace {
 
-// Negative inside: a wide ball below, a narrow one above, joined by a smooth minimum (radius of the blend
-// 0.35), and a shallow dimple at the stem. The pear reaches from y = -1 to about 1.
+// Implicit function of the pear, negative inside: a wide sphere below and a narrow sphere above, joined by a
+// smooth minimum of blend width 0.6, with a shallow dimple at the stem. The pear
+// extends from y = -0.98 to about 0.9.
 double pear(glm::dvec3 p) {
   const double across = p.x * p.x + p.z * p.z, y = p.y;
   const double low = std::sqrt(across + (y + 0.3) * (y + 0.3)) - 0.68;
@@ -21,7 +22,8 @@ double pear(glm::dvec3 p) {
   return body + dimple;
 }
 
-// Where the ray from the pear's middle along `direction` leaves it: every such ray does so once.
+// The point where the ray from (0, 0.1, 0) along `direction` intersects the pear's surface. There is exactly
+// one such point.
 glm::dvec3 on_the_pear(glm::dvec3 direction) {
   const glm::dvec3 middle(0, 0.1, 0), along = glm::normalize(direction);
   double inside = 0, outside = 2;
@@ -43,7 +45,7 @@ Surface icosahedron() {
   return s;
 }
 
-// Each triangle in four at the middles of its edges.
+// Splits each triangle into four at the midpoints of its edges.
 Surface halved(const Surface& s) {
   Surface fine;
   fine.point = s.point;

@@ -14,9 +14,9 @@
 namespace pelage {
 namespace {
 
-// Less is better: the logarithm of how much the map's scale varies over the surface, and twenty for a map
-// that lies over itself everywhere, so that 1% of overlap weighs as much as a scale that varies by a fifth
-// more.
+// Cost of a map; less is better. The cost is the logarithm of the ratio of its largest to its smallest area
+// scale, plus 20 times the overlapping and flipped fractions. An overlap of 1% costs as much as a 22% larger
+// ratio.
 double cost(const Surface& unfolded, const std::string& name) {
   const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
@@ -46,7 +46,7 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
     CutPlan longer = best.plan;
     longer.tips.push_back(tip.point);
     const double there = cost(surface, longer, name, unfold);
-    // Nothing can be judged before there is a map at all.
+    // As long as no plan gives a map, costs cannot be compared, and every tip is added.
     if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
       best = {longer, there};
     } else {
@@ -60,10 +60,10 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
 
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part) {
-  // On a surface with handles the cut depends on where it is grown from: four places, far from one another.
+  // On a surface with handles the cut depends on its root. Four distant roots are tried.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   const long euler =
-      2 * long(proxy.point.size()) - long(proxy.triangle.size());  // 2 V - F = 2 chi, if closed
+      2 * long(proxy.point.size()) - long(proxy.triangle.size());  // twice the Euler characteristic if closed
   while (euler < 4 && roots.size() < 4) {
     const auto near = [&](const glm::dvec3& p) {
       double least = std::numeric_limits<double>::max();

@@ -1,20 +1,21 @@
-// Shapes that need no file.
+// Procedural shapes.
 #pragma once
 #include "harness/mesh/surface.hpp"
 
 namespace pelage {
 
-/// A torus about the y axis, major radius 1, of `around` x `across` quads split in two; periodic UV: u around
-/// the axis, v around the tube, each in [0,1].
+/// A torus around the y axis with major radius 1. It has `around` x `across` quads of two triangles each. The
+/// UV map is periodic: u goes around the axis, v around the tube, both in [0,1].
 Surface make_torus(int around, int across, double minor_radius);
 
-/// The unit square in the plane y = 0 facing +y, of `quads` x `quads` quads split in four at their centres;
-/// UV is the square itself.
+/// The unit square in the plane y = 0 with the normal +y. It has `quads` x `quads` quads of four triangles
+/// that meet in the quad's centre. UV is (x, -z).
 Surface make_square(int quads);
 
-/// A pear about the y axis: an implicit surface of revolution, 2 high, closed, without UV; an icosahedron
-/// whose 20 triangles are cut in four `halvings` times and drawn onto it. The same bits every time, which
-/// CGAL's own mesher of implicit surfaces does not give: it inserts points in the order of addresses.
+/// A pear around the y axis: a closed implicit surface of revolution of height 1.9, without UV map. The 20
+/// triangles of an icosahedron are split into four `halvings` times, and the points are projected onto the
+/// surface. The result is deterministic. CGAL's mesher for implicit surfaces is not used,
+/// because its result depends on memory addresses.
 Surface make_pear(int halvings);
 
 }  // namespace pelage

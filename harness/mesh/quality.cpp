@@ -32,7 +32,7 @@ struct Side {
   bool forward;  // from low to high
 };
 
-// The sides of all faces, sorted so that those of one edge stand together.
+// The sides of all faces, sorted so that the sides of an edge are adjacent.
 std::vector<Side> sides_of(const std::vector<glm::uvec3>& triangles) {
   std::vector<Side> sides;
   sides.reserve(triangles.size() * 3);
@@ -63,8 +63,8 @@ double twice_uv_area(const Mesh& mesh, const glm::uvec3& t) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// How many faces cover each texel centre; edges belong to the side below or left of them, so neighbours never
-// share.
+// The number of faces that cover each texel centre. A centre on an edge belongs to one of the two adjacent
+// faces only, by a fixed rule.
 std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   std::vector<std::uint8_t> count(std::size_t(side) * std::size_t(side), 0);
   for (const glm::uvec3& t : mesh.triangle) {
@@ -75,7 +75,7 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
     for (int y = std::max(0, int(std::ceil(low))); y < side && y < high; ++y) {
       double left = HUGE_VAL, right = -HUGE_VAL;
       for (int k = 0; k < 3; ++k) {
-        // The same arithmetic for both faces of an edge: always from its lower end.
+        // The intersection is computed from the edge's lower end, so that both faces get the same value.
         glm::dvec2 a = p[k], b = p[(k + 1) % 3];
         if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
         if (!(a.y <= y && y < b.y)) continue;
@@ -92,7 +92,7 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
 }
 
 struct Covered {
-  std::size_t once = 0, more = 0;  // texels that a face covers, and that several do
+  std::size_t once = 0, more = 0;  // numbers of texels that at least one face, and at least two faces cover
 };
 
 Covered covered_by(const Mesh& mesh, int side) {

@@ -1,4 +1,4 @@
-// What there is to know about a prepared mesh: counts, topology, and how good its UV map is.
+// Measures of a prepared mesh: counts, topology, and quality of the UV map.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace pelage {
 
 struct Topology {
-  std::size_t copies = 0;  ///< V, vertices with their UV-seam copies
-  std::size_t points = 0;  ///< welded
-  std::size_t edges = 0;   ///< between welded points
+  std::size_t copies = 0;  ///< V, number of vertices, including copies on UV seams
+  std::size_t points = 0;  ///< W, number of surface points
+  std::size_t edges = 0;   ///< number of edges between surface points
   std::size_t faces = 0;
   std::size_t boundary_edges = 0;
-  std::size_t borders = 0;  ///< closed chains of boundary edges
+  std::size_t borders = 0;  ///< number of closed loops of boundary edges
   std::size_t components = 0;
-  long genus = 0;              ///< handles, over all components; meaningful for manifolds
-  std::size_t bad_edges = 0;   ///< edges of more than two faces, or run through twice in one direction
-  std::size_t bad_points = 0;  ///< points whose faces are not one fan
+  long genus = 0;              ///< number of handles of all components, if the mesh is a manifold
+  std::size_t bad_edges = 0;   ///< number of edges with more than two faces or inconsistent orientation
+  std::size_t bad_points = 0;  ///< number of points whose faces do not form a single fan
   bool manifold() const { return bad_edges == 0 && bad_points == 0; }
 };
 
@@ -28,22 +28,24 @@ Topology topology(const Mesh& mesh);
 struct UvQuality {
   std::size_t charts = 0;
   std::size_t flipped_faces = 0;
-  double flipped = 0;      ///< UV area of faces turned over, fraction of the map's whole area
-  double overlapping = 0;  ///< part of the covered square that more than one face covers
-  double covered = 0;      ///< part of the unit square that is covered
-  /// UV area over surface area, relative to the whole map's: 1 where nothing is stretched or squeezed. At 1%,
-  /// 50% and 99% of the surface's area.
+  double flipped = 0;      ///< UV area of flipped faces, fraction of the UV area of all faces
+  double overlapping = 0;  ///< fraction of the covered texels that more than one face covers
+  double covered = 0;      ///< fraction of the unit square that faces cover
+  /// Percentiles (1%, 50% and 99%, weighted by surface area) of the ratio of a face's UV area to its surface
+  /// area. The values are relative to the ratio of the whole map, so 1 means neither stretched nor
+  /// compressed.
   double area_low = 0, area_median = 0, area_high = 0;
 };
 
-/// Overlaps are counted at the centres of `side` x `side` texels.
+/// Measures the UV map. Coverage and overlap are counted at the centres of `side` x `side` texels.
 UvQuality uv_quality(const Mesh& mesh, int side = 2048);
 
-/// What a user of the map must know, a line each: faces turned over, and overlap of at least 0.01% of the
-/// covered square at 2048 x 2048 texels. Empty: neither.
+/// Returns warnings about the UV map, one line each: flipped faces, and overlap of at least 0.01% of the
+/// covered texels at 2048 x 2048 texels.
 std::vector<std::string> uv_warnings(const Mesh& mesh);
 
-/// The chart that each face belongs to, numbered from 0 in face order: faces that share an edge of copies.
+/// The chart number of each face, from 0 in the order of faces. Faces that share an edge between the same
+/// vertices belong to one chart.
 std::vector<std::uint32_t> charts(const Mesh& mesh);
 
 }  // namespace pelage

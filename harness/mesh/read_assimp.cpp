@@ -14,7 +14,8 @@
 namespace pelage::detail {
 namespace {
 
-// Assimp knows some fifty formats, several with recent security holes: only these stay.
+// Unregisters all importers of Assimp except OBJ, PLY, 3DS and glTF. Several of its about fifty importers had
+// security holes recently.
 void allow_only_known_formats(Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     const aiImporterDesc* about = importer.GetImporterInfo(i);
@@ -58,7 +59,7 @@ Soup read_by_assimp(const std::filesystem::path& file) {
   }
   Soup soup;
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], soup);
-  if (soup.uv.size() != soup.polygon.size()) soup.uv.clear();  // only part of it has a map
+  if (soup.uv.size() != soup.polygon.size()) soup.uv.clear();  // some meshes of the file have no UV map
   return soup;
 }
 

@@ -50,11 +50,11 @@ Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, St
                                          "degenerate or doubled faces"));
   if (polygons.empty()) throw InputError(fmt::format("{}: no face with an area is left", name));
   const std::size_t joined = points.size();
-  stages.begin("turning faces to agree");
+  stages.begin("orienting faces");
   PMP::orient_polygon_soup(points, polygons);
   if (points.size() > joined)
     notes.push_back("split " + counted(points.size() - joined, "point", "points") +
-                    " where faces cannot agree");
+                    " between faces of inconsistent orientation");
   stages.begin("joining faces");
   Polyhedron mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
@@ -78,7 +78,8 @@ void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
   mesh.remove_property_map(piece);
 }
 
-// Closed components, and open ones of at least a hundredth of the largest one's area.
+// Keeps all closed components and all open components of at least 1% of the largest component's area. Throws
+// InputError if more than 1000 remain.
 void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   constexpr double least = 0.01;
   constexpr std::size_t most_components = 1000;

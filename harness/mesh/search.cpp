@@ -55,7 +55,8 @@ SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::mak
     state_->triangles.emplace_back(point(position[t.x]), point(position[t.y]), point(position[t.z]));
   }
   state_->tree.rebuild(state_->triangles.begin(), state_->triangles.end());
-  state_->tree.accelerate_distance_queries();  // built here, not at the first question: threads may ask
+  // The first query would build this structure otherwise, which is not safe with several threads.
+  state_->tree.accelerate_distance_queries();
 }
 
 SurfaceSearch::~SurfaceSearch() = default;
@@ -72,7 +73,8 @@ std::optional<SurfacePlace> SurfaceSearch::ray(glm::vec3 origin, glm::vec3 direc
                           Kernel::Vector_3(double(direction.x), double(direction.y), double(direction.z)));
   const auto hit = state_->tree.first_intersection(ray);
   if (!hit) return {};
-  // A ray within a triangle's own plane meets it along a segment, which begins where it enters.
+  // The intersection is a segment if the ray lies in the triangle's plane; its source is where the ray
+  // enters.
   if (const auto* q = boost::get<Kernel::Point_3>(&hit->first)) return state_->place(hit->second, *q);
   return state_->place(hit->second, boost::get<Kernel::Segment_3>(&hit->first)->source());
 }

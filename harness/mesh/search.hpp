@@ -1,4 +1,4 @@
-// Points and rays against a prepared mesh (CGAL's AABB tree): from a place in space to a place in UV.
+// Finds nearest points on a mesh and intersections of rays with a mesh, by CGAL's AABB tree.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -10,15 +10,16 @@
 
 namespace pelage {
 
-/// A place on the surface.
+/// A point on the surface.
 struct SurfacePlace {
   std::uint32_t triangle = 0;
-  glm::vec3 weight{0};  ///< of the triangle's corners; sums to 1
+  glm::vec3 weight{0};  ///< barycentric weights of the triangle's corners; the sum is 1
   glm::vec3 point{0};   ///< R
   glm::vec2 uv{0};
 };
 
-/// Holds a tree over the mesh, so that many questions cost one build. Asking is safe from several threads.
+/// A search tree of a mesh. It is built once, by the constructor. Several threads may search at the same
+/// time.
 class SurfaceSearch {
  public:
   explicit SurfaceSearch(std::shared_ptr<const Mesh> mesh);
@@ -27,7 +28,8 @@ class SurfaceSearch {
   SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
 
   SurfacePlace closest(glm::vec3 point) const;
-  /// The first place that the ray from `origin` along `direction` (not zero) meets; empty: none.
+  /// The first intersection of the ray from `origin` along `direction` (not zero) with the surface; empty if
+  /// there is none.
   std::optional<SurfacePlace> ray(glm::vec3 origin, glm::vec3 direction) const;
 
  private:

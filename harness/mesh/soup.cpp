@@ -11,8 +11,8 @@
 namespace pelage {
 namespace {
 
-constexpr std::uint64_t largest_file = std::uint64_t(1)
-                                       << 30;  // a quarter of a GiB holds ten million triangles
+// Ten million triangles need about a quarter of this size.
+constexpr std::uint64_t largest_file = std::uint64_t(1) << 30;
 constexpr std::size_t most_polygons = 10'000'000;
 
 std::string ending(const std::filesystem::path& file) {
@@ -59,7 +59,7 @@ void check_soup(const Soup& soup, const std::string& name) {
     for (const std::uint32_t index : soup.polygon[f]) {
       if (index >= soup.point.size())
         throw InputError(
-            fmt::format("{}: face {} names a vertex out of range; there are {}", name, f, soup.point.size()));
+            fmt::format("{}: face {} has a vertex out of range; there are {}", name, f, soup.point.size()));
     }
   }
 }
@@ -68,7 +68,7 @@ Soup parse_soup(std::string bytes, std::string_view format, const std::string& n
   detail::check_text(bytes, format, name);
   Soup soup;
   const bool good = detail::read_by_cgal(bytes, format, soup);
-  if (!good) throw InputError(fmt::format("{}: not a readable {} file; is it cut short?", name, format));
+  if (!good) throw InputError(fmt::format("{}: not a readable {} file; is it truncated?", name, format));
   check_soup(soup, name);
   return soup;
 }

@@ -1,4 +1,4 @@
-// What a mesh file holds before anything is known about it: points and polygons.
+// The content of a mesh file: points and polygons without connectivity.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -13,28 +13,29 @@ namespace pelage {
 struct Soup {
   std::vector<glm::dvec3> point;
   std::vector<std::vector<std::uint32_t>> polygon;
-  std::vector<std::vector<glm::dvec2>> uv;  ///< per polygon and corner; empty: none read
+  std::vector<std::vector<glm::dvec2>> uv;  ///< UV per polygon and corner; empty if none was read
 };
 
-/// Reads OBJ, OFF, PLY, STL (by CGAL), 3DS, glTF, glb (by Assimp), told apart by the name's end. With
-/// `with_uv` OBJ and PLY go through Assimp too, which reads texture coordinates. Throws InputError naming the
-/// file, the line where it is known, and what would be right. The result is not empty, its numbers are finite
-/// and its indices in range. Neither library is hardened against malice: call it inside isolated().
+/// Reads OBJ, OFF, PLY, STL (by CGAL), 3DS, glTF and glb (by Assimp); the file name's extension selects the
+/// format. If `with_uv` is true, Assimp also reads OBJ and PLY, because it reads their texture coordinates.
+/// Throws InputError with the file, the line if known, and the permitted content. The result is not empty,
+/// its numbers are finite and its indices are in range. Malicious files may crash both libraries, so call
+/// this function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
-/// The same from memory, for OBJ, OFF, PLY and STL; `format` is the lower-case ending without its dot.
+/// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without
+/// the dot.
 Soup parse_soup(std::string bytes, std::string_view format, const std::string& name);
 
-/// Throws InputError if the soup is empty, or holds a number that is not finite or an index out of range.
+/// Throws InputError if the soup is empty, or contains a number that is not finite or an index out of range.
 void check_soup(const Soup& soup, const std::string& name);
 
-/// Reads a whole file. Throws InputError when there is none, or it is a folder, empty, or larger than `limit`
-/// bytes.
+/// Reads a whole file. Throws InputError if it is missing, a folder, empty or larger than `limit` bytes.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 
 namespace detail {
-/// Before CGAL reads it: throws InputError with the line at which `text` stops being OBJ, OFF, ...; OBJ comes
-/// back with only the lines that matter to us, since CGAL refuses files that hold elements it does not know.
+/// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. For OBJ,
+/// `bytes` is replaced by its v and f lines, because CGAL refuses files with elements that it does not know.
 void check_text(std::string& bytes, std::string_view format, const std::string& name);
 bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup);
 Soup read_by_assimp(const std::filesystem::path& file);

@@ -1,4 +1,4 @@
-// What a long preparation says about how far it is.
+// Progress messages of a long preparation.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -6,18 +6,19 @@
 
 namespace pelage {
 
-/// Names the stages of a preparation on a callback, with the fraction of a stage that is done and the seconds
-/// since the start: "cat.obj: laying the surface flat, 40%, 12 s".
+/// Sends the current stage of a preparation to a callback, with the stage's completed fraction and the
+/// seconds since the start, for instance "cat.obj: laying the surface flat, 40%, 12 s".
 class Stages {
  public:
   using Say = std::function<void(const std::string&)>;
 
-  /// Says nothing during the first `silent_s` seconds, and a fraction at most every 2.5 times as long.
+  /// No messages are sent during the first `silent_s` seconds. Messages with fractions are at least 2.5
+  /// silent_s apart.
   Stages(Say say, std::string label, double silent_s);
 
   void begin(const std::string& stage);
-  void part(double fraction);  ///< of the stage, 0 to 1
-  /// The same as a callback, for the steps.
+  void part(double fraction);  ///< completed fraction of the stage, 0 to 1
+  /// Returns a callback that calls part().
   std::function<void(double)> parts();
 
  private:

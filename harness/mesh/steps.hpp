@@ -1,5 +1,5 @@
-// The steps from a soup of polygons to a surface with a UV map, by CGAL. Each takes and gives a value; what
-// it did is added to the surface's notes.
+// The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step adds its changes
+// to the notes of the surface.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -10,28 +10,31 @@
 
 namespace pelage {
 
-/// What a source's recipe does with holes and components.
+/// Treatment of holes and components.
 struct RepairOptions {
-  bool fill_all = false;     ///< every hole is filled; else those narrower than a tenth of the mesh
-  bool largest_only = true;  ///< only the component of most faces is kept; else all that are closed or large
+  bool fill_all = false;  ///< true: fill all holes; false: fill holes narrower than a tenth of the mesh
+  bool largest_only =
+      true;  ///< true: keep the component of most faces; false: all closed or large components
 };
 
-/// An oriented manifold of triangles: coincident points welded, degenerate faces dropped, faces turned,
-/// borders stitched, non-manifold points split, scraps dropped, holes filled. Throws InputError when nothing
-/// usable is left. `stages` is told the stage now in hand.
+/// Converts a soup to an oriented triangle manifold. It welds coincident points, drops degenerate faces,
+/// orients faces consistently, stitches borders, splits non-manifold points, drops small components and fills
+/// holes. `stages` receives the current stage. Throws InputError if no face is left or too many components
+/// remain.
 Surface repair(const Soup& soup, const RepairOptions& options, const std::string& name, Stages& stages);
 
-/// For soups with a UV map of their own: coincident points welded, polygons split into triangles, faces
-/// without three different points dropped; nothing else, so that the map stays what it was.
+/// Converts a soup with its own UV map to a surface. It welds coincident points, splits polygons into
+/// triangles and drops triangles without three different points. It changes nothing else, so the UV map is
+/// preserved. Throws InputError if no triangle is left or the UV map has no area.
 Surface weld(const Soup& soup, const std::string& name);
 
-/// The watertight skin of a surface that cuts through itself (Portaneri et al. 2022, CGAL's alpha wrap).
+/// The watertight hull of a surface that intersects itself (Portaneri et al. 2022, CGAL's alpha wrap).
 Surface wrap(const Surface& surface);
 
-/// Exactly `faces` triangles: Loop subdivision while there are too few, then edge collapses (Lindstrom and
-/// Turk 1998) that never turn a face over; a closed mesh has an even count, so an odd one drops the face that
-/// lies lowest along `up`. Throws InputError when the count cannot be reached.
-/// `part` is told the fraction of the collapses that is done.
+/// Changes the number of triangles to exactly `faces`: Loop subdivision while there are too few, then edge
+/// collapses (Lindstrom and Turk 1998) that flip no face. A closed mesh has an even count; for an odd count,
+/// the lowest face along `up` is dropped. `part` receives the completed fraction of the collapses. Throws
+/// InputError if the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
                    const std::function<void(double)>& part = {});
 

@@ -1,4 +1,5 @@
-// The mesh while it is being prepared: welded points, triangles, and a UV per corner once there is one.
+// The mesh during its preparation: welded points, triangles, and a UV per corner after the UV map is
+// computed.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,10 +15,10 @@ struct Surface {
   using Corners = std::array<glm::dvec2, 3>;
   std::vector<glm::dvec3> point;
   std::vector<Triangle> triangle;
-  std::vector<Corners> uv;         ///< per triangle; empty: none yet
-  bool periodic_uv = false;        ///< see Mesh::periodic_uv; such a map is left as it is
-  bool keep_uv = false;            ///< a file's own map: left as it is, if it lies within the unit square
-  bool packed_uv = false;          ///< charts packed into the unit square: left as they are
+  std::vector<Corners> uv;   ///< UV of the corners per triangle; empty if there is no UV map
+  bool periodic_uv = false;  ///< see Mesh::periodic_uv; finish() does not change a periodic map
+  bool keep_uv = false;      ///< the UV map is a file's own; finish() keeps it if it is in the unit square
+  bool packed_uv = false;    ///< the charts are packed into the unit square; finish() keeps them
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 

@@ -23,7 +23,7 @@ namespace {
 using Lu = CGAL::Eigen_solver_traits<
     Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
 
-// ARAP solves with one matrix, twice an iteration: it is factored once.
+// A linear solver that factorizes its matrix once. ARAP solves twice per iteration with the same matrix.
 class Factored_once {
  public:
   using NT = double;
@@ -71,7 +71,8 @@ Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
   auto placed = mesh.add_property_map<Polyhedron::Vertex_index, bool>("v:placed", false).first;
   for (const auto v : mesh.vertices()) index[v] = int(v.idx());
   const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  // Code 6 (no one-to-one mapping): ARAP's clean-up refused a border that crosses itself; the map is there.
+  // The result is ignored. Code 6 (no one-to-one mapping) means that ARAP's last step refused a border that
+  // intersects itself; the map is complete nevertheless.
   (void)parameterizer.parameterize(mesh, border, uv, index, placed);
   Map map;
   for (const auto v : mesh.vertices()) map.uv.emplace_back(uv[v].x(), uv[v].y());

@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-// A closed manifold of F triangles has 3F / 2 edges, each run through both ways.
+// True if the triangles form a closed manifold: F triangles then have 3F / 2 edges.
 bool is_closed(const std::vector<Surface::Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(triangles.size() * 3);
@@ -25,7 +25,7 @@ bool is_closed(const std::vector<Surface::Triangle>& triangles) {
 
 void need_cut(const Surface& surface, const Disk& disk, const std::string& name) {
   if (disk.point.size() == surface.point.size() && is_closed(disk.triangle))
-    throw InputError(fmt::format("{}: nothing is cut, so it cannot lie flat", name));
+    throw InputError(fmt::format("{}: the closed surface is not cut and cannot be flattened", name));
 }
 
 Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::string& name,

@@ -12,8 +12,8 @@
 namespace pelage {
 namespace {
 
-// Of a map without an area no length per UV and no tangent follows; below 1e-12 of its square nothing is left
-// of it in single precision.
+// True if the UV area of the map exceeds 1e-12 of its bounding square. Smaller areas vanish in single
+// precision, and lengths per UV and tangents would be undefined.
 bool has_area(const std::vector<Surface::Corners>& uv) {
   double twice = 0;
   glm::dvec2 low = uv.front()[0], high = low;

@@ -15,7 +15,8 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 namespace pelage {
 namespace {
 
-// CGAL 5.5 stops on edge counts only. A collapse takes two faces away, at a border one: N + 1 is near enough.
+// A stop condition on the number of faces; CGAL 5.5 provides only conditions on the number of edges. A
+// collapse removes two faces, or one face at a border, so the collapses stop at `faces` or `faces` + 1.
 struct Few_enough_faces {
   std::size_t faces, before;
   const std::function<void(double)>* part;
@@ -27,7 +28,7 @@ struct Few_enough_faces {
   }
 };
 
-// Of the faces away from every border, so that the mesh stays a manifold.
+// Removes the lowest face along `up` that touches no border, so that the mesh stays a manifold.
 void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
   Polyhedron::Face_index lowest;
   double least = std::numeric_limits<double>::max();
@@ -66,11 +67,11 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
   if (mesh.number_of_faces() == faces + 1) {
     drop_lowest_face(mesh, up);
     mesh.collect_garbage();
-    notes.push_back("dropped the lowest face: the count is odd, a closed mesh's is even");
+    notes.push_back("dropped the lowest face: the count is odd, but a closed mesh has an even count");
   }
   if (mesh.number_of_faces() != faces)
     throw InputError(
-        fmt::format("{}: {} faces are not to be had without turning faces over; the nearest is {}", name,
+        fmt::format("{}: {} faces cannot be reached without flipping a face; give {} or another count", name,
                     faces, mesh.number_of_faces()));
   Surface result = from_cgal(mesh);
   result.notes = notes;

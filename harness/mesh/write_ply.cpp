@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-static_assert(std::endian::native == std::endian::little, "write_ply writes the host's own byte order");
+static_assert(std::endian::native == std::endian::little, "write_ply requires a little-endian host");
 
 void write_ply(const std::filesystem::path& file, const Mesh& mesh) {
   std::string bytes = fmt::format(

@@ -1,4 +1,4 @@
-// A prepared mesh as a file for other programs.
+// Writes a prepared mesh to a file for other programs.
 #pragma once
 #include <filesystem>
 
@@ -6,9 +6,9 @@
 
 namespace pelage {
 
-/// Binary little-endian PLY: vertex x y z s t (floats; s and t the UV, by the names that Blender and MeshLab
-/// read), face vertex_indices. The file appears whole or not at all. Throws InputError when it cannot be
-/// written.
+/// Writes binary little-endian PLY. A vertex has the floats x y z s t; s and t are the UV under the names
+/// that Blender and MeshLab read. A face has vertex_indices. The file is written under a temporary name and
+/// renamed. Throws InputError if it cannot be written.
 void write_ply(const std::filesystem::path& file, const Mesh& mesh);
 
 }  // namespace pelage

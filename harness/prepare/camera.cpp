@@ -26,13 +26,15 @@ Axes axes(glm::dvec3 forward, glm::dvec3 up) {
   return {right, glm::cross(forward, right), forward};
 }
 
-/// An eye's coordinate across the view axis and along it.
+/// Coordinates of an eye: across the view axis and along it, R.
 struct Stand {
   double across, along;
 };
 
-/// Where an eye must stand so that rays of slope +-`slope` touch the points from both sides: p - slope q is
-/// greatest at the one touched from above, -p - slope q at the other (p across, q along the view axis).
+/// The eye for which all points lie between two rays of the slopes +`slope` and -`slope`, and each ray
+/// touches a point. With the coordinates p across and q along the view axis, the first ray touches the point
+/// of greatest p - slope q, and the second ray touches the point of greatest -p - slope q. Every point is
+/// extended by `margin` on both sides, R.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -44,7 +46,8 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// The same from farther back: the slope at which that place is the one that touches.
+/// The eye at the given coordinate `along`, which is farther from the points than the eye of touch().
+/// Bisection finds the smaller slope for which touch() returns this coordinate.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

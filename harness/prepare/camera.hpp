@@ -6,9 +6,10 @@
 
 namespace pelage {
 
-/// The camera of `scene.camera` for a picture of `scene.image`'s size. When framed, it looks along -direction
-/// at the middle of what `points` (R) and a margin of `margin` R around each cover on screen, from where they
-/// fill 88% of the picture's height or 94% of its width, whichever comes first.
+/// The camera for a picture of the size in `image`. If scene.framed is true, the camera looks along
+/// -scene.direction. It is placed so that all `points` (R), extended by `margin` (R) on every side, are
+/// centred in the picture and fill 88% of its height or 94% of its width, whichever is reached first. Throws
+/// InputError if eye and target coincide.
 Camera make_camera(const CameraScene& scene, const ImageScene& image, std::span<const glm::vec3> points,
                    float margin);
 

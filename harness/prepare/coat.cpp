@@ -21,7 +21,7 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Distance to the nearest point of a jittered lattice of unit cells.
+/// Distance from p to the nearest point of a lattice with unit cells and one randomly shifted point per cell.
 double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   const Random random(seed, 0x5907u);
   const glm::dvec3 cell = glm::floor(p);
@@ -36,7 +36,7 @@ double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   return least;
 }
 
-/// How much of the second colour there is at p, in 0..1; p in units of the pattern's size.
+/// The fraction of the second colour at the point p, 0..1. p is in units of the pattern's size.
 using Pattern = double (*)(glm::dvec3 p, std::uint32_t seed);
 
 double plain(glm::dvec3, std::uint32_t) {
@@ -100,8 +100,8 @@ glm::vec4 bilinear(const Picture& picture, double x, double y) {
          v * ((1 - u) * picture.at(x0, y1) + u * picture.at(x1, y1));
 }
 
-/// The picture's own resolution when it is square, else stretched to its longer side. Its top row lies at v
-/// = 1.
+/// Reads a coat texture. A picture that is not square is stretched to a square of its longer side. The side
+/// is at most 4096 texels. The picture's top row is at v = 1.
 CoatTexture from_picture(const std::filesystem::path& path) {
   const Picture picture = read_picture(path);
   CoatTexture out;

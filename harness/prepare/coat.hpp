@@ -4,8 +4,8 @@
 
 namespace pelage {
 
-/// The coat in the atlas: a picture, or a pattern that is a function of the surface point and so has no
-/// seams. Throws InputError for an unknown pattern.
+/// The coat texture in UV space. It is a picture or a pattern. A pattern is a function of the surface point
+/// and therefore has no seams. Throws InputError for an unknown pattern or an unreadable picture.
 CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat);
 
 }  // namespace pelage

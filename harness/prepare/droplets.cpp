@@ -15,7 +15,7 @@
 namespace pelage {
 namespace {
 
-/// A place on the surface, in space and in the atlas.
+/// A point of the surface: its position in space (R) and in UV.
 struct Spot {
   glm::dvec3 point;
   glm::dvec2 uv;
@@ -31,7 +31,7 @@ Spot spot(const Mesh& mesh, std::size_t face, glm::dvec3 bary) {
   return s;
 }
 
-/// The places that explicit droplets ask for. Each tree is built for the first droplet that needs it.
+/// Finds the surface points of explicit droplets. Each search tree is built when the first droplet needs it.
 class Places {
  public:
   explicit Places(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
@@ -48,7 +48,7 @@ class Places {
   }
 
  private:
-  /// The atlas as a mesh in the plane z = 0, without the triangles that have no area there.
+  /// Builds the search tree of the UV map: a mesh in the plane z = 0 without the triangles of zero UV area.
   void lay_out() {
     auto flat = std::make_shared<Mesh>();
     flat->uv = mesh_->uv;
@@ -62,22 +62,24 @@ class Places {
       face_.push_back(f);
     }
     if (face_.empty())
-      throw InputError("wetness.droplet: the mesh has no UV map to place a droplet by uv; give its point");
+      throw InputError(
+          "wetness.droplet: the mesh's UV map has no area; give the droplet's point, not its uv");
     in_atlas_.emplace(std::move(flat));
   }
 
   std::shared_ptr<const Mesh> mesh_;
   std::optional<SurfaceSearch> in_space_, in_atlas_;
-  std::vector<std::size_t> face_;  ///< of the mesh, per triangle of the atlas
+  std::vector<std::size_t> face_;  ///< index of the mesh's triangle for each triangle of the flat mesh
 };
 
-/// A texel of the disc lies at most this far from its centre, in R: the disc's radius on the surface, and as
-/// much again for where the atlas is stretched.
+/// Greatest distance in R between a disc's centre and the surface points of its texels. It is twice the
+/// disc's radius on the surface, because the UV map may be stretched.
 float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }
 
-/// Points in cells of their greatest least distance, to ask whether a new one keeps clear of all.
+/// A grid of points. It tests whether a new point is far enough from all points. The cell size must not be
+/// smaller than the tested distances.
 class Crowd {
  public:
   explicit Crowd(double cell) : cell_(cell) {}
@@ -103,13 +105,14 @@ class Crowd {
   std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> cells_;
 };
 
-/// Contiguous wet areas: smooth noise above the quantile that leaves `cover` of the surface wet.
+/// Contiguous wet areas: the places where a smooth noise exceeds a threshold. The threshold is the quantile
+/// for which the fraction `patch_cover` of the surface is wet.
 class Patches {
  public:
   Patches(const Skin& skin, const WetnessScene& wetness)
       : size_(double(wetness.patch_size)), seed_(wetness.seed), everywhere_(wetness.patch_cover >= 1.0f) {
     if (everywhere_) return;
-    std::vector<std::pair<double, double>> value;  // noise and area, per face
+    std::vector<std::pair<double, double>> value;  // noise value and area of each face
     double total = 0;
     for (std::size_t f = 0; f < skin.triangle.size(); ++f) {
       const glm::uvec3 t = skin.triangle[f];
@@ -125,7 +128,7 @@ class Patches {
       if (wet >= double(wetness.patch_cover) * total) break;
     }
   }
-  /// 0 where dry, rising to 1 within the patch.
+  /// Factor on the wetness at p: 0 outside the wet areas, rising smoothly to 1 inside them.
   double depth(glm::dvec3 p) const {
     if (everywhere_) return 1;
     const double t = std::clamp((at(p) - threshold_) / 0.15, 0.0, 1.0);
@@ -140,14 +143,13 @@ class Patches {
   double threshold_ = 0;
 };
 
-/// Where a picture lets droplets fall; without one, everywhere.
+/// The places where the scene's picture permits random droplets. Without a picture every place is permitted.
 class Rain {
  public:
   explicit Rain(const std::filesystem::path& path) {
     if (!path.empty()) picture_ = read_picture(path);
   }
-  /// Bright: at least half of white (Rec. 601 luma) in the texel under uv; the picture's top row lies at v
-  /// = 1.
+  /// True if the texel at uv is bright: its Rec. 601 luma is at least 0.5. The picture's top row is at v = 1.
   bool falls(glm::dvec2 uv) const {
     if (picture_.pixel.empty()) return true;
     const int x = std::clamp(int(uv.x * picture_.width), 0, picture_.width - 1);
@@ -160,10 +162,10 @@ class Rain {
   Picture picture_;
 };
 
-constexpr int tries_per_droplet = 30;  // dart throwing gives up after so many misses per droplet asked for
+constexpr int tries_per_droplet = 30;  // tries of dart throwing per requested droplet
 
 void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, std::vector<Droplet>& out) {
-  std::vector<double> below(skin.area.size() + 1, 0.0);  // cumulated area
+  std::vector<double> below(skin.area.size() + 1, 0.0);  // cumulative area of the triangles
   for (std::size_t f = 0; f < skin.area.size(); ++f) below[f + 1] = below[f] + skin.area[f];
   if (!(below.back() > 0)) return;
 

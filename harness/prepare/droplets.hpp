@@ -1,13 +1,14 @@
-// Where the fur is wet: the droplets that Algorithm 1 (S 3.3, W 3.1) draws into the wetness mask.
+// The droplets that Algorithm 1 (S 3.3, W 3.1) draws into the wetness mask.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
 
 namespace pelage {
 
-/// The scene's explicit droplets in their order, then the random ones. A droplet given by a point of space
-/// lands on the nearest surface point; one given by uv outside every chart, on the nearest chart. Random
-/// centres fall evenly over the surface, no two closer than `spacing` radii, in UV or across the surface.
+/// The scene's explicit droplets in their order, followed by the random droplets. A droplet given by a point
+/// in space is moved to the nearest surface point. A droplet given by a uv outside all charts is moved to the
+/// nearest chart. The centres of random droplets are uniformly distributed over the surface. The distance of
+/// two random centres, in UV and in space, is at least `spacing` radii of the later droplet.
 std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,
                                    const WetnessScene& wetness);
 

@@ -1,5 +1,6 @@
-// Everything a frame is computed from, prepared once on the host and handed to every pipeline alike. Floats:
-// a double-precision reference sees exactly what the device sees. docs/frame.md says what each entry means.
+// The input of a frame: all arrays from which every pipeline computes the frame. The host prepares them once.
+// They are floats, so the double-precision reference and the devices read the same values. docs/frame.md
+// defines each array.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,60 +15,69 @@
 
 namespace pelage {
 
-/// One mass on a spring per triangle (S 3.2.1); every vector is relative to the strand's root.
+/// The strands: one mass on a spring per triangle (S 3.2.1). Array sizes are F, the number of triangles, and
+/// W, the number of surface points.
 struct StrandSet {
-  std::vector<glm::vec3> root;    ///< F, the centroid
-  std::vector<glm::vec3> normal;  ///< F, unit face normal; p0 = root + L0 normal
-  std::vector<glm::vec3> anchor;  ///< F, rest tip minus root, length L0; equals L0 normal unless combed
+  std::vector<glm::vec3> root;    ///< F, centroid of the triangle, R
+  std::vector<glm::vec3> normal;  ///< F, unit normal of the triangle; p0 = root + L0 normal
+  std::vector<glm::vec3> anchor;  ///< F, rest tip minus root, of length L0; L0 normal unless combed
   std::vector<glm::vec2> phase;   ///< F, (cos, sin) of the gust's phase at the root
-  // Strand to surface point: the area-weighted mean over the point's triangles, as compressed rows.
-  std::vector<std::uint32_t> row;   ///< W + 1
-  std::vector<std::uint32_t> face;  ///< row.back()
-  std::vector<float> weight;        ///< row.back(), sums to 1 over a row
+  // A sparse matrix in compressed rows. It maps strands to surface points by the area-weighted mean over the
+  // triangles around the point.
+  std::vector<std::uint32_t> row;   ///< W + 1 offsets into face and weight
+  std::vector<std::uint32_t> face;  ///< row.back() indices of triangles
+  std::vector<float> weight;        ///< row.back() weights; the sum over a row is 1
 };
 
-/// The curl's tangent frame per surface point: orthonormal, tangential (S Eq. 4's u and v).
+/// The tangent frame of the curl per surface point: the orthonormal, tangential vectors u and v of S Eq. 4.
 struct CurlFrame {
-  std::vector<glm::vec3> u, v;     ///< W
-  std::vector<glm::vec2> mask_uv;  ///< W, where the point samples the wetness mask: its first copy's UV
+  std::vector<glm::vec3> u, v;  ///< W
+  /// W, the UV at which a surface point samples the wetness mask: the UV of its first vertex.
+  std::vector<glm::vec2> mask_uv;
 };
 
-/// dX/du and dX/dv per vertex copy, R per UV unit (W Eq. 4's tangent and bitangent before the base change).
+/// The derivatives dX/du and dX/dv per vertex, R per UV unit. They are the tangent and bitangent of W Eq. 4
+/// before its change of basis.
 struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< V
 };
 
-/// The fur volume: per mip level, layers x side x side texels of two bytes, coverage (255: solid) and shade
-/// (factor on the coat's colour, 127.5 per 1). Level l has side size >> l; layers are never merged.
+/// The fur volume texture. A mip level has layers x side x side texels of two bytes: coverage (255 is opaque)
+/// and shade (a factor on the coat's colour, times 127.5). The side of level l is size >> l. All levels have
+/// the same number of layers.
 struct FurTexture {
   int size = 0;
   int layers = 0;
   std::vector<std::vector<std::array<std::uint8_t, 2>>> level;
 };
 
-/// The coat's colour, size x size texels, RGB bytes and an unused fourth; repeats.
+/// The coat's colour: size x size texels with three bytes RGB and an unused fourth byte. The texture repeats.
 struct CoatTexture {
   int size = 0;
   std::vector<std::array<std::uint8_t, 4>> texel;
 };
 
-/// One droplet of Algorithm 1, in the order in which it is blended.
+/// One droplet of Algorithm 1.
 struct Droplet {
   glm::vec2 centre;  ///< c_drop, UV
   float radius;      ///< r_drop, UV
   float wetness;     ///< rho_drop
-  glm::vec3 point;   ///< c_mesh, R
-  float reach;       ///< a texel whose surface point is farther than this from `point` (R) is not its
-};                   ///  disc's, however near in UV: no bleeding into a foreign chart
+  glm::vec3 point;   ///< c_mesh, surface point of the centre, R
+  /// The droplet covers only texels whose surface point is at most this far from `point`, R. The limit
+  /// keeps the droplet off other charts that are near in UV but far away on the surface.
+  float reach;
+};
 
-/// The pinhole camera in the rasterizer's terms; docs/frame.md, "Camera".
+/// The pinhole camera, docs/frame.md, section 4.
 struct Camera {
-  glm::vec4 row_x, row_y,
-      row_w;      ///< dot with (p, 1): x and y in pixels from the image centre times w; view depth w
+  /// Rows of the projection. Their dot products with (p, 1) are x w, y w and w: x and y in pixels from the
+  /// image centre, the view depth w in R.
+  glm::vec4 row_x, row_y, row_w;
   glm::vec3 eye;  ///< R
-  glm::vec3 ray, ray_dx, ray_dy;  ///< view ray through the image centre, and its change per pixel; not unit
-  float pixel = 0;                ///< R per pixel at view depth 1
-  float near = 0;                 ///< R
+  /// View ray through the image centre and its changes per pixel in x and y; not of unit length.
+  glm::vec3 ray, ray_dx, ray_dy;
+  float pixel = 0;  ///< side of a pixel at view depth 1, R
+  float near = 0;   ///< view depth of the near plane, R
   int width = 0, height = 0;
 };
 
@@ -75,16 +85,17 @@ struct FrameInput {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
   StrandSet strands;
-  std::vector<glm::vec3>
-      stick_normal;  ///< W, unit: where a topology's sticks rest; empty for Silva's strands
+  /// W unit directions of a topology's sticks at rest; empty for Silva's strands.
+  std::vector<glm::vec3> stick_normal;
   CurlFrame curl;
   SurfaceTangents tangents;
   FurTexture fur;
   CoatTexture coat;
   std::vector<Droplet> droplets;
-  std::vector<glm::vec3>
-      mask_surface;  ///< wetness.size^2, the surface point under each texel (gutters: the nearest chart's)
-  glm::vec2 fur_scale{1.0f};  ///< fur-texture repeats per unit of u and v
+  /// wetness.size^2 surface points, one under the centre of each texel of the mask. A texel outside all
+  /// charts has the point of the nearest texel inside a chart, R.
+  std::vector<glm::vec3> mask_surface;
+  glm::vec2 fur_scale{1.0f};  ///< repeats of the fur texture per unit of u and of v
   Camera camera;
 };
 

@@ -9,14 +9,16 @@ namespace pelage {
 namespace {
 
 constexpr int fine = 4;                  // sub-samples per texel and axis
-constexpr double shade_unit = 127.5;     // byte of a factor 1
-constexpr double reference_layers = 16;  // the layer count at which coverage is stored as it is
+constexpr double shade_unit = 127.5;     // stored value of the shade 1
+constexpr double reference_layers = 16;  // number of layers at which the stored coverage needs no correction
 
-/// One slice while it is being drawn; coverage in 0..1.
+/// One slice of the texture during its generation; coverage is 0..1.
 struct Slice {
   int side;
   std::vector<float> coverage, shade;
-  std::vector<float> claim;  ///< how near the middle of a strand a texel lies: the nearest gives the shade
+  /// Weight of the strand that gave the texel its shade: the coverage by the strand, reduced by the distance
+  /// from its centre. The strand of greatest weight gives the shade.
+  std::vector<float> claim;
   explicit Slice(int n)
       : side(n),
         coverage(std::size_t(n) * std::size_t(n)),
@@ -30,19 +32,20 @@ int wrap(int i, int n) {
   return i < 0 ? i + n : i;
 }
 
-/// A strand's section in texels: an ellipse.
+/// The elliptic cross-section of a strand, lengths in texels.
 struct Section {
-  glm::dvec2 centre, across;  ///< across: unit, along the longer axis
-  double radius, width;       ///< semi-axes: radius, and width times that along `across`
+  glm::dvec2 centre, across;  ///< centre, and unit vector along the longer axis
+  double radius, width;       ///< the semi-axes are radius, and width * radius along `across`
 };
 
-/// Counts the sub-samples of each texel inside a section, row by row, and keeps the greatest coverage.
+/// Draws sections into a slice. It counts per texel the sub-samples inside the section, row by row, and
+/// stores the greatest coverage.
 class Painter {
  public:
   explicit Painter(Slice& slice) : slice_(slice) {}
 
   void paint(const Section& s, float weight, float shade) {
-    // q(d) = xx dx^2 + 2 xy dx dy + yy dy^2 <= 1 inside.
+    // A point at the offset d from the centre is inside if xx dx^2 + 2 xy dx dy + yy dy^2 <= 1.
     const double p = 1.0 / (s.radius * s.radius), q = p / (s.width * s.width);
     const glm::dvec2 e = s.across;
     const double xx = q * e.x * e.x + p * e.y * e.y, yy = q * e.y * e.y + p * e.x * e.x,
@@ -80,15 +83,17 @@ class Painter {
   std::vector<int> count_;
 };
 
-/// A section thinner than two sub-samples would be hit or missed at random: it is drawn wider and fainter.
-constexpr double thinnest = 0.36;  // texels
+/// Least radius of a drawn section, texels. Few sub-samples would hit a thinner section, so the section is
+/// drawn with this radius and with its coverage reduced by the ratio of the areas.
+constexpr double thinnest = 0.36;
 
 Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   Slice slice(fur.texture);
   Painter painter(slice);
   const double h = (1.0 + n) / fur.layers;
   for (const FurStrand& s : strands) {
-    // The slice stands for the slab below it; a strand that ends inside the slab fills a part of it.
+    // A slice represents the slab below it. A strand that ends inside the slab covers a fraction of its
+    // height.
     const double share = std::min(1.0, (s.length - h) * fur.layers + 1.0);
     if (share <= 0) continue;
     const double height = std::min(h, s.length);
@@ -103,7 +108,8 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   return slice;
 }
 
-/// Texels without fur take the shade of the fur around them; far from any, the mean shade.
+/// Assigns shades to empty texels: the mean of covered neighbours within two texels, otherwise the slice's
+/// mean.
 void spread_shade(Slice& slice) {
   constexpr int rings = 2;
   std::vector<char> known(slice.coverage.size());
@@ -138,7 +144,7 @@ void spread_shade(Slice& slice) {
     if (!known[i]) slice.shade[i] = mean;
 }
 
-/// The next mip level: coverage by area, shade by coverage.
+/// The next mip level: the mean coverage of 2 x 2 texels, and their mean shade weighted by coverage.
 Slice half(const Slice& full) {
   Slice out(std::max(1, full.side / 2));
   for (int y = 0; y < out.side; ++y)

@@ -1,16 +1,17 @@
-// The fur volume: strands cut by N parallel planes (S 3.1), the recipe of the look.
+// Generates the fur volume texture: hairs intersected with N parallel planes (S 3.1).
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 
 namespace pelage {
 
-/// Grows `fur.strands` guard hairs and `fur.undercoat` short ones on a square that repeats, pulls them
-/// together into locks, bends them, and cuts them at h = (1+n)/N. The same scene gives the same bytes
-/// everywhere.
+/// Generates `fur.strands` guard hairs and `fur.undercoat` short hairs on a repeating square. The hairs are
+/// displaced towards lock centres, bent, and intersected with the planes at the heights h = (1+n)/N. The same
+/// parameters give the same bytes on every machine.
 ///
-/// Coverage a of a texel is the greatest of its strands' (16 sub-samples each); it is stored as 1 -
-/// (1-a)^(16/N), so that a ray crosses as much fur whatever N. Shade is 1 +- `fur.shade` and is spread around
-/// the strands, so that a bilinear lookup meets no foreign shade.
+/// The coverage a of a texel is the greatest coverage by a single strand, from 16 sub-samples. It is stored
+/// as 1 - (1-a)^(16/N), so that the opacity along a ray does not depend on N. The shade is 1 +- `fur.shade`.
+/// Empty texels have the shade of neighbouring strands, so that bilinear lookups at a strand's edge keep its
+/// shade.
 FurTexture make_fur_texture(const FurScene& fur);
 
 }  // namespace pelage

@@ -1,17 +1,17 @@
-// Smooth random functions of space. Evaluated on surface points, they know nothing of UV seams.
+// Smooth random functions of the position in space. Their values on a surface are continuous across UV seams.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
 
 namespace pelage {
 
-/// Value noise in [-1, 1], C2, features about one unit across.
+/// Value noise in [-1, 1] with continuous second derivatives and features of about one unit.
 double noise(glm::dvec3 p, std::uint32_t seed);
 
-/// Three octaves of it, in [-1, 1].
+/// Sum of three octaves of noise(), in [-1, 1].
 double fractal_noise(glm::dvec3 p, std::uint32_t seed);
 
-/// Three independent noises.
+/// A vector of three independent values of noise().
 glm::dvec3 noise3(glm::dvec3 p, std::uint32_t seed);
 
 }  // namespace pelage

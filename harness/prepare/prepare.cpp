@@ -15,7 +15,8 @@
 namespace pelage {
 namespace {
 
-/// Repeats per unit of u and v; whole numbers where the atlas wraps, so that the fur does too.
+/// Repeats of the fur texture per unit of u and of v. On a periodic UV map they are rounded to whole numbers,
+/// so that the fur has no seam.
 glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
   const glm::vec2 scale = fur.tile * mesh.length_per_uv;
   if (!mesh.periodic_uv) return scale;
@@ -25,9 +26,11 @@ glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
 }  // namespace
 
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
-  if (!mesh || mesh->triangle.empty()) throw InputError("mesh: no triangles; give a mesh with at least one");
+  if (!mesh || mesh->triangle.empty())
+    throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   auto input = std::make_shared<FrameInput>();
-  // The largest part even when it only comes from the disk, and it needs nothing of the mesh.
+  // The fur texture takes the longest time, even if it is read from the cache, and does not depend on the
+  // mesh. Another thread prepares it.
   auto fur = std::async(std::launch::async, [&] { return kept_fur_texture(scene.fur); });
   const Skin skin = weld(*mesh);
   input->scene = scene;

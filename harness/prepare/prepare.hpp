@@ -1,4 +1,4 @@
-// From a scene and a mesh to everything a frame is computed from.
+// Computes the input of a frame from a scene and its mesh.
 #pragma once
 #include <memory>
 
@@ -6,8 +6,9 @@
 
 namespace pelage {
 
-/// Plants the strands, paints coat and fur texture, places droplets and camera. Depends on nothing but its
-/// arguments (and the pictures the scene names). Throws InputError for a picture that cannot be read.
+/// Generates strands, coat and fur texture, droplets and camera. The result depends only on the arguments and
+/// on the pictures that the scene names. Throws InputError if the mesh has no triangles or a picture cannot
+/// be read.
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh);
 
 }  // namespace pelage

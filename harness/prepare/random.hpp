@@ -1,10 +1,11 @@
-// Random numbers that are the same on every machine: value i of a stream depends on (seed, stream, i) alone.
+// Random numbers that are the same on every machine: number i depends only on seed, stream and i.
 #pragma once
 #include <cstdint>
 
 namespace pelage {
 
-/// Counter-based uniform numbers. The mixer is SplitMix64's finalizer (Steele, Lea, Flood 2014).
+/// A counter-based generator of uniform numbers. It mixes bits by SplitMix64's finalizer (Steele, Lea, Flood
+/// 2014).
 class Random {
  public:
   constexpr Random(std::uint32_t seed, std::uint32_t stream)

@@ -1,4 +1,4 @@
-// The mesh that a scene's keys mean.
+// Loads the mesh that the keys of a scene describe.
 #pragma once
 #include <functional>
 #include <map>
@@ -11,12 +11,12 @@
 
 namespace pelage {
 
-/// Prepares the model of `scene` as its mesh keys say; `progress` is told what takes long. Throws InputError,
-/// see load_model().
+/// Loads the model of `scene` with the scene's mesh options. `progress` receives messages of long
+/// preparations. Throws InputError like load_model().
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress);
 
-/// Keeps the meshes of scenes in memory, one per different set of mesh keys.
+/// A cache in memory with one mesh per combination of model and mesh options.
 class SceneMeshes {
  public:
   std::shared_ptr<const Mesh> of(const Scene& scene, const std::function<void(const std::string&)>& progress);

@@ -9,11 +9,13 @@
 namespace pelage {
 namespace {
 
-constexpr double noise_size = 0.1;   // R, the size of a ruffled area
-constexpr double least_grip = 0.25;  // below this tangential share the comb fades instead of swirling
-constexpr int comb_iterations = 20;  // of smoothing, about as many edges wide
+constexpr double noise_size = 0.1;   // size of the noise's features, R
+constexpr double least_grip = 0.25;  // length of the comb's tangential part below which the tilt decreases
+constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
 
-/// Lean per surface point, tangential: |lean| is the tangent of the angle from the normal.
+/// The tilt of strands per surface point, a tangential vector. Its length is the tangent of the angle between
+/// strand and normal. Where the comb direction is nearly normal to the surface, the tilt decreases to 0,
+/// because its direction would swirl there.
 std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
   const glm::dvec3 given(fur.comb_direction);
   const glm::dvec3 direction = glm::length(given) > 0 ? glm::normalize(given) : glm::dvec3(0);

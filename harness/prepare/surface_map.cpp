@@ -8,13 +8,13 @@ namespace pelage {
 namespace {
 
 constexpr int nowhere = -1;
-constexpr double edge_slack = 1e-9;  // a texel centre on an edge belongs to either triangle
+constexpr double edge_slack = 1e-9;  // tolerance, so that a centre on an edge is in both triangles
 
 struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  std::vector<int> source;  ///< the covered texel whose point a texel takes
+  std::vector<int> source;  ///< index of the covered texel whose point a texel gets
 };
 
 void draw(Grid& grid, const glm::dvec2 (&uv)[3], const glm::dvec3 (&position)[3]) {
@@ -47,7 +47,7 @@ double square_distance(const Grid& grid, int from, int to) {
   return double(dx) * dx + double(dy) * dy;
 }
 
-/// Jump flooding (Rong and Tan 2006): every texel learns its nearest covered one.
+/// Finds the nearest covered texel of every texel by jump flooding (Rong and Tan 2006).
 void fill_gutters(Grid& grid) {
   int step = 1;
   while (2 * step < grid.size) step *= 2;

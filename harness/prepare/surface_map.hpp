@@ -1,4 +1,4 @@
-// The surface laid out in the atlas: which point of it lies under each texel.
+// The map from the texels of UV space to points of the surface.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -7,8 +7,9 @@
 
 namespace pelage {
 
-/// size x size surface points in R, row j growing with v. A texel whose centre no triangle covers takes the
-/// point of the nearest covered texel (nearest in UV; across the borders of the square on a periodic atlas).
+/// Returns size x size surface points in R; row j has v = (j+.5)/size. A texel whose centre is in no UV
+/// triangle gets the point of the nearest covered texel. Distances are measured in UV, across the borders of
+/// the unit square if the UV map is periodic.
 std::vector<glm::vec3> surface_map(const Mesh& mesh, int size);
 
 }  // namespace pelage

@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr int smooth_iterations = 60;
-constexpr double phase_size = 0.4;  // R, over which the curl's phase varies
+constexpr double phase_size = 0.4;  // size of the features of the curl's phase noise, R
 
 glm::dvec3 unit_tangent(glm::dvec3 v, glm::dvec3 n) {
   const glm::dvec3 flat = tangential(v, n);
@@ -29,7 +29,7 @@ SurfaceTangents surface_tangents(const Mesh& mesh, const Skin& skin) {
     const glm::dvec3 e2 = glm::dvec3(mesh.position[f.z]) - glm::dvec3(mesh.position[f.x]);
     const glm::dvec2 d1 = glm::dvec2(mesh.uv[f.y]) - glm::dvec2(mesh.uv[f.x]);
     const glm::dvec2 d2 = glm::dvec2(mesh.uv[f.z]) - glm::dvec2(mesh.uv[f.x]);
-    const double det = d1.x * d2.y - d2.x * d1.y;  // twice the UV area, negative where flipped
+    const double det = d1.x * d2.y - d2.x * d1.y;  // twice the UV area, negative for a flipped triangle
     const double sign = det < 0 ? -1.0 : 1.0;
     for (int c = 0; c < 3; ++c) {
       t[f[c]] += sign * (d2.y * e1 - d1.y * e2);
@@ -78,7 +78,7 @@ CurlFrame curl_frame(const Mesh& mesh, const Skin& skin, const SurfaceTangents& 
       v = c * v - s * u[w];
       u[w] = turned;
     }
-    if (!smooth && glm::dot(v, glm::dvec3(tangents.b[copy])) < 0) v = -v;  // a mirrored chart
+    if (!smooth && glm::dot(v, glm::dvec3(tangents.b[copy])) < 0) v = -v;  // the chart is mirrored
     frame.u.push_back(glm::vec3(u[w]));
     frame.v.push_back(glm::vec3(v));
     frame.mask_uv.push_back(mesh.uv[copy]);

@@ -1,19 +1,20 @@
-// Directions on the surface: the atlas's own, and the frame in which strands curl.
+// Tangent vectors of the surface: the derivatives of the position by UV, and the frame of the curl.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
 
 namespace pelage {
 
-/// dX/du and dX/dv per vertex copy, R per UV unit: the mean over the copy's faces, weighted by their UV area,
-/// so that faces squeezed in the atlas do not shout. A copy all of whose faces are flat in UV gets the mean
-/// scale.
+/// The derivatives dX/du and dX/dv per vertex, R per UV unit: the mean over the triangles of the vertex,
+/// weighted by UV area. The weights limit the influence of triangles that are small in UV, whose derivatives
+/// are large. If all triangles of a vertex have zero UV area, its tangents have the lengths in
+/// mesh.length_per_uv.
 SurfaceTangents surface_tangents(const Mesh& mesh, const Skin& skin);
 
-/// S Eq. 4's u and v per surface point, orthonormal and tangential. "uv": the first copy's UV gradient, as
-/// printed; it jumps where the atlas is cut. "smooth": the mean of the copies' gradients, smoothed over the
-/// welded surface and turned by a smooth random angle of `variation` turns, so that curls are not all in
-/// phase.
+/// The vectors u and v of S Eq. 4 per surface point, orthonormal and tangential. With curl.frame "uv", u is
+/// the direction of dX/du of the first vertex, as printed in the paper; it is discontinuous at UV seams. With
+/// "smooth", u is the mean direction of dX/du of the point's vertices, smoothed over the surface. Then both
+/// are rotated by a smooth random angle of up to `variation` turns, which varies the phase of the curls.
 CurlFrame curl_frame(const Mesh& mesh, const Skin& skin, const SurfaceTangents& tangents,
                      const CurlScene& curl);
 

@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view title = "pelage texture 1\n";
 constexpr std::uintmax_t most_kept = std::uintmax_t(512) << 20;
 
-// What a texture consists of, written and read by one list of its parts.
+// parts() calls `store` for each member of a texture. Reading and writing share this list of members. It
+// returns false as soon as `store` returns false.
 template <class Store>
 bool parts(Store&& store, auto& texture) requires requires {
   texture.level;
@@ -84,7 +85,7 @@ auto kept(const std::string& name, Hash key, const Make& make) {
 }  // namespace
 
 FurTexture kept_fur_texture(const FurScene& fur) {
-  // Every key of the section, needed or not: one that is forgotten here would draw the wrong fur.
+  // The hash contains all keys of the section `fur`. A missing key would return the texture of another scene.
   Scene scene;
   scene.fur = fur;
   return kept("fur", Hash().text(write_scene(scene)), [&] { return make_fur_texture(fur); });

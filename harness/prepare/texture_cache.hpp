@@ -1,4 +1,4 @@
-// Textures that take long to make, kept on disk between runs (cache_folder()/textures, half a GiB at most).
+// A cache on disk for textures that take long to compute (cache_folder()/textures, at most 512 MiB).
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -7,13 +7,13 @@
 
 namespace pelage {
 
-/// Part of every file's name: raise it whenever the same scene would give another texture. A test knows the
-/// bytes that belong to it.
+/// Version of the texture generators, part of every cache file's name. Increase it if the same scene gives
+/// another texture than before. A test compares the textures with stored hashes.
 constexpr int texture_recipe = 1;
 
-/// make_fur_texture, make_coat and surface_map, or what they gave before for the same scene and mesh. A file
-/// that is damaged is made again; a folder that cannot be written costs time only. Coats from pictures are
-/// not kept.
+/// These functions return the results of make_fur_texture(), make_coat() and surface_map(), and read them
+/// from the cache if it has them for the same scene and mesh. A damaged file is computed again. If the folder
+/// is not writable, every run computes the textures. Coats from pictures are not cached.
 FurTexture kept_fur_texture(const FurScene& fur);
 CoatTexture kept_coat(const Mesh& mesh, const CoatScene& coat);
 std::vector<glm::vec3> kept_surface_map(const Mesh& mesh, int size);

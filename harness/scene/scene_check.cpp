@@ -1,4 +1,4 @@
-// Is a value right for its key, and do the values go together?
+// Checks single values of a scene and the consistency of all values.
 #include "harness/scene/scene_check.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@
 namespace pelage {
 namespace {
 
-/// Bounds of float keys are compared as floats: 0.99 stays within "at most 0.99" once it is stored.
+/// Compares float values with their bounds in single precision. The stored float 0.99 would exceed the double
+/// 0.99.
 bool outside(const Key& key, double value) {
   if (std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot)) {
     return value < key.least || value > key.most;
@@ -36,7 +37,7 @@ requires std::is_arithmetic_v<T> std::vector<double> numbers(T value) {
   return {static_cast<double>(value)};
 }
 
-/// What is wrong with the value that the slot holds now.
+/// The error text for the key's stored value; empty if the value is permitted.
 std::string complaint_now(const Key& key) {
   return std::visit(
       [&](const auto* value) -> std::string {
@@ -88,8 +89,8 @@ void check_lights(const ShadingScene& shading, const std::string& source) {
   }
 }
 
-/// What only a topology knows, and what only Silva's strand does. Whether a topology's step is stable depends
-/// on the mesh too: the kernels find out, and nothing is drawn from masses that flew apart.
+/// Refuses keys that the scene's model of motion does not support. The step of a topology is not checked,
+/// because its stability depends on the mesh; the kernels detect diverged masses and these are not drawn.
 void check_topology(const Scene& scene, const std::string& source) {
   const DynamicsScene& d = scene.dynamics;
   const auto refuse = [&](const char* key, const std::string& what) {
@@ -97,14 +98,13 @@ void check_topology(const Scene& scene, const std::string& source) {
   };
   if (has_springs(d)) {
     if (scene.fur.binding != "shared")
-      refuse("fur.binding",
-             fmt::format("is silva's; with dynamics.topology \"{}\" leave it at \"shared\"", d.topology));
+      refuse("fur.binding", fmt::format("must be \"shared\" with dynamics.topology \"{}\"", d.topology));
     if (d.wind.strength > 0 && !(d.drag > 0))
-      refuse("dynamics.wind.strength",
-             "reaches a topology by its drag against the air; give dynamics.drag above 0");
+      refuse("dynamics.wind.strength", "acts on a topology through the drag; give dynamics.drag above 0");
     return;
   }
-  const std::string alone = "silva's strand does not know it; give a dynamics.topology such as \"sticks\"";
+  const std::string alone =
+      "not supported by dynamics.topology \"silva\"; give another topology such as \"sticks\"";
   if (d.solver != DynamicsScene{}.solver) refuse("dynamics.solver", alone);
   if (d.tolerance != 0) refuse("dynamics.tolerance", alone);
   if (d.motion.velocity != glm::vec3(0)) refuse("dynamics.motion.velocity", alone);
@@ -115,8 +115,8 @@ void check_topology(const Scene& scene, const std::string& source) {
   if (d.poke.ray != glm::vec3(0)) refuse("dynamics.poke.ray", alone);
 }
 
-/// Semi-implicit Euler on a damped spring is stable while 2 dt c/m + dt^2 k/m < 4 (Jury's criterion on its 2
-/// x 2 step).
+/// Checks dt of Silva's strand. Semi-implicit Euler on a damped spring is stable if 2 dt c/m + dt^2 k/m < 4
+/// (Jury's criterion for the 2 x 2 matrix of a step).
 void check_step(const DynamicsScene& dynamics, const std::string& source) {
   const double m = dynamics.mass, k = dynamics.stiffness, c = dynamics.drag, dt = dynamics.step;
   if (2 * dt * c / m + dt * dt * k / m < 4) return;
@@ -137,11 +137,10 @@ void check_camera(const CameraScene& camera, const std::string& source) {
   const glm::dvec3 view =
       camera.framed ? glm::dvec3(camera.direction) : glm::dvec3(camera.eye) - glm::dvec3(camera.target);
   if (!(glm::length(view) > 1e-6)) {
-    throw InputError(
-        fmt::format("{}: camera.eye: is where camera.target is; give two different points", source));
+    throw InputError(fmt::format("{}: camera.eye: equals camera.target; give two different points", source));
   }
   if (!(glm::length(glm::cross(glm::normalize(view), glm::normalize(glm::dvec3(camera.up)))) > 1e-4)) {
-    throw InputError(fmt::format("{}: camera.up: is along the view; give another direction", source));
+    throw InputError(fmt::format("{}: camera.up: is parallel to the view; give another direction", source));
   }
 }
 
@@ -149,7 +148,7 @@ void check_sizes(const Scene& scene, const std::string& source) {
   const double texels = double(scene.fur.layers) * scene.fur.texture * scene.fur.texture;
   if (texels > double(most_fur_texels)) {
     throw InputError(
-        fmt::format("{}: fur.layers: {} layers of {} x {} texels are {:.0f}; give at most {} texels in all",
+        fmt::format("{}: fur.layers: {} layers of {} x {} texels are {:.0f} texels; give at most {} in all",
                     source, scene.fur.layers, scene.fur.texture, scene.fur.texture, texels, most_fur_texels));
   }
   const double pixels = double(scene.image.width) * scene.image.height;
@@ -159,7 +158,7 @@ void check_sizes(const Scene& scene, const std::string& source) {
   }
   if (scene.fur.strands + scene.fur.undercoat < 1) {
     throw InputError(
-        fmt::format("{}: fur.strands: there are neither guard hairs nor undercoat; give at least 1", source));
+        fmt::format("{}: fur.strands: neither guard hairs nor undercoat; give at least 1 of either", source));
   }
 }
 

@@ -1,5 +1,5 @@
-// The table of every key of a scene: what it points to, its unit, range and meaning. Reading, checking,
-// writing and documentation all walk this table.
+// The table of all keys of a scene: pointer to the value, unit, range and meaning. The functions that read,
+// check, write and document scenes iterate over this table.
 #pragma once
 #include <limits>
 #include <string>
@@ -11,29 +11,31 @@
 
 namespace pelage {
 
-/// Where a key's value lies in the scene at hand.
+/// Pointer to a key's value in a scene.
 using Slot = std::variant<float*, int*, std::uint32_t*, bool*, std::string*, std::filesystem::path*,
                           glm::vec3*, std::optional<glm::vec2>*, std::optional<glm::vec3>*>;
 
 struct Key {
-  std::string_view name;  ///< dotted, as in a file: "fur.length"
+  std::string_view name;  ///< dotted name of the key, for instance "fur.length"
   Slot slot;
-  std::string_view unit =
-      {};  ///< "" for plain numbers; "direction" for a vector whose length does not matter but is above 0
-  double least = -std::numeric_limits<double>::infinity();  ///< inclusive, of every component
+  /// Unit for messages; "" for a number without unit. "direction" marks a vector of any length above 0.
+  std::string_view unit = {};
+  double least = -std::numeric_limits<double>::infinity();  ///< inclusive lower bound of every component
   double most = std::numeric_limits<double>::infinity();
   std::string_view help = {};
-  std::vector<std::string_view> choices = {};  ///< of a string; empty: any
+  std::vector<std::string_view> choices = {};  ///< permitted values of a string; empty: any string
   bool power_of_two = false;
 };
 
-/// Every key but the two lists, in the order in which they are written. Pointers lead into `scene`.
+/// All keys except the two lists, in the order in which scenes are written. The slots point into `scene`.
 std::vector<Key> scene_keys(Scene& scene);
 
-/// The values that a key of names may have, in their order. Throws InputError for no such key.
+/// The permitted values of the string key `name`, in the table's order. Throws InputError if no key has this
+/// name.
 std::vector<std::string> choices_of(std::string_view name);
 
-/// Of one entry of [[wetness.droplet]] and of [[shading.light]]; names without the list's own.
+/// The keys of one entry of [[wetness.droplet]] or [[shading.light]]. Their names do not contain the name of
+/// the list.
 std::vector<Key> droplet_keys(DropletScene& droplet);
 std::vector<Key> light_keys(LightScene& light);
 
@@ -42,10 +44,12 @@ inline constexpr std::string_view light_list = "shading.light";
 inline constexpr std::size_t most_droplets = 100000;
 inline constexpr std::size_t most_lights = 2;
 
-/// "R, 0.001 to 1", "\"paper\" or \"uniform\"", "three numbers, each -1 to 1": what a key's value may be.
+/// The permitted values of a key as text: "0.001 to 1 R", "\"paper\" or \"uniform\"", "three numbers, each -1
+/// to 1".
 std::string describe_range(const Key& key);
 
-/// True for a model that is a mesh file rather than a name of models.toml: names hold neither '/' nor '.'.
+/// True if `model` is the path of a mesh file. Paths contain '/' or '.', names in models.toml contain
+/// neither.
 bool is_model_file(std::string_view model);
 
 }  // namespace pelage

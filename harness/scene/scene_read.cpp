@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_bytes = 1 << 20;  // a scene with the most droplets in a list is less
+constexpr std::size_t most_bytes = 1 << 20;  // greatest size of a scene file, 1 MiB
 
-/// Where the text comes from: what an error says, and where relative paths start.
+/// The origin of a scene's text: its name in error texts, the folder of relative paths, and whether errors
+/// contain line numbers.
 struct Source {
   std::string name;
   fs::path folder;
@@ -53,7 +54,7 @@ std::string_view kind(const toml::node& node) {
   }
 }
 
-/// Edit distance (Levenshtein), for suggestions.
+/// The Levenshtein distance of two words.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -73,7 +74,8 @@ std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// "no such key", with the nearest one that there is.
+/// The error text for an unknown key. It suggests the most similar key if one is similar enough. `lists`:
+/// also consider the names of the two lists.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
   names.reserve(keys.size() + 2);
@@ -83,12 +85,12 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
     for (const std::string_view name : names) {
-      // A key in the wrong table, or in none, is still the same word.
+      // The second distance ignores the table, because users may put a key into a wrong table or into none.
       const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
     }
   }
-  if (best.empty()) return "no such key; `pelage scene` prints them all";
+  if (best.empty()) return "no such key; `pelage scene` prints all keys";
   return fmt::format("no such key; did you mean {}?", best);
 }
 
@@ -120,7 +122,7 @@ std::string string(const Source& source, const toml::node& node, const Key& key,
   return text->get();
 }
 
-/// Absolute, so that the scene means the same wherever it is used next.
+/// The absolute path. A scene with absolute paths may be used from any working folder.
 std::string from_folder(const Source& source, const std::string& path) {
   if (path.empty()) return path;
   return fs::absolute(source.folder / path).lexically_normal().string();
@@ -158,7 +160,7 @@ void assign(const Source& source, const toml::node& node, const Key& key, const 
       key.slot);
 }
 
-/// A list of tables: [[wetness.droplet]] or [[shading.light]].
+/// Reads a list of tables: [[wetness.droplet]] or [[shading.light]].
 template <class Entry, class Keys>
 std::vector<Entry> read_list(const Source& source, const toml::node& node, std::string_view name,
                              Keys&& keys_of) {
@@ -184,7 +186,7 @@ std::vector<Entry> read_list(const Source& source, const toml::node& node, std::
   return entries;
 }
 
-/// Reads one key of either kind; false when there is none of that name.
+/// Reads the key or the list `name` from `node`. Returns false if neither exists.
 bool read_key(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::node& node,
               const std::string& name) {
   if (name == droplet_list) {
@@ -252,8 +254,8 @@ Scene read_scene(const fs::path& path) {
   }
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > most_bytes) {
-    throw InputError(
-        fmt::format("{}: is larger than a scene file may be, {} bytes", path.string(), most_bytes));
+    throw InputError(fmt::format("{}: is larger than a scene file may be; give at most {} bytes",
+                                 path.string(), most_bytes));
   }
   return parse_scene(text, path.string(), path.parent_path());
 }

@@ -1,4 +1,5 @@
-// Scenes as TOML: reading, overriding, checking and writing, all driven by the one table of scene_keys.cpp.
+// Functions that read, override, check and write scenes as TOML. They use the table of keys in
+// scene_keys.cpp.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -8,31 +9,33 @@
 
 namespace pelage {
 
-/// Reads a scene file; keys that it does not give keep their defaults, so an empty file is the default scene.
-/// Relative paths in it (pictures, a mesh file as model) are taken from its own folder and made absolute.
-/// Throws InputError naming file, line and key and what would be right: for a missing, unreadable or
-/// malformed file, unknown keys, wrong types, values that are out of range or not finite, and values that
-/// contradict each other.
+/// Reads a scene file. Keys that are absent from the file keep their defaults, so an empty file gives the
+/// default scene. Relative paths in the file (pictures, a mesh file as model) start at the file's folder and
+/// are made absolute. Throws InputError with file, line, key and permitted values if the file is missing,
+/// unreadable or malformed, if a key is unknown, or if a value has a wrong type, is out of range, is not
+/// finite or contradicts another value.
 Scene read_scene(const std::filesystem::path& path);
 
-/// The same from text; `name` stands for the file in errors, `folder` is where relative paths start.
+/// Parses the text of a scene file like read_scene(). Errors call the file `name`; relative paths start at
+/// `folder`.
 Scene parse_scene(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".");
 
-/// Overrides one key: "fur.length=0.1". The value is TOML, except that strings need no quotes; relative paths
-/// start at the working folder. `source` opens the error's text. Only this key is checked, not how it goes
-/// with others: call check_scene after the last override. Throws InputError.
+/// Overrides one key by an assignment such as "fur.length=0.1". The value is TOML, except that strings need
+/// no quotes. Relative paths start at the working folder. Error texts begin with `source`. The function
+/// checks this key alone; call check_scene() after the last override to check the consistency of all keys.
+/// Throws InputError.
 void apply_set(Scene& scene, std::string_view assignment, const std::string& source = "--set");
 
-/// Throws InputError when a value is out of its range or does not go with the others. `source` opens the
-/// error's text.
+/// Throws InputError if a value is out of its range or contradicts another value. Error texts begin with
+/// `source`.
 void check_scene(const Scene& scene, const std::string& source = "scene");
 
-/// The resolved scene: every key, with its meaning, unit, range and default as a comment. parse_scene reads
-/// it back to the same scene, bit by bit.
+/// Writes a scene as TOML with all keys. A comment gives each key's meaning, unit, range and default.
+/// parse_scene() reads the text back to a bitwise identical scene.
 std::string write_scene(const Scene& scene);
 
-/// 16 hex digits of the resolved scene, the same on every machine: a path counts by what its file holds, not
-/// by where it lies.
+/// Hash of all keys of a scene, 16 hexadecimal digits, the same on every machine. For a path, the content of
+/// its file is hashed instead of the path itself.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace pelage

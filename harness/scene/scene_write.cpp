@@ -25,8 +25,8 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// The shortest decimal that reads back to the same float, with a point or exponent so that it stays a TOML
-/// float.
+/// The shortest decimal number that is read back as the same float. It has a point or an exponent, because
+/// TOML reads other numbers as integers.
 std::string text(float value) {
   std::string number = fmt::format("{}", value);
   if (number.find_first_of(".e") == std::string::npos) number += ".0";
@@ -59,7 +59,7 @@ std::string text(const std::optional<T>& value) {
   return value ? text(*value) : std::string{};
 }
 
-/// The value as TOML; empty when it is not given (a droplet's uv or point).
+/// The value as TOML; an empty string if the value is absent (a droplet's uv or point).
 std::string value_of(const Key& key) {
   return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
 }
@@ -81,10 +81,10 @@ std::string write_list(std::string_view name, std::vector<Entry> entries, Keys&&
   return out;
 }
 
-/// What a list's entries may hold, where there are none to show it.
+/// A comment that describes the keys of a [[wetness.droplet]] entry, for scenes without droplets.
 std::string describe_droplets() {
   DropletScene droplet;
-  std::string out = fmt::format("\n# No [[{}]] here; an entry has\n", droplet_list);
+  std::string out = fmt::format("\n# This scene has no [[{}]]. The keys of an entry are:\n", droplet_list);
   for (const Key& key : droplet_keys(droplet)) {
     const std::string standard = value_of(key);
     out += fmt::format("#   {:<30}# {} [{}{}]\n", key.name, key.help, describe_range(key),
@@ -98,13 +98,13 @@ std::string_view group(std::string_view name) {
   return dot == std::string_view::npos ? std::string_view{} : name.substr(0, dot);
 }
 
-/// FNV-1a, 64 bits: short, and the same on every machine.
+/// The 64-bit FNV-1a hash, which is the same on every machine.
 std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325ull) {
   for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ull;
   return hash;
 }
 
-/// A path by what the file holds; an absent file by its name.
+/// The hash of the file's content as text. For an absent file, the file's name without its folder.
 std::string content(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (path.empty() || !file) return path.filename().string();
@@ -129,7 +129,7 @@ std::string write_scene(const Scene& scene) {
   const std::vector<Key> keys = scene_keys(values);
   const std::vector<Key> standards = scene_keys(defaults);
   std::string out =
-      "# A scene of pelage. Every key is shown: its meaning, then [unit and range; default].\n"
+      "# A scene of pelage with all keys. The comments give the meaning and [range and unit; default].\n"
       "# R is the radius of the model's bounding sphere.\n";
   std::string_view table;
   for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 constexpr ShadingModel models[] = {
     {"curling", "S Eq. 6", false, false},
     {"wet", "W Eq. 2-5", true, false},
-    {"lambert", "Banisch and Wuethrich's: surface colour, self-shadow and Lambert's law", true, true},
+    {"lambert", "Banisch and Wuethrich: surface colour, self-shadow and Lambert's law", true, true},
 };
 
 }  // namespace
@@ -25,7 +25,7 @@ const ShadingModel& shading_model(const std::string& name) {
     if (model.name == name) return model;
     names += (names.empty() ? "" : ", ") + std::string(model.name);
   }
-  throw InputError(fmt::format("shading.model '{}': one of {}", name, names));
+  throw InputError(fmt::format("shading.model '{}': unknown; give one of {}", name, names));
 }
 
 }  // namespace pelage

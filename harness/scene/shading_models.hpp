@@ -1,4 +1,4 @@
-// The models of shading, as the properties that tell them apart.
+// The lighting models and their properties.
 #pragma once
 #include <span>
 #include <string>
@@ -6,21 +6,23 @@
 
 namespace pelage {
 
-/// Code asks for a property, never for a name. To add a model: a row in shading_models.cpp; its colour in
-/// kernels/rasterize/shading/fragment.clh and harness/shells/reference/shading.cpp.
+/// Other code tests the properties of a model, never its name. To add a model, add a row to
+/// shading_models.cpp and its colour to kernels/rasterize/shading/fragment.clh and
+/// harness/shells/reference/shading.cpp.
 struct ShadingModel {
-  std::string_view name;  ///< as users write it
-  std::string_view what;  ///< its source
-  /// Diffuse light and shadow are the surface's (W Eq. 2 to 5); false: the strand's (S Eq. 6).
+  std::string_view name;  ///< value of the scene key shading.model
+  std::string_view what;  ///< equations of the model
+  /// True: diffuse light and shadow use the surface normal (W Eq. 2 to 5). False: they use the strand's
+  /// tangent (S Eq. 6).
   bool surface_light;
-  /// Of the surface's light only Lambert's law and the self-shadow: no highlight, no wrapped light, no wet
-  /// darkening.
+  /// True: the model consists of Lambert's law and the self-shadow; it has no highlight, no wrapped light and
+  /// no wet darkening.
   bool plain;
 };
 
 std::span<const ShadingModel> shading_models();
 
-/// The model of that name. Throws InputError naming those there are.
+/// Returns the model called `name`. Throws InputError with all names if no model has this name.
 const ShadingModel& shading_model(const std::string& name);
 
 }  // namespace pelage

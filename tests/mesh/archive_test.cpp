@@ -1,4 +1,4 @@
-// One file out of a .tar.gz, made here by the system's own tar.
+// Reading one file of a .tar.gz archive. The system's tar creates the archives.
 #include "harness/mesh/archive.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// A name longer than the 100 bytes of a tar header's own field.
+// A name of more than 100 bytes, the size of the name field in a tar header.
 const std::string long_name = "meshes/" + std::string(60, 'a') + "/" + std::string(60, 'b') + ".off";
 
 class Archive : public testing::Test {
@@ -37,7 +37,7 @@ class Archive : public testing::Test {
     ASSERT_EQ(std::system(command.c_str()), 0);
   }
   fs::path whole() const { return folder_.path() / "whole.tar.gz"; }
-  // The message of the error that reading `member` of `file` ends with.
+  // The message of the InputError that reading `member` of `file` throws.
   static std::string error_of(const fs::path& file, const std::string& member) {
     try {
       read_member(file, member);

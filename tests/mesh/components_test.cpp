@@ -1,4 +1,4 @@
-// Files of several components: what is kept, and how their charts lie side by side.
+// Files with several components: which components are kept, and how their charts are packed.
 #include "harness/mesh/components.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-/// OBJ text that grows: octahedra and triangles at different places.
+/// Builds the text of an OBJ file with octahedra and triangles.
 class Shapes {
  public:
   Shapes& octahedron(glm::vec3 centre, float radius, bool inside_out = false) {
@@ -67,7 +67,7 @@ TEST(Components, OfAFileEachGetsAChart) {
     EXPECT_GE(std::min(uv.x, uv.y), 0.0f);
     EXPECT_LE(std::max(uv.x, uv.y), 1.0f);
   }
-  // One scale: texels are as large on a small component as on a large one.
+  // All charts have the same scale, so a texel covers the same area on small and on large components.
   EXPECT_GT(q.area_low, 0.5);
   EXPECT_LT(q.area_high, 2.0);
 }
@@ -81,7 +81,7 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
   ASSERT_EQ(*std::max_element(chart.begin(), chart.end()), 1u);
   const int side = 256;
   std::vector<int> owner(std::size_t(side * side), -1);
-  for (std::size_t f = 0; f < chart.size(); ++f) {  // many points of every triangle
+  for (std::size_t f = 0; f < chart.size(); ++f) {  // samples many points of every triangle
     const glm::uvec3 t = mesh->triangle[f];
     for (int i = 0; i <= 200; ++i) {
       for (int j = 0; i + j <= 200; ++j) {
@@ -117,7 +117,7 @@ TEST(Components, ThatAreOpenAndSmallAreDropped) {
   Shapes shapes;
   shapes.octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f);
   const auto mesh = load_model(folder.write("scrap.obj", shapes.text()), fresh());
-  EXPECT_EQ(topology(*mesh).components, 2u);  // a closed one stays, however small
+  EXPECT_EQ(topology(*mesh).components, 2u);  // closed components of any size are kept
   EXPECT_EQ(std::count(mesh->notes.begin(), mesh->notes.end(),
                        "kept 2 of 3 components; the others are open and small"),
             1);

@@ -1,4 +1,4 @@
-// The last step of a mesh's preparation: how it is turned and normalised.
+// The last step of mesh preparation: rotation and normalisation.
 #include "harness/mesh/finish.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ void expect_near(glm::dvec3 a, glm::dvec3 b) {
   EXPECT_LT(glm::distance(a, b), 1e-6) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-// Right-handed turns: about x from y to z, about y from z to x, about z from x to y.
+// Rotations are right-handed: about x from y to z, about y from z to x, about z from x to y.
 TEST(Rotation, turns_about_x_then_y_then_z) {
   expect_near(rotation_matrix({90, 0, 0}) * glm::dvec3(0, 1, 0), {0, 0, 1});
   expect_near(rotation_matrix({0, 90, 0}) * glm::dvec3(0, 0, 1), {1, 0, 0});
@@ -24,7 +24,8 @@ TEST(Rotation, turns_about_x_then_y_then_z) {
 
 TEST(Finish, turns_a_surface_and_fits_it_into_the_unit_sphere) {
   Surface surface;
-  surface.point = {{5, 7, 5}, {5, 3, 5}, {5, 5, 6}};  // a stick along y, radius 2 about (5, 5, 5)
+  // A triangle that is elongated along y. Its bounding sphere has centre (5, 5, 5) and radius 2.
+  surface.point = {{5, 7, 5}, {5, 3, 5}, {5, 5, 6}};
   surface.triangle = {{0, 1, 2}};
   surface.uv = {{glm::dvec2(0, 0), glm::dvec2(1, 0), glm::dvec2(0, 1)}};
   const Mesh mesh = finish(surface, "stick", {90, 90, 0});

@@ -1,4 +1,4 @@
-// The same octahedron, or a tetrahedron, in every format.
+// Reads the same octahedron or tetrahedron from every file format.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -95,7 +95,7 @@ std::string three_ds() {
   return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("octa\0", 5) + mesh)));
 }
 
-// Buffers beside the file, as exporters write them.
+// Writes a glTF file with its buffers in a separate file, like most exporters.
 std::string gltf(const TempFolder& folder) {
   std::string buffer;
   for (const auto& p : corner)
@@ -191,7 +191,7 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
   }));
 }
 
-// All texture coordinates in one place, in a line, and far outside the unit square.
+// The texture coordinates coincide, lie on a line, or are far outside the unit square.
 TEST(Formats, a_map_without_an_area_is_not_kept) {
   const TempFolder folder;
   for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",
@@ -209,7 +209,7 @@ TEST(Formats, a_map_without_an_area_is_not_kept) {
 
 TEST(Formats, what_can_be_repaired_is_and_it_is_said) {
   const TempFolder folder;
-  // Two pieces, the larger one with a face turned over, one missing, and one given twice.
+  // The file has two components. The larger one has a flipped face, a missing face and a duplicate face.
   std::string text = corners("v ") + faces("f", 1);
   text.replace(text.find("f 1 3 5"), 7, "f 3 1 5");
   text.erase(text.rfind("f "));

@@ -1,4 +1,4 @@
-// What keeps the preparation of large files linear, and what it says on the way.
+// The methods with which the preparation time of large files grows linearly, and the progress messages.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// The Laplacian of a square grid with diagonals, fixed along one side.
+/// The Laplacian of a square grid with diagonal edges and fixed values along one side.
 LaplaceSolver::Matrix grid(int side) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < side; ++i) {
@@ -39,7 +39,8 @@ LaplaceSolver::Matrix grid(int side) {
   return matrix;
 }
 
-// Plain conjugate gradients would need thousands of iterations, twice as many at twice the side.
+// Conjugate gradients without a preconditioner would need thousands of iterations, and their number would be
+// proportional to the side.
 TEST(LaplaceSolver, NeedsFewIterationsHoweverManyUnknowns) {
   for (const int side : {100, 200, 400}) {
     const LaplaceSolver::Matrix matrix = grid(side);
@@ -67,7 +68,7 @@ TEST(LaplaceSolver, FactorsSmallSystems) {
   EXPECT_LT((x - wanted).cwiseAbs().maxCoeff(), 1e-9);
 }
 
-// A sheet that is rolled into three quarters of a cylinder: it can lie flat without any stretch.
+// The surface is three quarters of a cylinder, which can be flattened without stretch.
 TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   const int across = 120, along = 90;
   Surface surface;
@@ -105,7 +106,7 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   EXPECT_LE(told.back(), 1.0);
 }
 
-// A named model given back as a file has a map as good as the one that CGAL makes of it.
+// A named model that is loaded as a file gets a map of the same quality as the map that CGAL computes.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

@@ -16,7 +16,8 @@
 namespace pelage {
 namespace {
 
-// What every prepared mesh keeps to, whatever its shape.
+// Checks the properties of all prepared meshes. `overlapping` is the greatest permitted overlap of the UV
+// map.
 void expect_well_made(const Mesh& mesh, double overlapping) {
   float farthest = 0;
   for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));
@@ -34,7 +35,7 @@ void expect_well_made(const Mesh& mesh, double overlapping) {
   EXPECT_LT(q.area_high, 1.8) << mesh.name;
 }
 
-// Minutes when nothing is cached yet, a second afterwards.
+// This test takes minutes if no mesh is cached, and a second otherwise.
 TEST(Models, of_table_1_have_the_papers_face_counts) {
   const std::pair<const char*, std::size_t> table[] = {
       {"torus", 9360},  {"pear", 20845},   {"hippo", 44452},     {"cow", 92689},
@@ -42,8 +43,8 @@ TEST(Models, of_table_1_have_the_papers_face_counts) {
   for (const auto& [name, faces] : table) {
     const auto mesh = load_model(name);
     EXPECT_EQ(mesh->triangle.size(), faces) << name;
-    // The elephant's three handles leave saddles where one chart cannot but overlap; docs/models.md says how
-    // much.
+    // The elephant has three handles with saddles, where a map of one chart overlaps; docs/models.md lists
+    // the overlaps.
     expect_well_made(*mesh, std::string_view(name) == "elephant" ? 0.035 : 0.015);
   }
 }
@@ -103,12 +104,12 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   EXPECT_EQ(message(head + "faces = \"many\"\n"), "models.toml:6: faces must be a whole number");
   EXPECT_EQ(message(head + "faces = 0\n"), "models.toml:6: faces must be 1 to 100000000");
   EXPECT_EQ(message(head + "rotation = [1, 2]\n"), "models.toml:6: rotation must be three numbers");
-  EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be left out: unknown key");
+  EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be removed: unknown key");
   EXPECT_EQ(message(head + "published.sticks = [4, 2]\n"), "accepted");
   EXPECT_EQ(message(head + "published.sticks = [4, -2]\n"),
             "models.toml:6: published must be a table of pairs, topology = [masses, springs]");
-  EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be a text; it is missing");
-  EXPECT_EQ(message("x = 1\n"), "models.toml: no [[model]] in it");
+  EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be given as a string");
+  EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Meshes with every fault that CGAL's own examples collect: each is prepared or refused with one line, none
-// crashes.
+// Loads all faulty meshes of CGAL's examples. Each is prepared or refused with a message of one line, and
+// none crashes.
 #include <gtest/gtest.h>
 
 #include <chrono>

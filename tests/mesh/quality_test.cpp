@@ -9,7 +9,8 @@
 namespace pelage {
 namespace {
 
-// Triangles in the plane z = 0 whose UV is (x, y), every corner a copy of its own; `weld` joins equal places.
+// A mesh of triangles in the plane z = 0 with the UV (x, y). Every corner has its own vertex; vertices at the
+// same position share a surface point.
 Mesh flat(const std::vector<std::array<glm::vec2, 3>>& triangles) {
   Mesh mesh;
   std::vector<glm::vec2> points;
@@ -42,16 +43,16 @@ TEST(Quality, of_two_triangles_that_make_the_square) {
   EXPECT_EQ(t.genus, 0);
   EXPECT_TRUE(t.manifold());
   const UvQuality q = uv_quality(mesh, 100);
-  EXPECT_EQ(q.charts, 2u);  // they share no copies
+  EXPECT_EQ(q.charts, 2u);  // the triangles share no vertices
   EXPECT_EQ(q.flipped_faces, 0u);
-  EXPECT_EQ(q.overlapping, 0.0);  // not even along their common edge
+  EXPECT_EQ(q.overlapping, 0.0);  // texel centres on the common edge are counted once
   EXPECT_NEAR(q.covered, 1.0, 1e-9);
   EXPECT_NEAR(q.area_low, 1.0, 1e-6);
   EXPECT_NEAR(q.area_high, 1.0, 1e-6);
 }
 
 TEST(Quality, knows_overlaps_and_faces_turned_over) {
-  const Mesh mesh = flat({{o, x, xy}, {o, xy, x}});  // the same half of the square, once from each side
+  const Mesh mesh = flat({{o, x, xy}, {o, xy, x}});  // the same triangle in both orientations
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_EQ(q.flipped_faces, 1u);
   EXPECT_NEAR(q.flipped, 0.5, 1e-6);
@@ -63,7 +64,7 @@ TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
   EXPECT_TRUE(uv_warnings(flat({{o, x, xy}, {o, xy, y}})).empty());
   const std::vector<std::string> overlap = uv_warnings(flat({{o, x, xy}, {o, x, xy}, {o, xy, y}}));
   ASSERT_EQ(overlap.size(), 1u);
-  EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];  // one of two halves, to a texel
+  EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];  // half of the covered square overlaps
   const std::vector<std::string> turned = uv_warnings(flat({{o, x, xy}, {o, y, xy}}));
   ASSERT_EQ(turned.size(), 1u);
   EXPECT_TRUE(turned[0].starts_with("UV map: 1 face is flipped, 50.0000% of the map")) << turned[0];
@@ -71,15 +72,15 @@ TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
 
 TEST(Quality, knows_what_is_no_manifold) {
   const glm::vec2 far(2, 0.5f);
-  EXPECT_EQ(topology(flat({{o, x, y}, {o, x, xy}})).bad_edges, 1u);                  // both run o to x
+  EXPECT_EQ(topology(flat({{o, x, y}, {o, x, xy}})).bad_edges, 1u);                  // same direction o to x
   EXPECT_EQ(topology(flat({{o, x, y}, {x, o, xy}, {x, o, far}})).bad_edges, 1u);     // three faces
-  EXPECT_EQ(topology(flat({{o, x, y}, {x, far, glm::vec2(2, 0)}})).bad_points, 1u);  // they touch in x only
+  EXPECT_EQ(topology(flat({{o, x, y}, {x, far, glm::vec2(2, 0)}})).bad_points, 1u);  // only x is common
 }
 
 TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
   Mesh mesh = flat({{o, x, xy}, {o, xy, y}});
   for (int k = 3; k < 6; ++k)
-    mesh.uv[std::size_t(k)] *= 0.5f;  // a quarter of its area: 0.25 and 1 of a mean of 0.625
+    mesh.uv[std::size_t(k)] *= 0.5f;  // UV areas 1 and 0.25 of the original, mean 0.625
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);
   EXPECT_NEAR(q.area_high, 1 / 0.625, 1e-6);

@@ -1,4 +1,4 @@
-// A model turned by the user: the same surface and map, elsewhere in space, under another hash.
+// A model that the user rotates: surface and UV map are the same, positions and hash differ.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-// A pyramid of height 3 along z over a base of 2 x 1: its axes can be told apart.
+// A pyramid with the base 2 x 1 and the height 3 along z. Its extents along the three axes differ.
 const char* const pyramid =
     "OFF\n5 6 0\n-1 -0.5 0\n1 -0.5 0\n1 0.5 0\n-1 0.5 0\n0 0 3\n"
     "3 0 2 1\n3 0 3 2\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
@@ -35,7 +35,7 @@ TEST(Rotate, TurnsAboutXThenYThenZ) {
   ASSERT_GT(size.z, size.x);
   ASSERT_GT(size.x, size.y);
 
-  const auto upright = turned_pyramid(folder, {-90, 0, 0});  // z comes to be y
+  const auto upright = turned_pyramid(folder, {-90, 0, 0});  // rotates z to y
   EXPECT_NEAR(extent(*upright).y, size.z, 1e-5f);
   EXPECT_NEAR(extent(*upright).z, size.y, 1e-5f);
   const auto tip = std::max_element(upright->position.begin(), upright->position.end(),
@@ -43,7 +43,8 @@ TEST(Rotate, TurnsAboutXThenYThenZ) {
   EXPECT_NEAR(tip->x, 0.0f, 1e-5f);
   EXPECT_NE(upright->hash, plain->hash);
 
-  // x first: (0, 0, 1) goes to (0, 1, 0) and then, about z, to (-1, 0, 0). The other order would leave y.
+  // The rotation about x maps (0, 0, 1) to (0, 1, 0); then the rotation about z maps it to (-1, 0, 0). In the
+  // reverse order, the result would be (0, 1, 0).
   const auto both = turned_pyramid(folder, {-90, 0, 90});
   EXPECT_NEAR(extent(*both).x, size.z, 1e-5f);
   EXPECT_NEAR(extent(*both).y, size.x, 1e-5f);
@@ -59,7 +60,7 @@ TEST(Rotate, KeepsTheSurfaceAndTheMap) {
   ASSERT_EQ(turned->triangle.size(), plain->triangle.size());
   EXPECT_EQ(turned->welded, plain->welded);
   EXPECT_EQ(turned->length_per_uv, plain->length_per_uv);
-  // A triangle's map and side lengths say which it is.
+  // A triangle is identified by its UV and its side lengths, which the rotation does not change.
   using Sides = std::array<float, 9>;
   const auto fingerprints = [](const Mesh& mesh) {
     std::vector<Sides> all;

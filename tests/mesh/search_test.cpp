@@ -41,7 +41,7 @@ TEST(SurfaceSearch, no_vertex_is_nearer_than_the_closest_place) {
     float nearest = std::numeric_limits<float>::max();
     for (const glm::vec3& q : mesh->position) nearest = std::min(nearest, glm::distance(p, q));
     EXPECT_LE(glm::distance(p, place.point), nearest + 1e-6f);
-    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);  // an edge is at most that long
+    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);  // 0.08 R is the greatest edge length
   }
 }
 
@@ -52,7 +52,7 @@ TEST(SurfaceSearch, a_ray_meets_the_near_side_first_and_may_miss) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point.y, 0.0f, 1e-6f);
   EXPECT_NEAR(hit->point.x, 0.1f, 1e-6f);
-  // u grows with x and v with -z; the square has a side of sqrt(2) R.
+  // u increases with x, v increases with -z. The side of the square is sqrt(2) R.
   const float scale = (1 - 2 * 2.0f / 256) / std::sqrt(2.0f);
   EXPECT_NEAR(hit->uv.x, 0.5f + 0.1f * scale, 1e-5f);
   EXPECT_NEAR(hit->uv.y, 0.5f - 0.2f * scale, 1e-5f);
@@ -66,7 +66,8 @@ TEST(SurfaceSearch, a_ray_meets_the_near_side_first_and_may_miss) {
     const glm::vec3 target = (a + b + c) / 3.0f;
     const auto place = around.ray(eye, target - eye);
     ASSERT_TRUE(place);
-    // A face seen edge-on turns the rounding of the ray's direction into a large distance along it.
+    // If the ray is nearly parallel to the face, the rounding of its direction moves the intersection far
+    // along the ray.
     if (std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), glm::normalize(target - eye))) < 0.05f)
       continue;
     EXPECT_LE(glm::distance(eye, place->point), glm::distance(eye, target) + 1e-5f);

@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// Prepared anew, whatever the cache holds.
+/// Options that prepare a mesh without the cache.
 inline MeshOptions fresh(std::optional<std::uint32_t> faces = {}, bool keep_uv = false) {
   MeshOptions options;
   options.faces = faces;
@@ -21,7 +21,7 @@ inline MeshOptions fresh(std::optional<std::uint32_t> faces = {}, bool keep_uv =
   return options;
 }
 
-/// A folder that goes away with the test.
+/// A temporary folder; the destructor removes it.
 class TempFolder {
  public:
   TempFolder() {

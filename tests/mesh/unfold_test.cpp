@@ -1,4 +1,4 @@
-// Which UV maps are usable.
+// The criterion for usable UV maps.
 #include "harness/mesh/unfold.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-/// `faces` triangles of area 1/2 side by side, the first `flipped` of them turned over.
+/// The quality of a map of `faces` adjacent triangles of area 1/2, of which the first `flipped` are flipped.
 MapQuality quality_of(std::size_t faces, std::size_t flipped) {
   std::vector<glm::dvec2> uv;
   std::vector<Surface::Triangle> triangles;

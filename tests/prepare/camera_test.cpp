@@ -51,9 +51,9 @@ TEST(Camera, RightIsRightAndDownIsDown) {
   EXPECT_EQ(c.width, image.width);
   EXPECT_EQ(c.height, image.height);
   EXPECT_EQ(c.near, 0.02f);
-  // A step of `pixel` R at view depth 1 is a pixel: at depth 3, three of them.
+  // At view depth 1 a pixel is `pixel` R wide; at depth 3 it is three times as wide.
   EXPECT_NEAR(project(c, {3 * c.pixel, 0, 0}).x, 1.0f, 1e-4f);
-  // The vertical field of view spans the picture's height.
+  // The vertical field of view covers the height of the picture.
   const float edge = 3.0f * std::tan(glm::radians(0.5f * scene.fov));
   EXPECT_NEAR(project(c, {0, -edge, 0}).y, 0.5f * float(image.height), 0.01f);
 }

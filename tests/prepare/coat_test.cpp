@@ -29,7 +29,7 @@ TEST(SurfaceMap, KnowsThePointUnderEachTexel) {
     for (int i = 0; i < size; ++i) {
       const glm::vec2 uv((float(i) + 0.5f) / size, (float(j) + 0.5f) / size);
       const glm::vec3 p(uv.x / chart_scale - 0.05f / chart_scale - half_side, 0,
-                        half_side - (uv.y - 0.05f) / chart_scale);  // the left chart's inverse
+                        half_side - (uv.y - 0.05f) / chart_scale);  // inverse of the left chart's map
       if (p.x < -half_side || p.x > 0 || p.z < -half_side || p.z > half_side) continue;
       EXPECT_LT(glm::distance(map[texel(size, uv)], p), 1e-5f);
       ++inside;
@@ -57,7 +57,7 @@ TEST(Coat, HasNoSeams) {
     const CoatTexture t = make_coat(*mesh, coat);
     ASSERT_EQ(t.texel.size(), std::size_t(t.size) * std::size_t(t.size));
     int different = 0, along = 0;
-    for (float z = -0.69f; z < 0.69f; z += 0.01f) {  // both sides of the cut x = 0
+    for (float z = -0.69f; z < 0.69f; z += 0.01f) {  // compares both sides of the UV seam at x = 0
       const glm::vec2 left(0.05f + chart_scale * half_side - 0.001f, 0.05f + chart_scale * (half_side - z));
       const glm::vec2 right(0.45f + chart_scale * (z + half_side), 0.65f + 0.001f);
       const auto a = t.texel[texel(t.size, left)], b = t.texel[texel(t.size, right)];

@@ -1,4 +1,4 @@
-// Bytes of the fur's slices that follow from one strand's length and from a level's texels.
+// Bytes of the fur texture: the coverage at the end of a strand, and the shade of mip levels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ double coverage(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][0] / 255.0;
 }
 
-// A slice stands for the slab below it: a strand that ends inside the slab covers its section by the part of
-// the slab that it fills.
+// A slice represents the slab below it. If a strand ends inside the slab, its coverage is the fraction of the
+// slab's height that it fills.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored as it is
+  fur.layers = 16;  // coverage is stored without correction
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -46,7 +46,7 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored as it is
+  fur.layers = 16;  // coverage is stored without correction
   fur.strands = 1500;
   fur.undercoat = 500;
   fur.locks = 0;
@@ -63,15 +63,16 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
         weighted += double(texel[0]) * texel[1];
         plain += 0.25 * texel[1];
       }
-      if (sum < 100) continue;  // coverage is rounded to 1/255: the mean would be too
+      if (sum < 100) continue;  // small coverages are rounded too coarsely for a mean
       const double expected = weighted / sum;
-      // Half a step for the stored byte, half for each byte of level 0, and the coverage's rounding.
+      // The tolerance is the sum of the rounding errors: half a unit for the stored byte, half a unit for the
+      // bytes of level 0, and the rounding of the coverages.
       EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
       ++tested;
       uneven += std::abs(expected - plain) > 6;
     }
   EXPECT_GT(tested, 100);
-  EXPECT_GT(uneven, 10);  // where a mean without weights would be another
+  EXPECT_GT(uneven, 10);  // number of texels whose weighted and unweighted means differ
 }
 
 }  // namespace

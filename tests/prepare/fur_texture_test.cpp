@@ -33,13 +33,13 @@ double shade(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][1] / 127.5;
 }
 
-/// What a viewer sees along parallel rays: the mean over rays of source-over shade * (0.5 + h/2), and of
+/// Means over parallel rays: the brightness, which is shade * (0.5 + h/2) blended by source-over, and the
 /// opacity.
 struct Seen {
   double light = 0, opacity = 0;
 };
 
-/// Rays that go `slope` R sideways for each R they come down, in the direction of `azimuth`.
+/// The means over rays that move `slope` R sideways per R downwards, in the direction `azimuth` (radians).
 Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double azimuth) {
   const double per_layer = slope * double(fur.length * fur.tile) * t.size / t.layers;  // texels
   Seen mean;
@@ -54,21 +54,22 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
         light += through * a * shade(t, n, i, j) * (0.5 + 0.5 * h);
         through *= 1 - a;
       }
-      mean.light += light + through * 0.3;  // a dark skin below
+      mean.light += light + through * 0.3;  // the skin has the brightness 0.3
       mean.opacity += 1 - through;
     }
   const double texels = double(t.size) * t.size;
   return {mean.light / texels, mean.opacity / texels};
 }
 
-/// The mean over views from 0 to 63 degrees from the strands, as much surface as a sphere shows of each.
+/// The mean over view angles of 0 to 63 degrees from the strands. The weight of an angle is the visible area
+/// of a sphere's surface at this angle.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
       const double shown =
-          (slope + 0.1) / std::pow(1 + slope * slope, 2);  // cos sin dtheta, d tan = dtheta / cos^2
+          (slope + 0.1) / std::pow(1 + slope * slope, 2);  // cos(t) sin(t) dt with d(tan t) = dt / cos(t)^2
       const Seen seen = along_rays(t, fur, slope, azimuth);
       sum.light += shown * seen.light;
       sum.opacity += shown * seen.opacity;
@@ -134,10 +135,11 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
   }
 }
 
-/// A disc cut by the square's border must come back on the other side: its area does not depend on its place.
+/// A disc across the border of the square continues at the opposite border, so its area does not depend on
+/// its position.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored as it is
+  fur.layers = 16;  // coverage is stored without correction
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -157,7 +159,7 @@ TEST(FurTexture, WrapsAround) {
     const auto [x, y] = std::pair(strand.root.x * t.size, strand.root.y * t.size);
     cut += x < r || y < r || x > t.size - r || y > t.size - r;
   }
-  EXPECT_GT(cut, 5);  // else nothing was tested
+  EXPECT_GT(cut, 5);  // number of tested discs across the border
 }
 
 TEST(FurTexture, SixteenAndSixtyFourLayersAreAsDenseAlongTheStrands) {
@@ -169,8 +171,8 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsDenseAlongTheStrands) {
   const Seen many = along_rays(make_fur_texture(fur), fur, 0, 0);
   EXPECT_NEAR(few.light / many.light, 1.0, 0.025);
   EXPECT_NEAR(few.opacity / many.opacity, 1.0, 0.05);
-  EXPECT_GT(many.opacity, 0.4);   // neither bald
-  EXPECT_LT(many.opacity, 0.95);  // nor felt
+  EXPECT_GT(many.opacity, 0.4);
+  EXPECT_LT(many.opacity, 0.95);
 }
 
 TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
@@ -185,7 +187,8 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
   }
 }
 
-/// A blade is an ellipse across its bend: its area grows with the width, and it is long the way it should be.
+/// The section of a blade is an ellipse. Its area is proportional to the width, and its longer axis is across
+/// the bend.
 TEST(FurTexture, BladesAreWideAcrossTheirBend) {
   FurScene fur;
   fur.layers = 16;
@@ -240,7 +243,7 @@ TEST(FurTexture, ThinsOutFromRootToTip) {
   }
 }
 
-/// A bilinear lookup at a strand's edge blends its coverage with an empty texel's: the shade must not change.
+/// A bilinear lookup at a strand's edge also reads empty texels. Their shade must equal the strand's shade.
 TEST(FurTexture, EmptyTexelsBesideAStrandCarryItsShade) {
   FurScene fur;
   fur.layers = 16;
@@ -289,7 +292,7 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
     shortest = std::min(shortest, s.length), longest = std::max(longest, s.length);
     mean += glm::normalize(tip) / 400.0;
   }
-  // Bending, length and direction of inclination are each blade's own.
+  // Each blade has its own bend exponent, length and direction.
   EXPECT_NEAR(least, 1.5, 0.1);
   EXPECT_NEAR(most, 4.5, 0.1);
   EXPECT_NEAR(shortest, double(fur.least_length), 0.05);
@@ -299,14 +302,15 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
   FurScene fur;
-  // Blades of more than a texel at each size: what is thinner keeps its area, but not where strands overlap.
+  // The blades are thicker than a texel at all sizes. Thinner sections keep their coverage only where strands
+  // do not overlap.
   fur.strands = 110;
   fur.undercoat = 0;
   fur.radius = 4.5f;
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // opacity as it is stored: at other counts it is corrected, which is not linear
+  fur.layers = 16;  // coverage is stored without the nonlinear correction of other counts
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;
@@ -317,7 +321,7 @@ TEST(FurTexture, OfBladesComesInThePapersSizes) {
       for (int x = 0; x < size; ++x) sum += coverage(texture, 0, 2, x, y);
     opacity.push_back(sum / (size * size));
   }
-  // The same blades: as much of a slice is covered whatever its resolution.
+  // The covered fraction of a slice does not depend on its resolution.
   EXPECT_NEAR(opacity[0], opacity[2], 0.12 * opacity[2]);
   EXPECT_NEAR(opacity[1], opacity[2], 0.06 * opacity[2]);
   EXPECT_GT(opacity[2], 0.02);
@@ -327,7 +331,7 @@ TEST(FurStrands, LocksPullTogether) {
   FurScene fur;
   fur.lock_pull = 1;
   const auto strands = grow_strands(fur);
-  // With a full pull every tip stands on a lock's centre: 700 places for 9000 strands.
+  // If the displacement is complete, every tip is at a lock's centre: 9000 strands have 700 different tips.
   std::vector<glm::dvec2> places;
   for (const FurStrand& s : strands) {
     const glm::dvec2 tip = glm::fract(strand_centre(s, fur, 1.0));

@@ -1,4 +1,4 @@
-// Small meshes whose geometry is known in closed form.
+// Small meshes of known geometry.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -7,12 +7,14 @@
 
 namespace pelage::test {
 
-/// Spacing and extent of two_charts(): the plane y = 0, x in [-0.7, 0.7], z in [-0.7, 0.7], facing +y.
+/// Number of cells per side and half the side (R) of two_charts(), a square in the plane y = 0 with the
+/// normal +y.
 inline constexpr int chart_cells = 20;
 inline constexpr float half_side = 0.7f;
 inline constexpr float chart_scale = 0.35f;  ///< UV units per R
 
-/// The plane cut along x = 0: its right half lies in the atlas turned by 90 degrees against its left half.
+/// A square with a UV seam at x = 0. In the UV map its right half is rotated by 90 degrees relative to its
+/// left half.
 inline std::shared_ptr<const Mesh> two_charts() {
   auto mesh = std::make_shared<Mesh>();
   mesh->name = "two-charts";
@@ -25,8 +27,8 @@ inline std::shared_ptr<const Mesh> two_charts() {
         const int column = i + side * n / 2;
         const glm::vec3 p(x(column), 0.0f, x(j));
         mesh->position.push_back(p);
-        // u grows with x and v with -z on the left, so that u x v faces +y; a quarter turn of that on the
-        // right.
+        // On the left, u increases with x and v with -z, so that u x v points along +y. On the right, both
+        // are rotated by 90 degrees.
         const glm::vec2 left(0.05f + chart_scale * (p.x + half_side),
                              0.05f + chart_scale * (half_side - p.z));
         const glm::vec2 right(0.45f + chart_scale * (p.z + half_side), 0.65f + chart_scale * p.x);

@@ -54,7 +54,7 @@ TEST(Prepare, FurRepeatsAsOftenPerRAlongBothAxes) {
   const auto mesh = test::two_charts();
   const auto input = prepare(scene, mesh);
   EXPECT_FLOAT_EQ(input->fur_scale.x, scene.fur.tile * mesh->length_per_uv.x);
-  const auto torus = prepare(scene, load_model("torus"));  // wraps: whole repeats
+  const auto torus = prepare(scene, load_model("torus"));  // periodic UV map
   for (int axis = 0; axis < 2; ++axis) {
     EXPECT_EQ(torus->fur_scale[axis], std::round(torus->fur_scale[axis]));
     EXPECT_NEAR(torus->fur_scale[axis] / torus->mesh->length_per_uv[axis], scene.fur.tile,

@@ -1,4 +1,4 @@
-// The mesh keys of a scene reach the mesh, and meshes that differ by them are kept apart.
+// The mesh options of a scene are applied, and the cache has one mesh per combination of options.
 #include "harness/prepare/scene_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(SceneMesh, IsTurnedAsTheSceneSays) {
   SceneMeshes meshes;
   EXPECT_EQ(meshes.of(scene, {})->hash, turned->hash);
   EXPECT_EQ(meshes.of(of_model("square"), {})->hash, plain->hash);
-  EXPECT_EQ(meshes.of(scene, {}), meshes.of(scene, {}));  // the same object: prepared once
+  EXPECT_EQ(meshes.of(scene, {}), meshes.of(scene, {}));  // both calls return the same object
 }
 
 TEST(SceneMesh, HasTheFilesOwnMapWhereTheSceneAsksForIt) {

@@ -69,8 +69,9 @@ TEST(Strands, CombDoesNotJumpBetweenNeighbours) {
           std::clamp(double(glm::dot(set.normal[set.face[k]], set.normal[set.face[k - 1]])), -1.0, 1.0));
       worst = std::max(worst, bend - crease);
     }
-  // Where the comb meets the surface head on, a fur lean of 0.6 turns within a grip of 0.25: 2.4 times as
-  // fast as the normal, 5.5 degrees between faces of this torus. A field that swirls there turns by 90.
+  // Where the comb direction is normal to the surface, the strands rotate 0.6 / 0.25 = 2.4 times as fast as
+  // the surface normal, which rotates by 5.5 degrees between adjacent faces. Strands of a field that swirls
+  // there would differ by 90 degrees.
   EXPECT_LT(worst * 180 / std::numbers::pi, 2.4 * 5.5);
 }
 

@@ -1,4 +1,5 @@
-// The map of surface points: texels under a triangle hold its point, the gutter holds the nearest one's.
+// The map of surface points: texels inside a triangle have its points, other texels the point of the nearest
+// texel inside a triangle.
 #include "harness/prepare/surface_map.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int size = 32;
 
-/// The point (u, v, 0) at every (u, v) of [low, 1] x [0, 1].
+/// A mesh that maps every UV (u, v) in [low, 1] x [0, 1] to the point (u, v, 0).
 Mesh strip(float low, bool periodic) {
   Mesh mesh;
   mesh.uv = {{low, 0}, {1, 0}, {1, 1}, {low, 1}};
@@ -37,8 +38,8 @@ TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
     }
 }
 
-// Columns 0 to 7 are uncovered: without wrapping the nearest covered column is 8; with it columns 0 to 3 are
-// nearer to column 31.
+// Columns 0 to 7 are outside the triangles. Their nearest covered column is 8. On a periodic map, column 31
+// is nearer to columns 0 to 3.
 TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
   for (const bool periodic : {false, true}) {
     const auto map = surface_map(strip(0.25f, periodic), size);

@@ -17,7 +17,7 @@ double degrees(glm::vec3 a, glm::vec3 b) {
   return std::acos(std::clamp(double(glm::dot(a, b)), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// The greatest angle between the curl's u at the two ends of an edge.
+/// The greatest angle in degrees between the vectors u at the two ends of an edge.
 double worst_edge(const Skin& skin, const CurlFrame& frame) {
   double worst = 0;
   for (const glm::uvec3& t : skin.triangle)
@@ -115,7 +115,7 @@ TEST(CurlFrame, IsOrthonormalAndSmoothAcrossSeams) {
   curl.frame = "uv";
   const CurlFrame raw = curl_frame(*mesh, skin, s, curl);
   expect_orthonormal(skin, raw);
-  EXPECT_GT(worst_edge(skin, raw), 80.0);  // the quarter turn between the charts
+  EXPECT_GT(worst_edge(skin, raw), 80.0);  // the charts are rotated by 90 degrees
 }
 
 TEST(CurlFrame, TorusHasNoJump) {
@@ -123,7 +123,7 @@ TEST(CurlFrame, TorusHasNoJump) {
   const Skin skin = weld(*mesh);
   const CurlFrame frame = curl_frame(*mesh, skin, surface_tangents(*mesh, skin), {});
   expect_orthonormal(skin, frame);
-  EXPECT_LT(worst_edge(skin, frame), 8.0);  // one of 65 steps around the tube turns by 5.5 degrees
+  EXPECT_LT(worst_edge(skin, frame), 8.0);  // an edge around the tube spans 360 / 65 = 5.5 degrees
 }
 
 TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
@@ -141,7 +141,9 @@ TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
     EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
   }
   EXPECT_GT(most, 45.0);
-  EXPECT_LT(worst_edge(skin, varied), 90.0);  // 0.1 R of an edge, 0.4 R of the noise: 84 at its steepest
+  // Edges are 0.1 R long and the features of the noise are 0.4 R wide. The greatest gradient gives 84
+  // degrees.
+  EXPECT_LT(worst_edge(skin, varied), 90.0);
 }
 
 TEST(CurlFrame, SamplesTheMaskAtTheFirstCopy) {

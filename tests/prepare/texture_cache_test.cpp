@@ -105,8 +105,8 @@ TEST_F(TextureCache, WhatWasNotUsedForLongestGoesFirst) {
   EXPECT_TRUE(fs::exists(fresh_one));
 }
 
-// When this fails because a texture is meant to have changed: raise texture_recipe, and write the new sums
-// here. Else everybody who has drawn the scene before goes on seeing the old one.
+// If this test fails after an intended change of a texture, increase texture_recipe and write the new hashes
+// here. Without a new texture_recipe, users with cached textures continue to get the old ones.
 TEST_F(TextureCache, TheRecipeHasTheseBytes) {
   EXPECT_EQ(texture_recipe, 1);
   EXPECT_EQ(hash(make_fur_texture(fur_)), 16436695362474114906u);

@@ -1,4 +1,4 @@
-// What bad scenes get: one line that names the file, the line, the key, and what would be right.
+// Errors of bad scenes: one line that names the file, the line, the key and the permitted values.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -9,14 +9,14 @@ namespace {
 
 struct Bad {
   const char* text;      ///< a scene file
-  const char* expected;  ///< part of the error
+  const char* expected;  ///< text that the error must contain
 };
 
 const Bad files[] = {
     {"fur.lenght = 0.1", "s.toml:1: fur.lenght: no such key; did you mean fur.length?"},
     {"\n\nlength = 0.1", "s.toml:3: length: no such key; did you mean fur.length?"},
     {"[furr]\nlength = 0.1", "s.toml:1: furr"},
-    {"zzzzzzzzzzzz = 1", "no such key; `pelage scene` prints them all"},
+    {"zzzzzzzzzzzz = 1", "no such key; `pelage scene` prints all keys"},
     {"[fur]\nlayers = 1", "s.toml:2: fur.layers: 1 is out of range; give 2 to 512"},
     {"fur.layers = 0", "fur.layers: 0 is out of range"},
     {"fur.layers = -16", "fur.layers: -16 is out of range"},
@@ -49,15 +49,15 @@ const Bad files[] = {
     {"fur = 3", "fur: is a whole number; give a table of keys"},
     {"dynamics.wind = 3", "dynamics.wind: is a whole number; give a table of keys"},
     {"camera.framed = 1", "camera.framed: is a whole number; give true or false"},
-    {"camera.framed = false\ncamera.eye = [0, 0, 0]", "camera.eye: is where camera.target is"},
-    {"camera.up = [1.3, 1.15, 2.35]", "camera.up: is along the view"},
+    {"camera.framed = false\ncamera.eye = [0, 0, 0]", "camera.eye: equals camera.target"},
+    {"camera.up = [1.3, 1.15, 2.35]", "camera.up: is parallel to the view"},
     {"dynamics.step = 0", "dynamics.step: 0 is out of range"},
     {"dynamics.step = 0.5", "dynamics.step: 0.5 s is unstable"},
     {"dynamics.topology = 'grass'", "dynamics.topology: \"grass\" is not known; give \"silva\", \"sticks\""},
     {"dynamics.topology = 'sticks'\nfur.binding = 'separate'",
-     "fur.binding: is silva's; with dynamics.topology"},
+     "fur.binding: must be \"shared\" with dynamics.topology"},
     {"dynamics.topology = 'prisms'\ndynamics.drag = 0\ndynamics.wind.strength = 0.01",
-     "dynamics.wind.strength: reaches a topology by its drag"},
+     "dynamics.wind.strength: acts on a topology through the drag"},
     {"dynamics.topology = 'sticks'\ndynamics.step = 0", "dynamics.step: 0 is out of range"},
     {"dynamics.topology = 'sticks'\ndynamics.mass = -1", "dynamics.mass: -1 is out of range"},
     {"dynamics.topology = 'sticks'\ndynamics.springs.stiffness = -1",
@@ -65,12 +65,13 @@ const Bad files[] = {
     {"dynamics.springs.return_weight = nan", "dynamics.springs.return_weight: nan is not a finite number"},
     {"dynamics.bend = 'cubic'", "give \"linear\", \"paper\" or \"tangent\""},
     {"dynamics.bend_power = 0", "dynamics.bend_power: 0 is out of range; give 1 to 16"},
-    {"dynamics.solver = 'rk4'", "dynamics.solver: silva's strand does not know it; give a dynamics.topology"},
-    {"dynamics.motion.spin = 1", "dynamics.motion.spin: silva's strand does not know it"},
+    {"dynamics.solver = 'rk4'",
+     "dynamics.solver: not supported by dynamics.topology \"silva\"; give another topology"},
+    {"dynamics.motion.spin = 1", "dynamics.motion.spin: not supported by dynamics.topology \"silva\""},
     {"dynamics.motion.axis = [0, 0, 0]", "dynamics.motion.axis: points nowhere"},
-    {"dynamics.tolerance = 0.1", "dynamics.tolerance: silva's strand does not know it"},
-    {"dynamics.poke.radius = 1", "dynamics.poke.radius: silva's strand does not know it"},
-    {"dynamics.poke.ray = [1, 0, 0]", "dynamics.poke.ray: silva's strand does not know it"},
+    {"dynamics.tolerance = 0.1", "dynamics.tolerance: not supported by dynamics.topology \"silva\""},
+    {"dynamics.poke.radius = 1", "dynamics.poke.radius: not supported by dynamics.topology \"silva\""},
+    {"dynamics.poke.ray = [1, 0, 0]", "dynamics.poke.ray: not supported by dynamics.topology \"silva\""},
     {"dynamics.springs = 3", "dynamics.springs: is a whole number; give a table of keys"},
     {"dynamics.time = 3600\ndynamics.step = 0.000001", "dynamics.time: 3600 s are "},
     {"image.width = 16385", "image.width: 16385 is out of range"},

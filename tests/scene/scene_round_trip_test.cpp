@@ -1,4 +1,4 @@
-// Every key survives being written and read, at its default, at both ends of its range and in between.
+// Writing and reading a scene preserves every key at its default, at both bounds and at values between them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Equal bit by bit, key by key; the name of the first key that differs.
+/// The name of the first key that differs in any bit; empty if the scenes are equal.
 std::string difference(Scene a, Scene b) {
   const auto left = scene_keys(a), right = scene_keys(b);
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -40,14 +40,14 @@ std::string difference(Scene a, Scene b) {
   return {};
 }
 
-/// Puts one of several values that are right for the key into its slot.
+/// Assigns a random permitted value to the key.
 void vary(const Key& key, std::mt19937& random) {
   const auto between = [&] {
     const double end = std::uniform_int_distribution(0, 9)(random);
     if (end == 0) return key.least;
     if (end == 1) return key.most;
     const double t = std::uniform_real_distribution(0.0, 1.0)(random);
-    // Cubed, so that small values with long decimals come up too.
+    // The cube makes small values with many decimals more frequent.
     return key.least + t * t * t * (key.most - key.least);
   };
   std::visit(
@@ -95,7 +95,7 @@ TEST(SceneRoundTrip, EveryKeyAloneSurvives) {
       try {
         check_scene(scene);
       } catch (const InputError&) {
-        continue;  // this value does not go with the other defaults
+        continue;  // the value contradicts the defaults of other keys
       }
       EXPECT_EQ(difference(parse_scene(write_scene(scene), "written"), scene), "") << write_scene(scene);
     }
@@ -216,7 +216,8 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
   }
 }
 
-/// Members of scene.hpp as dotted keys, by its text: "float length = ..." within "struct FurScene".
+/// Names of the members in scene.hpp as dotted keys: "float length = ..." in "struct FurScene" gives
+/// "fur.length".
 std::vector<std::string> members() {
   std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "harness/scene/scene.hpp");
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
