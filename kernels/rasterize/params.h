@@ -37,11 +37,11 @@ typedef struct {
   float footprint;                            // texels of level 0 per pixel at view depth 1, times 2^bias
   int substeps;                               // samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
-  // Light (S Eq. 6; W Eq. 2-5).
-  // The models of shading (harness/scene/shading_models.cpp). "curling": surface_light 0. "wet": surface_light 1.
-  // "lambert": surface_light 1, and the host sets specular, wrap and darkening to 0.
-  int surface_light;                          // 1: diffuse light and shadow of the surface, W Eq. 2-5; 0: of the strand, S Eq. 6
-  int two_sided;                              // 1: normals that face away from the eye are reversed before light
+  // Light (S Eq. 6; W Eq. 2-5) for the models of shading in harness/scene/shading_models.cpp. "curling" has
+  // surface_light 0; "wet" and "lambert" have surface_light 1. For "lambert" the host sets specular, wrap and darkening
+  // to 0.
+  int surface_light;                          // 1: diffuse light and shadow by W Eq. 2-5; 0: by S Eq. 6
+  int two_sided;                              // 1: normals that face away from the eye are reversed for lighting
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
   float exponent;                             // p
