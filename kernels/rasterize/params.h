@@ -20,7 +20,7 @@ typedef struct {
   int tiles_x, tiles_y;
   int layer_batch;                            // layers per batch; a tile selects its visible triangles once per batch
   int layer_batches;                          // number of layer batches of the pass, including the base
-  int first_layer, end_layer;                 // range of this pass: a part of 0 .. N if all need too much memory
+  int first_layer, end_layer;                 // layers of this pass; not all N if they need too much memory
   int chunk;                                  // number of triangles per chunk; one work-item counts a chunk
   int chunks;
   int every_layer;                            // 1: triangles are also drawn in layers that their clumps do not reach
