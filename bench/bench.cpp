@@ -1,5 +1,5 @@
-// pelage-bench: every kernel of a frame on Google Benchmark, by the device's own timer. --benchmark_out and
-// the library's compare.py work as ever.
+// pelage-bench: times every kernel of a frame with Google Benchmark, by the device's own timer. Google
+// Benchmark's option --benchmark_out and its compare.py work as usual.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ struct Options {
   double seconds = 0.5;
 };
 
-/// A scene at work: one frame a round, whose kernels have their times from their events.
+/// A scene for timing. Each iteration draws one frame, and the kernels' times come from their events.
 struct Bench {
   std::shared_ptr<const FrameInput> input;
   Shells shells;
@@ -48,7 +48,7 @@ struct Bench {
   }
 };
 
-/// Milliseconds and bytes of a kernel in one frame, all its launches together.
+/// Returns the milliseconds and bytes of a kernel in one frame, summed over its launches.
 KernelTime of_kernel(const FrameTiming& timing, const std::string& kernel) {
   KernelTime sum{kernel, "", 0, 0};
   for (const KernelTime& k : timing.kernels) {
@@ -68,7 +68,7 @@ void time_kernel(benchmark::State& state, Bench& bench, const std::string& kerne
   for (auto unused : state) {
     const KernelTime time = of_kernel(bench.shells.frame(), kernel);
     if (time.ms <= 0) {
-      state.SkipWithError("its event has no time");
+      state.SkipWithError("the kernel's event has no time");
       break;
     }
     state.SetIterationTime(time.ms / 1000);
@@ -94,7 +94,7 @@ void time_mask(benchmark::State& state, Bench& bench) {
     bench.queue.finish();
     const auto ms = event.milliseconds(bench.queue.device());
     if (!ms) {
-      state.SkipWithError("its event has no time");
+      state.SkipWithError("the kernel's event has no time");
       break;
     }
     state.SetIterationTime(*ms / 1000);
@@ -119,8 +119,8 @@ Scene scene_of(const Options& options) {
   return scene;
 }
 
-/// The library adjusts its number of iterations until the time is long enough, which never ends where times
-/// are wrong: the number is fixed beforehand from a pilot frame.
+/// The number of iterations is fixed from a pilot frame. The library would increase it until the time is long
+/// enough, which never ends if the timer is wrong.
 void register_all(Bench& bench, const Options& options, bool timer) {
   const FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {
@@ -159,7 +159,7 @@ int run(int argc, char** argv) {
   app.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--mapping", options.mapping, mappings_help() + " (default: what suits the device)")
+  app.add_option("--mapping", options.mapping, mappings_help() + " (default: chosen for the device)")
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   app.add_option("--seconds", options.seconds, "Time for each kernel's frames, s")
@@ -185,7 +185,7 @@ int run(int argc, char** argv) {
   Bench bench(device, prepare(scene, load_scene_mesh(scene, {})), options.mapping);
   const cl::TimerCheck timer = cl::check_timer(bench.queue);
   if (!timer.real)
-    fmt::print(stderr, "pelage-bench: {}: whole frames only, by the wall clock\n", timer.reason);
+    fmt::print(stderr, "pelage-bench: {}: timing whole frames only, by the wall clock\n", timer.reason);
   benchmark::AddCustomContext("opencl_device", device.info().name);
   benchmark::AddCustomContext("opencl_platform", device.info().platform + ", driver " + device.info().driver);
   benchmark::AddCustomContext("pelage_revision", build_info().revision);

@@ -1,6 +1,8 @@
-// What a layer's vertices and fragments share: three rows of numbers that the host computes (harness/shells/opengl/scene_glsl.cpp).
-//   bend: factors of A, B and of the curl's u, v      step: factors of A, B in dB(n)
-//   look: f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n), n
+// Values of a layer for its vertices and fragments: three rows that the host computes
+// (harness/shells/opengl/scene_glsl.cpp).
+//   bend holds the factors of A, B and of the curl's u and v.
+//   step holds the factors of A and B in dB(n).
+//   look holds f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n) and n.
 #ifdef INSTANCED
 layout(std140, binding = 0) uniform Layers { vec4 layers[3 * LAYERS]; };
 #define LAYER_BEND layers[3 * gl_InstanceID]

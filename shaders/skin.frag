@@ -1,4 +1,4 @@
-// The base surface (docs/frame.md, 7). After the constants and shaders/light.glsl.
+// Draws the base surface (docs/frame.md, section 7). The constants and shaders/light.glsl are put before this file.
 in vec2 uv;
 in vec3 normal;
 layout(binding = 1) uniform sampler2D coat;

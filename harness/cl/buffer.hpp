@@ -1,4 +1,4 @@
-// Device memory and queues, move-only.
+// Move-only classes for device memory and command queues.
 #pragma once
 #include <span>
 
@@ -6,7 +6,7 @@
 
 namespace pelage::cl {
 
-/// The name of an OpenCL error code, as CL/cl.h writes it.
+/// Returns the name of an OpenCL error code, as in CL/cl.h.
 std::string error_name(cl_int code);
 
 /// Throws DeviceError if `code` is an error. The message names the call, the OpenCL error and the remedy.
@@ -14,7 +14,7 @@ void check(cl_int code, std::string_view call);
 
 class Queue {
  public:
-  explicit Queue(const Device& device);  ///< in order, profiling on
+  explicit Queue(const Device& device);  ///< in-order queue with profiling
   ~Queue();
   Queue(Queue&& other) noexcept;
   Queue& operator=(Queue&& other) noexcept;

@@ -50,8 +50,8 @@ std::optional<int> number(std::string_view text) {
   return std::stoi(std::string(text));
 }
 
-// "PLATFORM:INDEX", where PLATFORM is an index, part of the platform's name, or the loader's short name of
-// the platform.
+// Returns the devices that match "PLATFORM:INDEX", or an empty optional if `wanted` has another form.
+// PLATFORM is an index, a part of the platform's name, or the loader's short name of the platform.
 std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo>& all,
                                                     std::string_view wanted) {
   const auto colon = wanted.rfind(':');
@@ -66,7 +66,8 @@ std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo
   });
 }
 
-// A complete device name has precedence over a part of one, and a part of one over its platform's name.
+// Returns the devices with the complete name `wanted`; if there are none, those whose name contains `wanted`;
+// if there are none, those of a platform with such a name.
 std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string_view wanted) {
   const Test tests[] = {[&](const DeviceInfo& info) { return lower(info.name) == lower(wanted); },
                         [&](const DeviceInfo& info) { return contains(info.name, wanted); },

@@ -1,4 +1,4 @@
-// OpenCL devices, enumerated explicitly: no default device, no statics.
+// OpenCL devices, which callers list and pass explicitly. There is no default device and no static state.
 #pragma once
 #include <CL/cl.h>
 
@@ -11,18 +11,18 @@
 namespace pelage::cl {
 
 struct DeviceInfo {
-  std::string platform_suffix;  ///< the loader's short name of the platform: "POCL", "NV"; may be empty
+  std::string platform_suffix;  ///< the loader's short name of the platform ("POCL", "NV"); may be empty
   std::string platform, platform_version, name, vendor, version, c_version, driver;
-  int platform_index = 0, device_index = 0;  ///< device_index counts within the platform
+  int platform_index = 0, device_index = 0;  ///< device_index counts the devices of the platform
   bool gpu = false, cpu = false;
   unsigned compute_units = 0;
   std::uint64_t global_memory = 0, local_memory = 0, max_allocation = 0;
   std::size_t max_work_group = 0;
   std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
   bool fp64 = false;
-  int lanes = 1;  ///< 16 where float16 work-items are faster (CPU devices of PoCL), else 1
+  int lanes = 1;  ///< lanes per work-item: 16 where this is faster (CPU devices of PoCL), else 1
 
-  std::string spec() const;  ///< "0:0", platform and device index, as --device takes it
+  std::string spec() const;  ///< platform and device index, such as "0:0", as --device accepts them
 };
 
 /// A device with its own context. Copies share both.
@@ -31,7 +31,7 @@ class Device {
   const DeviceInfo& info() const;
   cl_device_id id() const;
   cl_context context() const;
-  std::string spec() const;  ///< "PLATFORM:INDEX", as --device takes it
+  std::string spec() const;  ///< "PLATFORM:INDEX", as --device accepts it
 
  private:
   struct State;
@@ -54,9 +54,9 @@ std::vector<PlatformInfo> platforms();
 std::vector<Device> devices();
 
 /// Returns the device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or
-/// part of a device's name, or part of its platform's name if no device's name matches. If `wanted` is empty:
-/// $PELAGE_DEVICE, else the first GPU, else the first CPU. Throws InputError with the candidates if nothing
-/// or several match, NoDeviceError if there is no device at all.
+/// part of a device's name, or part of its platform's name if no device's name matches. If `wanted` is empty,
+/// the device is $PELAGE_DEVICE, else the first GPU, else the first CPU. Throws InputError with the
+/// candidates if no device or several devices match, and NoDeviceError if there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -13,8 +13,8 @@ std::optional<std::filesystem::path> nvidia_library(const std::vector<std::files
 /// Returns true if an entry (.icd) of `vendors` already names that library.
 bool names_nvidia(const std::filesystem::path& vendors);
 
-/// Returns true if a process that runs on `cores` may pin thread i to core i: `cores` are 0 .. n - 1 of
-/// `online` cores.
+/// Returns true if a process that runs on `cores` may pin thread i to core i, that is, if `cores` are all
+/// cores of the machine, 0 .. online - 1.
 bool may_pin(const std::vector<int>& cores, int online);
 
 /// Sets POCL_AFFINITY=1 unless the variable is set, so PoCL pins each of its threads to a separate core.

@@ -1,4 +1,4 @@
-// The peak rates of a device, measured through OpenCL: the ceilings that a kernel's speed is compared with.
+// Measures the peak rates of a device through OpenCL. The speed of a kernel is compared with these rates.
 #pragma once
 #include "harness/cl/timer.hpp"
 

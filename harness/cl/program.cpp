@@ -100,7 +100,8 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   const std::size_t length = source.size();
   std::string all =
       fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
-  // NVIDIA's binary cache does not check included files; their hash in the options makes it notice a change.
+  // NVIDIA's binary cache does not check included files. The hash of these files in the options makes the
+  // driver compile again after a change.
   if (device.info().platform.find("NVIDIA") != std::string::npos)
     all += " -D PELAGE_KERNELS=0x" + hash_of(sources_);
 

@@ -50,7 +50,7 @@ class Program {
   double build_ms_ = 0;
 };
 
-/// The same over the sources of all these programs.
+/// Returns such a hash over the sources of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
 
 class Event {
@@ -61,12 +61,12 @@ class Event {
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
-  /// End minus start in ms, after the command has finished; empty if the device's timer is not real
-  /// (resolution 0, or end <= start).
+  /// Returns the duration of the command in ms, after it has finished. Empty if the device's timer is not
+  /// real (resolution 0, or end <= start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
-  const std::string& kernel() const { return kernel_; }  ///< the kernel of this launch
-  std::size_t bytes() const { return bytes_; }           ///< of all buffers of the launch, each counted once
+  const std::string& kernel() const { return kernel_; }  ///< name of the kernel of this launch
+  std::size_t bytes() const { return bytes_; }           ///< bytes of the launch's buffers, each counted once
 
  private:
   cl_event event_ = nullptr;

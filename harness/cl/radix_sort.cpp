@@ -39,7 +39,8 @@ RadixSort::RadixSort(const Device& device)
 
 std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
                              std::vector<Event>* events, bool read_sum) {
-  // Sums of blocks, then of blocks of blocks, until one block is left; then the offsets are added downwards.
+  // Computes the sums of blocks, then of blocks of blocks, until one block is left. Then it adds the offsets
+  // down to the values.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

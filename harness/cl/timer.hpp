@@ -1,4 +1,4 @@
-// Test whether a device's event timer is real: some drivers count calls instead of time.
+// Tests whether a device's event timer is real. Some drivers count calls instead of time.
 #pragma once
 #include <span>
 #include <string>

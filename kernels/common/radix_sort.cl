@@ -1,20 +1,21 @@
-// A stable radix sort of pairs (key, value) by SORT_BITS of the key per pass: count digits, prefix sums, move.
+// A stable radix sort of pairs (key, value). Each pass sorts by SORT_BITS bits of the key: it counts digits, computes
+// prefix sums, and moves the pairs.
 #include "common/prefix_sum.clh"
 
-// The host passes the same numbers (harness/shells/opencl).
+// The host defines the same values (harness/cl/radix_sort.cpp).
 #ifndef SORT_BITS
-#define SORT_BITS 4                             // of a key, per pass
-#define SORT_RUN 32                             // keys that a work-item moves, in their order
+#define SORT_BITS 4                             // bits of the key per pass
+#define SORT_RUN 32                             // consecutive keys that a work-item moves in order
 #endif
 #define SORT_DIGITS (1 << SORT_BITS)
 #define SORT_ITEMS 64
 
 static inline int digit_of(int key, int shift) { return key >> shift & (SORT_DIGITS - 1); }
 
-// How often each digit stands in each run: count[digit runs + run].
+// Counts how often each digit occurs in each run of keys. count: [digit runs + run].
 __kernel __attribute__((reqd_work_group_size(SORT_ITEMS, 1, 1)))
 void sort_count(int n, int shift, TABLE(int) key, __global int *count) {
-  __local int mine[SORT_DIGITS][SORT_ITEMS];    // a column per work-item
+  __local int mine[SORT_DIGITS][SORT_ITEMS];    // one column per work-item
   int item = (int)get_local_id(0), run = (int)get_global_id(0), runs = (n + SORT_RUN - 1) / SORT_RUN;
   if (run >= runs) return;
   for (int d = 0; d < SORT_DIGITS; ++d) mine[d][item] = 0;
@@ -23,7 +24,7 @@ void sort_count(int n, int shift, TABLE(int) key, __global int *count) {
   for (int d = 0; d < SORT_DIGITS; ++d) count[(size_t)d * runs + run] = mine[d][item];
 }
 
-// start: the counts' prefix sum.
+// Moves the pairs to their places for this digit. start: prefix sums of the counts.
 __kernel __attribute__((reqd_work_group_size(SORT_ITEMS, 1, 1)))
 void sort_move(int n, int shift, TABLE(int) start, TABLE(int) key, TABLE(int) value, __global int *key_out,
                __global int *value_out) {

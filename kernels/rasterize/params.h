@@ -1,74 +1,76 @@
-// What the host tells the rasterizer; read by OpenCL C and by C++. Four-byte members only.
+// Constants that the host passes to the rasterizer's kernels, for OpenCL C and C++. All members have four bytes.
 #ifndef PELAGE_RASTERIZE_PARAMS_H
 #define PELAGE_RASTERIZE_PARAMS_H
 
 typedef struct {
-  // Picture and camera (docs/frame.md, 4).
+  // Picture and camera (docs/frame.md, section 4).
   int width, height;
-  float row_x[4], row_y[4], row_w[4];         // dot with (p, 1): pixels from the image centre times w; view depth w
-  float ray[3], ray_dx[3], ray_dy[3];         // view ray through the centre, its change per pixel
-  float near_depth;                           // R
+  float row_x[4], row_y[4], row_w[4];         // dot(row, (p, 1)) is x w, y w (pixels from the centre) or w
+  float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
+  float near_depth;                           // view depth of the near plane, R
   // Geometry.
-  int vertices;                               // columns' length: corners or copies, rounded up to a multiple of 16
+  int vertices;                               // length of a column: vertices or corners, padded to a multiple of 16
   int triangles;
   int layers;                                 // N
-  int uniform_spacing;                        // 0: t = h; 1: t = 1 - sqrt(1 - h)
-  int sticks;                                 // 1: layers lie by B Eq. 4, not on the Bezier curve
+  int uniform_spacing;                        // parameter of a layer; 0: t = h; 1: t = 1 - sqrt(1 - h)
+  int sticks;                                 // 1: layers follow B Eq. 4 instead of the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
-  // Tiles and the triangles in them.
+  // Tiles and their triangles.
   int tiles_x, tiles_y;
-  int layer_batch;                            // layers of which a tile decides together what it leaves out
-  int layer_batches;                          // one for the base, then ceil((end_layer - first_layer) / layer_batch)
-  int first_layer, end_layer;                 // what a pass draws: all of 0 .. N - 1, or a part where all at once need too much memory
-  int chunk;                                  // triangles counted together
+  int layer_batch;                            // layers per batch; a tile selects its visible triangles once per batch
+  int layer_batches;                          // number of layer batches of the pass, including the base
+  int first_layer, end_layer;                 // layers of this pass; not all N if they need too much memory
+  int chunk;                                  // number of triangles per chunk; one work-item counts a chunk
   int chunks;
-  int every_layer;                            // 1: draw triangles in layers that their clumps do not reach, too
+  int every_layer;                            // 1: triangles are also drawn in layers that their clumps do not reach
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
   float clump_shape;                          // w
   float clump_gain;
-  int clump_literal;                          // scale by r_mask instead of the gain
-  int clump_separate;                         // discard where the centre at p + d is another clump's
+  int clump_literal;                          // 1: scale by r_mask instead of the gain
+  int clump_separate;                         // 1: discard a fragment if the texel at p + d has another clump's centre
   float log_layers;                           // k = ln N
   // Textures.
   int fur_size, fur_levels;
-  float fur_scale[2];                         // repeats per unit of u and v
-  float footprint;                            // of a pixel at view depth 1, texels of level 0 times 2^bias
-  int substeps;                               // looks into a fragment's layer: 1, 2, 4 or 8
+  float fur_scale[2];                         // repeats of the texture per unit of u and v
+  float footprint;                            // texels of level 0 per pixel at view depth 1, times 2^bias
+  int substeps;                               // samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
-  // Light (S Eq. 6; W Eq. 2-5).
-  // The models of shading (harness/scene/shading_models.cpp). "curling": surface_light 0. "wet": surface_light 1.
-  // "lambert": surface_light 1, and the host sets specular, wrap and darkening to 0.
-  int surface_light;                          // 1: diffuse light and shadow of the surface, W Eq. 2-5; 0: of the strand, S Eq. 6
-  int two_sided;                              // 1: normals that face away from the eye are reversed before light
+  // Light (S Eq. 6; W Eq. 2-5) for the models of shading in harness/scene/shading_models.cpp. "curling" has
+  // surface_light 0; "wet" and "lambert" have surface_light 1. For "lambert" the host sets specular, wrap and darkening
+  // to 0.
+  int surface_light;                          // 1: diffuse light and shadow by W Eq. 2-5; 0: by S Eq. 6
+  int two_sided;                              // 1: normals that face away from the eye are reversed for lighting
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
   float exponent;                             // p
-  int whole_exponent;                         // p where it is whole and the same everywhere, else 0
+  int whole_exponent;                         // p if it is a whole number and equal for all fragments, else 0
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
-  float drawn;                                // +1: W Eq. 4 as printed; -1: the strand leans as drawn
+  float drawn;                                // sign of the clump's drift in W Eq. 4: +1 as printed, -1 as drawn
   int lights;
-  union {                                     // unit, towards the light
-    float lights_flat[6];                     // first: of arrays of arrays rusticl (Mesa 22.3) takes the outer length for the size
+  union {                                     // unit vectors towards the lights
+    // The flat array comes first, because rusticl (Mesa 22.3) takes only the outer length, 2, for the size of
+    // light[2][3].
+    float lights_flat[6];
     float light[2][3];
   };
   float intensity[2];
   float skin[3], background[3];
 } RasterParams;
 
-// A layer's numbers that only the host computes, so that every device sees the same bits.
+// Values of a layer that only the host computes, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array: position, A = sum weight L0 normal, the curl frame, and 1 - rho.
+// Columns of the vertex array: position, A = sum weight L0 normal, and the curl frame.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
-// One attribute record per vertex: u, v, A, B; and, for the wet model, dX/du and dX/dv.
+// Number of floats in a vertex's row of an attribute buffer: u, v, A, B; or dX/du, dX/dv; or the curl's frame.
 #define RECORD 8
 
-// A tile's pixels: multiples of 4, at most 32 (tuning axes).
+// Pixels per side of a tile: multiples of 4, at most 32 (tuning axes).
 #ifndef TILE_W
 #define TILE_W 32
 #endif
@@ -77,7 +79,7 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 #endif
 
 #define SUBPIXEL 256            // screen coordinates are rounded to 1/256 pixel
-#define GUARD 16384.0f          // pixels from the image centre; beyond it triangles are clipped
-#define OPAQUE 0.001953125f     // a pixel stops once its transmittance is at most 1/512
+#define GUARD 16384.0f          // pixels from the image centre; triangles beyond are clipped
+#define OPAQUE 0.001953125f     // a pixel is complete when its transmittance is at most 1/512
 
 #endif

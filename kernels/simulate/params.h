@@ -1,4 +1,4 @@
-// What the host tells the strand simulation; read by OpenCL C and by C++. Four-byte members only.
+// Constants that the host passes to the strand simulation, for OpenCL C and C++. All members have four bytes.
 #ifndef PELAGE_SIMULATE_PARAMS_H
 #define PELAGE_SIMULATE_PARAMS_H
 
@@ -10,12 +10,12 @@ typedef struct {
   float step;                          // dt, s
   float weight_x, weight_y, weight_z;  // m g, N
   float wind_x, wind_y, wind_z;        // direction times strength, N
-  float gust;                          // fraction of the wind
+  float gust;                          // amplitude of the gusts as a fraction of the wind
   int stride;                          // strands in a column of the arrays: F rounded up to a multiple of 16
   int substeps;
 } SimulateParams;
 
-// Columns of the constant array: normal, anchor, gust phase; and of the state: q = p - root, v.
+// Columns of the array of constants: normal, anchor, gust phase. Columns of the state: q = p - root, v.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };
 

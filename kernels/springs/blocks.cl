@@ -1,4 +1,4 @@
-// Sticks, separable sticks and separable prisms: a work-item takes LANES blocks at a time through all substeps.
+// Sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks at once.
 #include "springs/block.clh"
 #include "springs/places.clh"
 
@@ -25,9 +25,9 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
   return a;
 }
 
-// moment: at the start of substep i in entry 2 i, in its middle in 2 i + 1. offset, speed: the state, q and v. Whether
-// a mass was lost is asked in every substep; in which one by a second run, apart from the first, whose registers it
-// would take.
+// moment: entry 2 i is the start of substep i, entry 2 i + 1 its middle. offset, speed: the state, q and v. Every
+// substep tests whether a mass diverged. If a mass did, a second run finds the substep. It is a function of its own, so
+// that it takes no registers from the first run.
 #define FRAME(name, stepped)                                                                                          \
   static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
                                                     TABLE(scalar) push, TABLE(scalar) sides,                          \

@@ -1,12 +1,13 @@
-// Shared prisms by backward Euler: the equations of all tops at once, A x = b for x = dv, solved by conjugate gradients
-// preconditioned with the inverses of A's 3 x 3 diagonal blocks (block-Jacobi), started from the last step's x.
-// A work-item has a chunk of units; chunks do not depend on the work-group size, and neither do the sums, which every
-// work-item that needs one adds up in the same order. A large model takes a launch for each part of a step, a small one
-// a single launch of one work-item for all of it (gradients_whole): there a launch would cost more than what it does.
+// Shared prisms by backward Euler. The equations A x = b of all tops together, with x = dv, are solved by conjugate
+// gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The iteration starts
+// from the x of the last step. A work-item computes a chunk of units. Chunks do not depend on the work-group size, and
+// neither do the sums: each work-item that needs a sum adds its parts in the same order. A large model takes one launch
+// for each part of a step. A small model takes a single launch of one work-item for all parts (gradients_whole),
+// because the launches would take longer than the computation.
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
-#ifndef DOUBLE_SUMS  // 1 where the device has doubles
+#ifndef DOUBLE_SUMS  // 1 if the device has doubles
 #define DOUBLE_SUMS 0
 #endif
 #if DOUBLE_SUMS
@@ -18,7 +19,7 @@ typedef double total;
 typedef float total;
 #endif
 
-// A chunk's sum, lane by lane until its last unit.
+// The sum of a chunk, kept lane by lane until the chunk's last unit.
 #if LANES == 16 && DOUBLE_SUMS
 typedef double16 totals;
 #define to_totals convert_double16
@@ -42,7 +43,8 @@ static inline total total_of(totals v) {
 #endif
 }
 
-// Eight sums side by side, then these in order: a work-item waits for chunks / 8 additions, not for chunks.
+// Computes eight interleaved sums and adds them in order. Each addition waits for the one before it, so a work-item
+// waits for chunks / 8 additions instead of `chunks`.
 static inline total sum_of(__global const total *sums, int row, int chunks) {
   total part[8] = {0, 0, 0, 0, 0, 0, 0, 0}, sum = 0;
   int k = 0;
@@ -53,7 +55,7 @@ static inline total sum_of(__global const total *sums, int row, int chunks) {
   return sum;
 }
 
-// A's block of a top with itself is six columns.
+// A diagonal matrix block of A is stored as six columns.
 static inline Symmetric load_block(TABLE(scalar) diagonal, int u) {
   real3 a = load3(diagonal, u, 6, 0), b = load3(diagonal, u, 6, 3);
   Symmetric m;
@@ -65,7 +67,7 @@ static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
   store3(vec3(m.xy, m.xz, m.yz), diagonal, u, 6, 3);
 }
 
-// Of a block: the preconditioner.
+// Returns the inverse of a matrix block, which is the preconditioner.
 INLINE Symmetric inverse_of(Symmetric m) {
   Factors f = factored(m);
   real3 x = solved(f, uniform3(1.0f, 0.0f, 0.0f)), y = solved(f, uniform3(0.0f, 1.0f, 0.0f));
@@ -75,8 +77,8 @@ INLINE Symmetric inverse_of(Symmetric m) {
   return i;
 }
 
-// A's block of two tops on a spring is -(even I + g g^T): g is kept, three columns per entry, and even is what g leaves of
-// even + g.g, which is the same for all springs. No g at all: no spring.
+// The matrix block of A for two tops joined by a spring is -(even I + g g^T). g is stored, in three columns per entry.
+// even + g.g is the same for all springs, so even_of() computes `even` from g. g = 0 means that there is no spring.
 INLINE real even_of(TopologyParams p, real3 g) {
   real along = dot3(g, g);
   real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;
@@ -86,7 +88,8 @@ INLINE real even_of(TopologyParams p, real3 g) {
 // (even I + g g^T) w
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
-// A, its blocks' inverses and b from the state, and r = b - A x, z = inverse r, d = z. at: the moment's entry, of the step's end.
+// Computes A, the inverses of its diagonal blocks and b from the state; then r = b - A x, z = inverse r, d = z. at:
+// entry of the moment at the end of the step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
@@ -106,7 +109,7 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
     for (int k = 0; k < width; ++k) {
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
-      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the row fills up its slice
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the entry only pads the slice
       real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
       real length = load_real(rest, e);
       force = add3(force, edge_force(p, apart, parting, length));
@@ -151,7 +154,7 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
                  inverse, coupling, r, d, sums);
 }
 
-// A d and d.Ad
+// Computes A d, and d.Ad per chunk.
 INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
                           TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
                           __global total *sums) {
@@ -175,14 +178,15 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
   if (chunk < chunks) product_chunk(p, chunks, chunk, start, neighbour, diagonal, coupling, d, product_d, sums);
 }
 
-// r.z / d.Ad; odd: of the iteration's number.
+// Returns r.z / d.Ad. odd: 1 if the number of the iteration is odd.
 static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
-  // No number makes x none, too, which is noted: a lost mass is not to stay where it was.
+  // If dad is NaN, then x becomes NaN too, and note_step() reports the diverged masses. With a factor of 0 they would
+  // stay in place unnoticed.
   return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 
-// r -= alpha A d, and z in the place of A d.
+// Computes r -= alpha A d, and writes z = inverse r over A d.
 INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
                           __global scalar *product_d, __global scalar *r, __global total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
@@ -204,7 +208,7 @@ __kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(sca
   if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, inverse, product_d, r, sums);
 }
 
-// x += alpha d, then d = z + beta d, with beta = the new r.z / the old one.
+// Computes x += alpha d and then d = z + beta d, where beta is the new r.z divided by the old one.
 INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
                        __global scalar *x, __global const total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
@@ -223,7 +227,7 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
   if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
 }
 
-// v += x, q += h v.
+// Computes v += x and then q += h v.
 INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
                        __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
                        __global int *first) {
@@ -244,8 +248,9 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
   if (chunk < chunks) move_chunk(p, chunk, number, sites, x, offset, speed, tip, diverged_at, first);
 }
 
-// All substeps of a launch by one work-item, until |r| <= residual |b| or `most` iterations are done. The whole model is one
-// chunk. solved: iterations in all, the most of one step, the largest |r| / |b| that a step ended with.
+// Computes all substeps of a launch in one work-item. Each substep iterates until |r| <= residual |b| or `most`
+// iterations are done. The whole model is one chunk. solved: the number of all iterations, the greatest number in one
+// substep, and the greatest |r| / |b| at the end of a substep.
 __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                               __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
@@ -259,7 +264,7 @@ __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE
                  diagonal, inverse, coupling, r, d, sums);
     total bb = sums[SUM_BB];
     int done = 0;
-    // One at least: where a sum is infinite or no number the masses are lost, which shows in x then.
+    // At least one iteration is done: if a sum is infinite or NaN, masses have diverged, and the iteration makes x NaN.
     for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
       product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
       advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);

@@ -1,6 +1,7 @@
-// Shared prisms by explicit schemes: every top reads its neighbours' old state, so a launch is one evaluation of the
-// forces; a small model takes one launch of one work-item for all substeps (prism_*_whole), since a launch would cost more
-// than what it does. The state is q and v; neighbours look at v and at tips, root + q, which lie in rows.
+// Shared prisms by explicit schemes. Every top reads the old state of its neighbours, so a launch evaluates the forces
+// once. A small model takes one launch of one work-item for all substeps (prism_*_whole), because the launches would
+// take longer than the computation. The state is q and v. Neighbours read v and the tips, root + q, which are stored in
+// rows.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -10,7 +11,8 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// One step of explicit (in_turn 0) or semi-implicit (1) Euler; at: the moment's entry; number: the step's.
+// Computes one step of explicit (in_turn 0) or semi-implicit (in_turn 1) Euler. at: entry of the moment. number: number
+// of the step.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
@@ -37,7 +39,7 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
               tip, speed, offset, next_tip, next_speed, diverged_at, first);
 }
 
-// All substeps; after an odd number of them the state lies in other_*.
+// Computes all substeps. After an odd number of substeps the state is in other_*.
 __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) moments, TABLE(scalar) sites,
                                 TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                                 __global scalar *tip, __global scalar *speed, __global scalar *offset,
@@ -52,8 +54,9 @@ __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) mom
   }
 }
 
-// Stage 0 to 3 of the classical scheme. tip, speed, offset: of the stage; base_*: of the step's start, and in stage 3
-// the step's end; sum_*: the weighted rates so far. next_*: of the stage that follows.
+// Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of the stage. base_*:
+// state at the start of the step, and after stage 3 at its end. sum_*: the start plus the weighted rates so far.
+// next_*: state of the next stage.
 INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
                       TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                       TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
@@ -99,7 +102,8 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
             first);
 }
 
-// All substeps. The stages' tips and speeds go to and fro between other_* and spare_*; the step's own stay where they are.
+// Computes all substeps. The tips and speeds of the stages alternate between other_* and spare_*. Those of the step
+// stay in tip and speed.
 __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,

@@ -1,4 +1,4 @@
-// What the host tells the wetness mask; read by OpenCL C and by C++. Four-byte members only.
+// Constants that the host passes to the kernel of the wetness mask, for OpenCL C and C++. All members have four bytes.
 #ifndef PELAGE_WET_PARAMS_H
 #define PELAGE_WET_PARAMS_H
 
@@ -7,7 +7,7 @@ typedef struct {
   int bucket;  // texels per side of a bucket of droplets
 } WetParams;
 
-// A droplet in the droplet array.
+// Columns of the droplet array.
 enum { DROP_U, DROP_V, DROP_RADIUS, DROP_WETNESS, DROP_X, DROP_Y, DROP_Z, DROP_REACH, DROP_COLUMNS };
 
 #endif

@@ -1,7 +1,8 @@
-// Algorithm 1 over the mask: one work-item per texel runs through the droplets of its bucket, in their order.
+// Algorithm 1 over the mask: one work-item per texel applies the droplets of its bucket, in their order.
 #include "wet/equations.clh"
 
-// bucket_row: buckets + 1 offsets into bucket_drop. surface: xyz of the surface point under each texel, R.
+// bucket_row: index of the first entry of each bucket in bucket_drop, then the number of all entries. surface: x, y, z
+// of the surface point under each texel, R.
 __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket_row, TABLE(int) bucket_drop,
                            TABLE(float) surface, __global float *mask) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);

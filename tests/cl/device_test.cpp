@@ -47,8 +47,8 @@ TEST(Devices, OneIsFoundByItsOwnSpecAndName) {
 
 namespace {
 
-// ocl-icd looks for drivers once in a process, so the body runs in a process of its own that sees an empty
-// folder.
+// ocl-icd searches for drivers once per process. The test therefore runs in a new process, which finds an
+// empty folder.
 class WithoutDrivers : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -13,8 +13,8 @@ using namespace pelage;
 
 namespace {
 
-// An empty folder of vendors beside one of drivers; what pelage sees of both in a process of its own, since
-// the loader looks once.
+// Makes an empty folder of .icd files and a folder of drivers. Each test counts pelage's platforms in a new
+// process, because the loader searches once per process.
 class Drivers : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -47,7 +47,7 @@ fs::path some_library() {
 [[noreturn]] void exit_with_platforms() {
   const std::string before = std::getenv("OPENCL_VENDOR_PATH");
   const std::size_t count = cl::platforms().size();
-  if (std::getenv("OPENCL_VENDOR_PATH") != before) std::exit(99);  // children must see what was there
+  if (std::getenv("OPENCL_VENDOR_PATH") != before) std::exit(99);  // child processes must get the old value
   std::exit(static_cast<int>(count));
 }
 

@@ -1,4 +1,4 @@
-// The same calls under oclgrind, which knows every rule of the API and every byte of a buffer.
+// Runs the same calls under oclgrind, which checks the rules of the API and every access to a buffer.
 #include "tests/support/oclgrind.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
 }
 
-// Writes inside its buffer, but for the test above.
+// Writes inside its buffer, unless the test above plants an index.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();

@@ -21,7 +21,8 @@ struct Pair {
   int shift;
 };
 
-// Kernels written by the test into a folder of its own; the process's kernel folder is put back afterwards.
+// Builds kernels that the test writes to a temporary folder. The process's kernel folder is restored
+// afterwards.
 class Programs : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -10,7 +10,8 @@ using namespace pelage;
 
 namespace {
 
-// Three commands of 10 ms each, back to back, in 30.4 ms of wall time: what an honest driver reports.
+// Stamps as a correct driver reports them: three commands of 10 ms each, one after another, in 30.4 ms of
+// wall time.
 std::vector<cl::Stamps> honest() {
   return {{1'000, 5'000, 200'000, 10'200'000},
           {2'000, 6'000, 10'210'000, 20'210'000},
@@ -51,7 +52,7 @@ TEST(Timer, FakesAreNot) {
 }
 
 TEST(Timer, OfEveryDeviceIsJudged) {
-  // Where CTest runs this test in a process of its own, rusticl shows its device too.
+  // If CTest runs this test in a process of its own, rusticl also offers its device.
   ::setenv("RUSTICL_ENABLE", "llvmpipe", 1);
   for (const cl::Device& device : cl::devices()) {
     const auto check = cl::check_timer(cl::Queue(device));

@@ -1,5 +1,5 @@
-// bootstrap.sh on a machine made of stubs: what it asks apt, cmake, ctest and pelage for, and what it makes
-// of answers.
+// Tests bootstrap.sh with stubs in place of the system's commands: which calls it makes to apt, cmake, ctest
+// and pelage, and how it reacts to their results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -19,7 +19,7 @@ namespace {
 struct Outcome {
   int exit_code;
   std::string text;   // stdout and stderr
-  std::string calls;  // a line per command that a stub saw
+  std::string calls;  // one line per command that a stub received
 };
 
 class Bootstrap : public ::testing::Test {
@@ -35,7 +35,8 @@ class Bootstrap : public ::testing::Test {
     write(checkout() / "build/release/build.ninja", "");
     write(checkout() / "build/release/CMakeCache.txt",
           fmt::format("CMAKE_HOME_DIRECTORY:INTERNAL={}\n", checkout().string()));
-    // Every package is there, apt and the build succeed; tests overwrite what they need otherwise.
+    // By default every package is installed, and apt and the build succeed. Tests replace the stubs that must
+    // behave differently.
     stub(folder_ / "bin/dpkg-query", "echo -n installed");
     for (const char* tool : {"apt-get", "cmake", "ctest", "sudo"}) stub(folder_ / "bin" / tool, log_of(tool));
     stub(pelage(), log_of("pelage"));
@@ -102,7 +103,7 @@ TEST_F(Bootstrap, ListsWhatIsMissingAndTouchesNothing) {
 
 TEST_F(Bootstrap, InstallsWhatIsMissingOnly) {
   stub(folder_ / "bin/dpkg-query", "case $* in *libexample*) exit 1;; *) echo -n installed;; esac");
-  // A user's sudo runs what it is given, through the same stubs.
+  // This sudo runs its command with the same stubs.
   stub(folder_ / "bin/sudo", "exec \"$@\"");
   const Outcome outcome = run("setup");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;

@@ -1,4 +1,4 @@
-// What the documents name in backticks exists: functions, written `name()`, and files of the repository.
+// Tests that the functions, written `name()`, and the files that documents name in backticks exist.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The repository as the documents see it.
+/// The names that documents may refer to.
 struct Tree {
-  std::set<std::string> words;    // of all sources
+  std::set<std::string> words;    // all words of the sources
   std::set<std::string> kernels;  // names of the files under kernels/
 };
 
@@ -49,7 +49,7 @@ const Tree& tree() {
   return known;
 }
 
-/// What `text` names and the repository does not have, one line each.
+/// Returns one line for each name in `text` that does not exist in the repository.
 std::vector<std::string> gone(const std::string& text) {
   static const std::regex function(R"(`(?:\w+::)*(\w+)\(\)`)");
   static const std::regex placed(
@@ -70,7 +70,7 @@ std::vector<std::string> gone(const std::string& text) {
       faults.push_back(fmt::format("{}: the file has no such name", m.str()));
   });
   each(path, [&](const std::smatch& m) {
-    const std::string name = m[1].str();  // of a pattern, such as grass-*.toml, the folder is looked for
+    const std::string name = m[1].str();  // for a pattern such as grass-*.toml, only its folder must exist
     if (!fs::exists(root /
                     (name.find('*') == std::string::npos ? fs::path(name) : fs::path(name).parent_path())))
       faults.push_back(fmt::format("{}: no such file", m.str()));

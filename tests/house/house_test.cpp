@@ -1,4 +1,4 @@
-// The rules of the house, on the house itself and on planted violations of each.
+// Tests the repository against its own rules, and tests that planted violations of each rule are found.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,7 +19,8 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Sources and documents of the checkout, relative to its root; results/ and pictures are data.
+// Returns the sources and documents of the checkout, relative to its root. results/ and pictures are data and
+// are left out.
 std::vector<std::string> written_files() {
   const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
                                     ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};

@@ -1,5 +1,5 @@
-// .ci/lint in a checkout of its own, with a stub in place of clang-tidy: the order of the files, the time
-// limit, and what a finding does.
+// Tests .ci/lint in a temporary checkout, with a stub in place of clang-tidy: the order of the files, the
+// time limit, and the effect of a finding.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -40,7 +40,8 @@ class Lint : public ::testing::Test {
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder_ / file) << text;
   }
-  // Notes the file that it is given, then does `body`; one processor, so that the notes are in order.
+  // Installs a clang-tidy that records the name of its file and then runs `body`. nproc reports one
+  // processor, so that the records are in order.
   void clang_tidy(const std::string& body) const {
     write("bin/clang-tidy", fmt::format("#!/bin/sh\nfor file; do :; done\necho \"$file\" >>'{}'\n{}\n",
                                         notes().string(), body));
@@ -62,7 +63,7 @@ class Lint : public ::testing::Test {
     std::ifstream stream(folder_ / "output");
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  // The files that clang-tidy saw, in order.
+  // Returns the files that clang-tidy received, in order.
   std::vector<std::string> linted() const {
     std::ifstream stream(notes());
     return {std::istream_iterator<std::string>(stream), {}};
@@ -106,7 +107,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// Every file comes within a limited run's reach: the order of unchanged files moves on with every commit.
+// The order of unchanged files changes with every commit, so that runs with a time limit reach every file in
+// the end.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

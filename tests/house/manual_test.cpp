@@ -1,4 +1,4 @@
-// docs/pelage.1 names every command and option that --help shows, and no other.
+// Tests that docs/pelage.1 describes exactly the commands and options that --help shows.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 namespace {
 
-using Options = std::map<std::string, std::set<std::string>>;  // command -> its long options, --help apart
+using Options = std::map<std::string, std::set<std::string>>;  // command -> its long options, without --help
 
 std::set<std::string> long_options(const std::string& text) {
   static const std::regex option("(^|[\\s,\"])--([a-z][a-z-]*)");
@@ -50,7 +50,7 @@ Options from_help() {
   return options;
 }
 
-// Of a section's text, only what stands on the line after .TP names its options.
+// In a section of the page, the line after each .TP holds the names of an option.
 Options from_page(std::string page) {
   page = std::regex_replace(page, std::regex("\\\\f[A-Z]"), "");
   page = std::regex_replace(page, std::regex("\\\\-"), "-");

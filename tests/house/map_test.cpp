@@ -1,4 +1,4 @@
-// docs/code.md against the tree: its paths exist, and it names every folder of the code.
+// Tests that the paths in docs/code.md exist, and that it names every folder with code.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// What stands between backticks and is a path of this repository.
+/// Returns the paths of this repository that the document names in backticks.
 std::set<std::string> paths_of(const std::string& document) {
   static const std::regex quoted(
       "`((harness|kernels|shaders|tests|docs|experiments|examples|results)/[^`*]*)`");

@@ -1,5 +1,5 @@
-// A mapping, pipeline, solver, topology or model of shading is named in its own files, in one table and in at most two
-// further places.
+// Tests that each mapping, pipeline, solver, topology or model of shading is named in its own files, in one
+// table and in at most two further places.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -19,7 +19,8 @@ bool ends_with(const std::string& text, const std::string& suffix) {
          text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
-// The folder below `parent`: "harness/cl/device.hpp" under "harness" is "cl"; "harness/error.hpp" is "".
+// Returns the first folder below `parent`. With the parent "harness", "harness/cl/device.hpp" gives "cl", and
+// "harness/error.hpp" gives "".
 std::string room_of(const std::string& path, const std::string& parent) {
   if (!starts_with(path, parent + "/")) return {};
   const std::string rest = path.substr(parent.size() + 1);
@@ -27,9 +28,9 @@ std::string room_of(const std::string& path, const std::string& parent) {
   return slash == std::string::npos ? std::string{} : rest.substr(0, slash);
 }
 
-// The room of a header or source under harness/: the longest leading part of its folder that CMakeLists.txt
-// makes a library of, '_' for '/'; else the first folder. "harness/springs/model/network.hpp" is in
-// "springs_model".
+// Returns the room (library) of a file under harness/. It is the longest leading part of its folder from
+// which CMakeLists.txt makes a library, with '_' in place of '/', else the first folder.
+// "harness/springs/model/network.hpp" is in "springs_model".
 std::string harness_room_of(const std::string& path, const Links& links) {
   if (!starts_with(path, "harness/")) return {};
   std::string folder = path.substr(8);
@@ -55,7 +56,7 @@ std::vector<Line> lines_of(const std::string& text) {
   return lines;
 }
 
-// Why `path` must not include `what`; empty when it may.
+// Returns the reason why `path` must not include `what`, or an empty string if it may.
 std::string kernel_fault(const std::string& path, const std::string& what) {
   const std::string room = room_of(path, "kernels");
   const bool common = room_of("kernels/" + what, "kernels") == "common" && ends_with(what, ".clh");
@@ -145,7 +146,7 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 }
 
 Faults text_faults(const std::string& path, const std::string& text) {
-  // Put together here, so that this file does not hold them.
+  // The words are split, so that this file does not contain them.
   static const std::regex later(
       "\\b(TO"
       "DO|FIX"

@@ -1,4 +1,4 @@
-// The rules of the house as functions from a file's path and text to what is wrong with it.
+// The rules of the repository, as functions that find the faults in a file's path and text.
 #pragma once
 #include <map>
 #include <set>
@@ -7,18 +7,18 @@
 
 namespace pelage::house {
 
-using Faults = std::vector<std::string>;  ///< one line each, "path:line: what"
+using Faults = std::vector<std::string>;  ///< one line per fault, "path:line: what"
 
-/// room -> the rooms whose headers it may include: what its pelage_room() line in CMakeLists.txt links, and
-/// what those link publicly.
+/// For each room (a library of CMakeLists.txt), the rooms whose headers it may include: those that its
+/// pelage_room() line links, and those that these link publicly.
 using Links = std::map<std::string, std::set<std::string>>;
 Links room_links(const std::string& cmake_lists);
 
-/// Who may include what. `path` is relative to the repository, with '/'.
+/// Finds includes that the rules forbid. `path` is relative to the repository, with '/'.
 Faults include_faults(const std::string& path, const std::string& text, const Links& links);
 
-/// At most 400 lines; no note for later; no path of somebody's own machine; lines end in a newline, without
-/// trailing blanks or tabs.
+/// Finds files of more than 400 lines, notes for later work, paths of a private machine, a missing newline at
+/// the end, and blanks or tabs at the end of a line.
 Faults text_faults(const std::string& path, const std::string& text);
 
 }  // namespace pelage::house

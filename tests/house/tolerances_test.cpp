@@ -1,5 +1,5 @@
-// Numbers by which a result is accepted stand in harness/compare/tolerances.hpp, with their reasons, and
-// nowhere else.
+// Tests that harness/compare/tolerances.hpp contains all numbers by which a result is accepted, with their
+// reasons.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,10 +19,11 @@ bool starts_with(const std::string& text, const std::string& prefix) {
   return text.rfind(prefix, 0) == 0;
 }
 
-/// Lines of a source at `path` (relative to the repository) that write a tolerance of their own.
+/// Returns the lines of a source that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
   if (path == "harness/compare/tolerances.hpp") return {};
-  // A Check's limit. 0 is a count: no texel may differ. So is what double(...) is compared with.
+  // The limit of a Check. A limit of 0, or a limit for a double(...) value, belongs to a count, so it is no
+  // tolerance.
   static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
   static const std::regex constant(
       R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");
@@ -31,7 +32,7 @@ std::vector<std::string> written_tolerances(const std::string& path, std::istrea
       R"(EXPECT_L[TE]\(.*\b(rms|percentile_99|worst|p999)\b, *[0-9]|EXPECT_GE\(.*\bpsnr, *[0-9]|)"
       R"(EXPECT_L[TE]\((largest_difference|error)\b.*[0-9]e-[0-9] \* double\(fur_length\))");
   const bool harness = starts_with(path, "harness/"), tests = starts_with(path, "tests/");
-  bool accepts = false;  // whether the folder decides about results
+  bool accepts = false;  // true if the folder decides whether results are accepted
   for (const char* folder : {"compare", "commands", "subjects", "tuning", "springs/studies"})
     accepts = accepts || starts_with(path, fmt::format("harness/{}/", folder));
   std::vector<std::string> found;

@@ -1,5 +1,5 @@
-// Every kernel of the project on tiny inputs under oclgrind, which checks every access to memory, every value
-// that nobody wrote, and every two work-items that meet without a barrier.
+// Runs every kernel of the project on tiny inputs under oclgrind. oclgrind reports invalid memory accesses,
+// uses of uninitialized values, and data races between work-items.
 #include <CL/cl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -33,16 +33,16 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
   return found;
 }
 
-/// The tests' last words, which say how they ended; what --inst-counts prints before them is thousands of
-/// lines.
+/// Returns the end of the tests' output, which shows their result. --inst-counts prints thousands of lines
+/// before it.
 std::string last_words(const std::string& printed) {
   return printed.substr(printed.size() - std::min<std::size_t>(printed.size(), 1000));
 }
 
-/// Without optimization: oclgrind's compiler leaves calls of llvm.experimental.noalias.scope.decl where it
-/// inlines, and its interpreter does not know them. One thread: --inst-counts of 21.10 is not safe on two
-/// (its heap was found corrupt in 17 of 42 runs of Group, in none of 12 on one thread and of 10 without the
-/// counts).
+/// Kernels are built without optimization: with it, oclgrind's compiler emits
+/// llvm.experimental.noalias.scope.decl, which its interpreter does not support. oclgrind runs on one thread,
+/// because --inst-counts of version 21.10 is not safe on two. (Its heap was corrupt in 17 of 42 runs of
+/// Group. It was intact in 12 runs on one thread and in 10 runs without the counts.)
 Findings findings(const std::string& tests, const std::string& checks, const std::string& environment = "") {
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);
@@ -55,7 +55,7 @@ cl::Device device() {
   return cl::choose_device("");
 }
 
-/// A torus of 96 triangles with everything that a scene can do, 16 x 12 pixels.
+/// A torus of 96 triangles with all features of a scene, 16 x 12 pixels.
 std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::string& solver, int substeps) {
   Scene scene = synthetic::lively_scene();
   scene.shading.model = substeps > 1 ? "curling" : "wet";
@@ -68,7 +68,7 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   scene.dynamics.topology = topology;
   scene.dynamics.solver = solver;
   if (topology != "silva") scene.dynamics.drag = .004f;
-  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // a single Euler step is not prism_euler_whole's
+  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // prism_euler_whole needs two substeps
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
@@ -85,7 +85,7 @@ void draw(const std::shared_ptr<const FrameInput>& input, const std::string& map
   }
 }
 
-// Run under oclgrind only: elsewhere other tests draw.
+// These tests run under oclgrind only. Other tests draw pictures without it.
 TEST(DISABLED_Tiny, Names) {
   for (const auto& entry : fs::recursive_directory_iterator(cl::kernel_folder())) {
     if (entry.path().extension() != ".cl") continue;
@@ -125,7 +125,7 @@ TEST(DISABLED_Tiny, Topologies) {
       shells.frame();
     }
 }
-// So small a model is one work-item's: here it is cut.
+// A model of this size normally uses one launch of one work-item. Here every part of a step is a launch.
 TEST(DISABLED_Tiny, PrismsInManyLaunches) {
   const cl::Queue queue(device());
   const springs::SpringNetwork topology = springs::topology_of(*tiny("prisms", "rk4", 1));
@@ -169,7 +169,7 @@ TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
 }
 
 TEST_F(Oclgrind, HasNothingToSayOfSixteenLanes) {
-  // Without --uninitialized: oclgrind 21.10 itself crashes on shuffles that change a vector's length.
+  // --uninitialized is omitted: oclgrind 21.10 crashes with it on shuffles that change a vector's length.
   const Findings found = findings("DISABLED_Tiny.Tile", "--data-races", "PELAGE_LANES=16");
   EXPECT_EQ(found.log, "");
   EXPECT_TRUE(found.ran.contains("tile_shells"));

@@ -1,4 +1,5 @@
-// Pictures on disk are the pictures in memory, as far as the format holds them, and whole or absent.
+// Tests that written pictures are read back within the precision of the format, and that files are complete
+// or absent.
 #include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ Picture gradient(int width, int height) {
 
 TEST_F(ImageIo, FloatFormatsKeepEveryBit) {
   Picture picture = gradient(37, 23);
-  picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // neither clamped nor premultiplied
+  picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // values must be neither clamped nor premultiplied
   for (const char* name : {"a.exr", "a.tif", "a.TIFF"}) {
     write_picture(folder / name, picture);
     const Picture again = read_picture(folder / name);
@@ -71,8 +72,8 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
   EXPECT_EQ(again.at(1, 1), glm::vec4(1, 0, 128.0f / 255.0f, 1));
 }
 
-// What viewers go by: 8-bit RGB, not interlaced, sRGB with the gamma and primaries of it for those that do
-// not know it.
+// Viewers rely on these chunks: 8-bit RGB, not interlaced, sRGB, and for viewers that do not know sRGB its
+// gamma and primaries.
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
   write_picture(folder / "a.png", gradient(3, 2));
@@ -113,7 +114,7 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
 }
 
 TEST_F(ImageIo, AFullDiskIsNamed) {
-  // Beyond the limit a write fails as on a full disk, once the signal is ignored.
+  // With SIGXFSZ ignored, a write beyond this limit fails like a write to a full disk.
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{64, before.rlim_max};
@@ -141,7 +142,8 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
       const fs::path cut = folder / (std::string("cut") + name);
       std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
       try {
-        // What the format holds behind the pixels may be lost unseen; a pixel may not.
+        // A cut that loses only data after the pixels may pass without an error. A cut that loses pixels may
+        // not.
         EXPECT_EQ(read_picture(cut).pixel, read_picture(folder / name).pixel) << name << " cut at " << size;
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();

@@ -1,4 +1,4 @@
-// Tests of this very binary run again by another OpenCL compiler: a child with another environment.
+// Runs tests of this binary again with another OpenCL compiler, in a child process with another environment.
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -18,20 +18,20 @@
 
 namespace pelage::portability {
 
-/// A compiler of kernels: the platform it belongs to and what a child's environment says to get it.
+/// A compiler of kernels, given by its platform and by the environment that selects it in a child process.
 struct Place {
   std::string name, platform, environment;
-  std::vector<std::string> mappings;  ///< that it can draw with (docs/devices.md)
-  bool slow;                          ///< compiling takes it minutes
+  std::vector<std::string> mappings;  ///< mappings that work with it (docs/devices.md)
+  bool slow;                          ///< true: compiling takes minutes
 };
 
 inline void PrintTo(const Place& place, std::ostream* out) {
   *out << place.name;
 }
 
-/// PoCL's ways of making a work-group of work-items besides its default, loops over them with LLVM's
-/// vectorizer, which all other tests run with: loops without it, and a copy of the kernel per work-item, for
-/// which groups must be small (docs/devices.md).
+/// The compilers. PoCL has several methods of building a work-group from work-items. All other tests use its
+/// default, loops over the work-items with LLVM's vectorizer. This list adds loops without the vectorizer,
+/// and one copy of the kernel per work-item, which needs small work-groups (docs/devices.md).
 inline const std::vector<Place>& places() {
   static const std::string pocl = "Portable Computing Language";
   static const std::vector<Place> all{
@@ -42,7 +42,7 @@ inline const std::vector<Place>& places() {
   return all;
 }
 
-/// Why nothing can be run there now; empty where it can.
+/// Returns the reason why this compiler cannot be tested now, or an empty string.
 inline std::string obstacle(const Place& place, bool slow) {
   const auto platforms = cl::platforms();
   if (std::none_of(platforms.begin(), platforms.end(),
@@ -54,7 +54,7 @@ inline std::string obstacle(const Place& place, bool slow) {
   return {};
 }
 
-/// A folder for what the child leaves, gone with the object.
+/// A temporary folder for the files of a child process, deleted at the end of the object's life.
 class Elsewhere {
  public:
   Elsewhere() {
@@ -69,8 +69,8 @@ class Elsewhere {
   Elsewhere(const Elsewhere&) = delete;
   Elsewhere& operator=(const Elsewhere&) = delete;
 
-  /// Runs the disabled test of that name at that place for at most `seconds`; empty when it passed, else how
-  /// it ended and what it said last.
+  /// Runs the disabled test `test` with the compiler `place` for at most `seconds`. Returns an empty string
+  /// if it passed, else its exit status and the end of its output.
   std::string run(const Place& place, const std::string& test, int seconds,
                   const std::string& variables = "") const {
     const std::string said = (folder_ / "said").string();
@@ -82,7 +82,7 @@ class Elsewhere {
     const int status = std::system(command.c_str());
     std::ifstream stream(said);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    // PoCL then takes its default.
+    // PoCL has then used its default method.
     if (text.find("Unknown work group generation method") != std::string::npos)
       return "PoCL knows no such method";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
@@ -106,7 +106,7 @@ class Elsewhere {
   std::filesystem::path folder_;
 };
 
-/// By the child, for Elsewhere::read().
+/// Called by the child process. Writes values for Elsewhere::read().
 template <class T>
 void leave(const std::string& name, const std::vector<T>& values) {
   const char* folder = std::getenv("PELAGE_TEST_FOLDER");

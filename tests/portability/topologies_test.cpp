@@ -1,4 +1,5 @@
-// Every topology by every solver on every compiler of kernels: the double-precision reference's motion.
+// Moves every topology with every solver and every compiler of kernels. The motion must agree with the
+// double-precision reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +24,7 @@ std::string file_of(Kind kind, Solver solver) {
   return std::string(name(kind)) + "-" + std::string(name(solver));
 }
 
-// By a child of the tests below.
+// The tests below run this one in a child process.
 TEST(DISABLED_Elsewhere, Topologies) {
   const char* wanted = std::getenv("PELAGE_TEST_KIND");
   ASSERT_NE(wanted, nullptr);
@@ -40,7 +41,7 @@ struct Topologies : testing::TestWithParam<std::tuple<Place, Kind>> {};
 
 TEST_P(Topologies, MoveAsTheReferenceDoes) {
   const auto& [place, kind] = GetParam();
-  // Sticks are few lines.
+  // Kernels of sticks are short, so even slow compilers take little time.
   const std::string why = obstacle(place, place.slow && kind != Kind::sticks);
   if (!why.empty()) GTEST_SKIP() << why;
   const Elsewhere elsewhere;

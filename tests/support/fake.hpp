@@ -1,4 +1,5 @@
-// A subject without a device, and cases for it: what the harness promises must hold whatever is timed.
+// A subject that needs no device, and cases for it. They test promises of the harness that hold for every
+// subject.
 #pragma once
 #include <unistd.h>
 
@@ -10,7 +11,7 @@
 
 namespace pelage::test {
 
-/// A folder of its own under the temporary ones, gone at the end.
+/// A temporary folder, deleted at the end of the object's life.
 struct Folder {
   std::filesystem::path path;
   Folder() {
@@ -52,7 +53,7 @@ inline Row sample_row(const std::string& name) {
   return row;
 }
 
-/// Draws a grey square; its times count up from `first_ms`.
+/// Draws a grey square. Its times increase from `first_ms` by 0.001 ms per frame.
 class FakeSubject : public Subject {
  public:
   explicit FakeSubject(double first_ms, double psnr = 80) : next_ms_(first_ms), psnr_(psnr) {}

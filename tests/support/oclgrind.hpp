@@ -1,4 +1,4 @@
-// Tests of this very binary, run again under oclgrind.
+// Runs tests of this binary again under oclgrind.
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,13 +13,13 @@
 namespace pelage {
 
 struct UnderOclgrind {
-  int status = 0;       ///< of the tests
-  std::string log;      ///< what oclgrind has to say; it exits 0 whatever that is
-  std::string printed;  ///< by the tests and, with --inst-counts, by oclgrind
+  int status = 0;       ///< exit status of the tests
+  std::string log;      ///< oclgrind's messages; its own exit status is always 0
+  std::string printed;  ///< output of the tests and, with --inst-counts, of oclgrind
 };
 
-/// The tests of this binary that match `filter`, disabled ones too. checks: oclgrind's options beside
-/// --check-api; environment: "NAME=value" before the command, or nothing.
+/// Runs the tests of this binary that match `filter`, including disabled ones. checks: oclgrind's options
+/// after --check-api. environment: "NAME=value" before the command, or nothing.
 inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string& checks,
                                     const std::string& environment = "") {
   namespace fs = std::filesystem;

@@ -1,6 +1,7 @@
-// kernels/dialect.clh's words for C++: one lane, in double. A test includes this and then, inside namespace
-// pelage::in_double, the .clh files it wants; the device's own text is then checked without a device. Include
-// the kernel files once per translation unit, and kernels/ must be on the include path.
+// Defines the names of kernels/dialect.clh for C++, with one lane in double precision. A test includes this
+// file and then, inside namespace pelage::in_double, the .clh files that it tests. It thus tests the device's
+// own source without a device. Kernel files are included once per translation unit, and kernels/ must be on
+// the include path.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -46,7 +46,7 @@ StrandSet strands(const Scene& scene, const Mesh& mesh) {
   return set;
 }
 
-/// Area-weighted normals of the surface points.
+/// Returns the area-weighted normals of the surface points.
 std::vector<glm::vec3> normals(const Mesh& mesh) {
   std::vector<glm::dvec3> sum(mesh.welded, glm::dvec3(0.0));
   for (const glm::uvec3& t : mesh.triangle) {
@@ -59,7 +59,8 @@ std::vector<glm::vec3> normals(const Mesh& mesh) {
   return unit;
 }
 
-/// Upright cones on a jittered grid, wrapped; shade per cone. Coverage falls off over one texel.
+/// Returns a fur texture of upright cones on a jittered, repeating grid, with one shade per cone. Coverage
+/// decreases to 0 over one texel.
 FurTexture cones(int size, int layers) {
   FurTexture fur{size, layers, {}};
   const int cells = std::max(2, size / 6);
@@ -160,7 +161,7 @@ Mesh grid(const Surface& surface, int nu, int nv) {
       mesh.triangle.emplace_back(a, b, c);
       mesh.triangle.emplace_back(a, c, d);
     }
-  // Welded copies must agree to the bit.
+  // Copies of one surface point must be equal to the bit.
   for (std::size_t v = 0; v < mesh.weld.size(); ++v)
     for (std::size_t w = 0; w < v; ++w)
       if (mesh.weld[w] == mesh.weld[v]) {
@@ -202,7 +203,8 @@ FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int
   input.curl.u.resize(mesh.welded);
   input.curl.v.resize(mesh.welded);
   input.curl.mask_uv.resize(mesh.welded);
-  for (std::size_t i = mesh.position.size(); i-- > 0;) {  // backwards: the first copy has the last word
+  // The loop runs backwards, so that the values of a point's first copy remain.
+  for (std::size_t i = mesh.position.size(); i-- > 0;) {
     const glm::dvec2 uv(mesh.uv[i]);
     const glm::dvec3 t = derivative(surface, uv.x, uv.y, 1, 0), b = derivative(surface, uv.x, uv.y, 0, 1);
     const glm::dvec3 u = glm::normalize(t), n = glm::normalize(glm::cross(t, b));

@@ -1,4 +1,4 @@
-// Frame inputs made of formulas: no mesh file, no preparation stage between a test and what it tests.
+// Frame inputs computed by formulas. Tests need no mesh file and no preparation stage.
 #pragma once
 #include <functional>
 #include <glm/vec2.hpp>
@@ -8,33 +8,34 @@
 
 namespace pelage::synthetic {
 
-/// A surface over the unit square; u x v turns outwards.
+/// A surface over the unit square of UV. The cross product of its derivatives by u and v points outwards.
 struct Surface {
   std::function<glm::dvec3(double u, double v)> point;
-  bool periodic = false;  ///< both ways: the borders are welded
+  bool periodic = false;  ///< in u and v: opposite borders are welded
 };
 
-/// A square of side `side` in the plane z = 0, facing +z, u along x and v along y.
+/// A square of side `side` in the plane z = 0, facing +z, with u along x and v along y.
 Surface square(double side);
-/// Radii chosen so that the bounding sphere has radius 1; u around the axis (y), v around the tube.
+/// A torus whose bounding sphere has radius 1; u runs around its axis (y), v around its tube.
 Surface torus();
 
-/// A quad grid of nu x nv cells over the surface, two triangles each, one copy of every border vertex.
+/// A grid of nu x nv quads over the surface, two triangles per quad. A periodic surface has copies of the
+/// vertices on its borders.
 Mesh grid(const Surface& surface, int nu, int nv);
 
-/// Everything else, from the scene: strands (combed by scene.fur.comb), curl frame, tangents, a fur of
-/// upright cones with mips, a coat of smooth noise, `droplets` random droplets, mask surface, fur scale and
-/// the camera. What the scene says about recipes (strands per slice, coat pattern, random droplets) is not
-/// read.
+/// Returns the input of a frame of `scene` on the grid: strands (combed by scene.fur.comb), curl frame,
+/// tangents, a fur texture of upright cones with mips, a coat of smooth noise, `droplets` random droplets,
+/// mask surface, fur scale and the camera. The scene's keys for strands per slice, coat pattern and random
+/// droplets have no effect.
 FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int droplets);
 
-/// A scene of 16 layers and 160 x 100 pixels in which everything happens: combed, curly, wet, windy fur.
+/// A scene of 16 layers and 160 x 100 pixels with combed, curly, wet and windy fur.
 Scene lively_scene();
 
-/// The camera of a scene that is not framed.
+/// Returns the camera of a scene whose key `framed` is false.
 Camera camera(const CameraScene& scene, int width, int height);
 
-/// A repeatable number in [0, 1) for three whole numbers.
+/// Returns a number in [0, 1) that depends only on the three arguments.
 double noise(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
 }  // namespace pelage::synthetic

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with a margin
 
-/// Returns the first line of OpenImageIO's message, which repeats itself for every scanline.
+/// Returns the first line of OpenImageIO's message. The message repeats this line for every scanline.
 std::string one_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   return line.empty() ? "no reason given" : line;
@@ -56,7 +56,8 @@ Picture read(const fs::path& file, const std::string& kind) {
         fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
                     file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
-  // The header of a small file must not request gigabytes: deflate, the densest of these codecs, reaches 1 to
+  // The header of a small file must not make the reader allocate gigabytes. The strongest compression of
+  // these codecs is that of deflate, 1032 to 1.
   // 1032.
   std::error_code error;
   if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {

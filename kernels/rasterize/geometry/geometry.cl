@@ -1,11 +1,11 @@
-// Vertex work of a frame: the strands' tips to the vertices, every layer's vertices to the screen, the boxes of each
-// group of layers for the binning. One work-item per LANES vertices. The binning and the triangles' reach are parts of the
-// same program: PoCL preprocesses each program for 25 ms before it looks in its cache.
+// Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of all layers, and the
+// boxes of each layer batch for binning. A work-item computes LANES vertices. Binning and the triangles' reach belong
+// to the same program, because PoCL preprocesses each program for 25 ms before it searches its cache.
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
 
-// 1 - rho at each vertex, once per mask. mask_uv: u, then v, in columns.
+// Computes 1 - rho at each vertex, once per mask. mask_uv: a column of u, then a column of v.
 __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
@@ -13,8 +13,9 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
   store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
 }
 
-// B = sum weight q over the vertex's strands. Rows are padded per block of LANES: entry e of lane i of a block stands
-// at (slice[block] + e) LANES + i, weight 0 beyond a row's end. tips: columns q_x, q_y, q_z of `strand_stride`.
+// Computes B = sum weight q over the strands of each vertex. Rows are padded per block of LANES vertices: entry e of
+// lane i of a block is at (slice[block] + e) LANES + i. Entries beyond the end of a row have weight 0. tips: columns
+// q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
@@ -41,8 +42,9 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   return c;
 }
 
-// The box of pixels whose centres LANES vertices bound in some layers, from the image's corner.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: the greatest 1/w
+// For each of LANES vertices, the box of its positions in some layers, in pixels from the image's top left corner. left
+// and top are rounded up, right and bottom down.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w
 
 static inline Bounds nothing(void) {
   Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
@@ -54,7 +56,7 @@ static inline Bounds both(Bounds a, Bounds b) {
   return c;
 }
 
-// A vertex that needs clipping may lie anywhere.
+// A vertex that needs clipping may be anywhere, so its box is unlimited.
 static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   truth clipped = v.iw == REAL(0.0f);
   whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);
@@ -67,16 +69,16 @@ static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   return b;
 }
 
-// As box_of() in boxes.clh reads them.
+// Writes bounds in the format that box_of() in boxes.clh reads.
 static inline void store_bounds(Bounds b, __global float *box, int block) {
   real4 row = {bits_as_real((b.left & 0xffff) | (b.top << 16)), bits_as_real((b.right & 0xffff) | (b.bottom << 16)), b.most,
                REAL(0.0f)};
   store_rows(row, box, block);
 }
 
-// The vertices of the base and of a pass's layers: rows of screen x, y (1/256 pixel from the image centre, integers' bits)
-// and 1/w from screen_row(n) on; for each group of layers, and last for all of them together, the vertices' bounds at
-// [(group vertices + i) 4]. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
+// Computes the vertices of the base and of the pass's layers. screen: from screen_row(n) on, rows of x and y (1/256
+// pixel from the image centre, bits of integers) and 1/w. box: rows of bounds at [(g vertices + i) 4] for each layer
+// batch g, and last for all batches together. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box) {
   int block = (int)get_global_id(0);
@@ -99,7 +101,7 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
   store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
 }
 
-// One attribute record per vertex for the fragments: u, v, A, B.
+// Writes the attribute record of each vertex: u, v, A, B.
 __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;
@@ -113,7 +115,8 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
   }
 }
 
-// The curl's frame at each vertex, as far as it is dry: (1 - rho) u and (1 - rho) v, R.
+// Writes the curl's frame at each vertex times its dryness: (1 - rho) u and (1 - rho) v, where u and v are unit
+// vectors.
 __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;

@@ -1,8 +1,9 @@
-// The tips of a mass-spring topology's sticks to the vertices: docs/frame.md, 3. One work-item per LANES vertices.
+// Copies the tips of a topology's sticks to the vertices (docs/frame.md, section 3). A work-item computes LANES
+// vertices.
 #include "rasterize/geometry/transform.clh"
 
-// stick: for each vertex where its stick's q_x lies in `offset`, q_y and q_z 16 and 32 further (slices of sixteen sticks).
-// level: 1 for the tangential form of Eq. 4.
+// stick: for each vertex the index in `offset` of its stick's q_x. q_y and q_z are 16 and 32 entries further (slices of
+// sixteen sticks). level: 1 for the tangential form of B Eq. 4.
 __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(float) offset, TABLE(float) vertex,
                          __global float *tip) {
   int block = (int)get_global_id(0);
@@ -10,7 +11,8 @@ __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(floa
   whole i = load_whole(stick, block);
   real3 a = column3(vertex, ROOT_X, s.vertices, block);
   real3 q = vec3(gather(offset, i), gather(offset + 16, i), gather(offset + 32, i));
-  // A mass that flew apart, which the host finds out after the frame: until then it must not lead astray what bins by it.
+  // Diverged masses are replaced by their rest position, so that binning stays bounded. The host detects them after the
+  // frame.
   truth sound = dot3(q, q) < REAL(1e30f);
   real3 b = stick_tip(choose3(sound, q, a), a);
   if (level) b = level_tip(b, a);

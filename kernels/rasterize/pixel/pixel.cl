@@ -1,19 +1,20 @@
-// The pixel mapping: a work-item per pixel walks its tile's list for every layer and shades each fragment as it comes.
-// It is the plain form of the same equations on one lane, against which the other mappings are compared on every device.
+// The pixel mapping: a work-item per pixel reads the list of its tile for every layer and shades each fragment
+// immediately. It is the simplest form of the same equations, on one lane. On every device the other mappings are
+// compared with it.
 //
-//   triangles_at       a triangle's vertices in the layer              coverage/fan.clh
-//   triangle_hit       is the pixel covered; where on the triangle     below, coverage/
-//   surface_at         attributes there                                shading/one_pixel.clh
-//   fur_fragment       clump and fur texture                           shading/fragment.clh
-//   fur_colour         light                                           shading/fragment.clh
-//   over_base          base surface or background                      shading/one_pixel.clh
+//   triangles_at reads a triangle's vertices in the layer (coverage/fan.clh).
+//   triangle_hit tests coverage and locates the pixel on the triangle (below, coverage/).
+//   surface_at interpolates the attributes there (shading/one_pixel.clh).
+//   fur_fragment computes clump and fur texture (shading/fragment.clh).
+//   fur_colour computes light (shading/fragment.clh).
+//   over_base adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
 #include "rasterize/shading/one_pixel.clh"
 
 typedef struct { bool covered; Perspective at; } Hit;
 
-// The centre of the pixel at the origin of the setup's coordinates.
+// Evaluates a triangle at the pixel whose centre is the origin of the setup's coordinates.
 static Hit hit_at(Setup t) {
   Hit h;
   h.covered = t.live && t.edge[0].at >= 0 && t.edge[1].at >= 0 && t.edge[2].at >= 0;
@@ -26,7 +27,7 @@ static Hit hit_at(Setup t) {
   return h;
 }
 
-// A triangle of layer n at the pixel whose centre is the origin, clipped where it must be.
+// Evaluates a triangle of layer n at the pixel whose centre is the origin, after clipping it if necessary.
 static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
   Triangles b = triangles_at(s, m, n, gather_rows(m.corners, triangle), origin_x, origin_y);
   for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];
@@ -50,7 +51,7 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
 #ifdef TALLY
-  // One pixel in TALLY, spread at random.
+  // Only a random sample of the pixels is drawn, one in TALLY.
   uint pick = (uint)i * 0x9e3779b1u ^ (uint)j * 0x85ebca77u;
   pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
   if ((pick ^ pick >> 12) % TALLY != 0) return;
@@ -68,7 +69,7 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
     Hit h = triangle_hit(&s, of.geometry, base, -1, list[k], origin_x, origin_y, vertices);
     if (!h.covered || h.at.iw <= nearest.at.iw) continue;
-    // Not nearest = h: rusticl (Mesa 22.3) also copies a struct on the lanes that took the other branch.
+    // `nearest = h` would fail: rusticl (Mesa 22.3) also copies a struct in the lanes that took the other branch.
     nearest.covered = true;
     nearest.at.iw = h.at.iw;
     nearest.at.w = h.at.w;

@@ -1,16 +1,17 @@
-// The tile mapping, the fast form on CPUs: a work-item owns a tile, sets LANES triangles up at once, lists them at the blocks
-// of 4 x 4 pixels that they cover, and shades LANES neighbouring pixels at once. Layers run from the tips down and triangles
-// backwards, and composite front to back: layers write no depth, so 'under' in reverse order is the paper's 'over', and a
-// pixel stops when nothing more can be seen. The stages, in the order in which a tile runs them:
+// The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, lists them at
+// the blocks of 4 x 4 pixels that they cover, and shades LANES neighbouring pixels at once. Layers are drawn from the
+// outermost to the innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers
+// write no depth, so 'under' in reverse order equals the paper's 'over'. A pixel is complete when its transmittance is
+// at most OPAQUE. These are the stages in the order in which a tile runs them:
 //
-//   draw_layer         set up the triangles of a layer                 below, coverage/
-//   keep, cover_pixels list the triangles at the blocks they cover     fragments.clh
-//   find_next          which triangle each pixel is shaded with next   lists.clh
-//   points_at          where on the triangle the pixels are            points.clh, coverage/perspective.clh
-//   shade, flush       attributes, clump, fur, light, blending         blocks.clh, shading/
-//   find_hidden        what the base hides, once it is drawn           hidden.clh
-//   may_be_seen        the triangles that a batch of layers draws      hidden.clh
-//   resolve            base surface or background                      blocks.clh
+//   draw_layer sets up the triangles of a layer (below, coverage/).
+//   keep and cover_pixels list the triangles at the blocks that they cover (fragments.clh).
+//   find_next selects the next triangle of each pixel (lists.clh).
+//   points_at locates the pixels on their triangles (points.clh, coverage/perspective.clh).
+//   shade and flush compute attributes, clump, fur and light, and blend (blocks.clh, shading/).
+//   find_hidden finds the depths that the base hides, after the base is drawn (hidden.clh).
+//   may_be_seen selects the triangles of a layer batch that may be visible (hidden.clh).
+//   resolve adds the base surface or the background (blocks.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/cells.clh"
 #include "rasterize/coverage/perspective.clh"
@@ -22,15 +23,15 @@
 #include "rasterize/tile/blocks.clh"
 #include "rasterize/tile/hidden.clh"
 
-// The fan of the polygon that clipping leaves of a triangle, piece by piece; nothing may be waiting. Returns the number of
-// covered fragments.
+// Draws the triangles of the polygon that remains of a clipped triangle, one by one. The lists of the blocks must be
+// empty. Returns the number of covered fragments.
 static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   Cut polygon[POLYGON];
   int corners = clipped_triangle(pass->s, m, pass->layer, v0, v1, v2, polygon);
   int covered = 0;
   for (int i = 1; i + 1 < corners; ++i) {
-    // One piece on all lanes: rare enough that the others may idle.
+    // All lanes set up the same piece. Clipping is rare, so its speed does not matter.
     Triangles b;
     int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
@@ -52,7 +53,8 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
   return covered;
 }
 
-// A batch with triangles that need clipping, rare: triangle by triangle, so that the order holds.
+// Draws a batch in which some triangles need clipping, which is rare. It draws one triangle at a time to keep the
+// order.
 static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);
   truth outside = needs_clip(b);
@@ -87,11 +89,11 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
   }
 }
 
-// The pass's layer of `entries` triangles. Returns the number of covered fragments.
+// Draws `entries` triangles of the pass's layer. Returns the number of covered fragments.
 static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
-  real4 next_corners;                    // where they have been fetched ahead
+  real4 next_corners;                    // corner rows of the next batch, if fetched ahead
   bool fetched = false;
   for (int done = 0; done < entries; done += LANES) {
     int begin = n < 0 ? done : (entries - 1) / LANES * LANES - done;
@@ -117,13 +119,13 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
     if (covering == 0) continue;
     int slot = d->used;
     d->used += LANES;
-    // Those that cover something, in drawing order.
+    // Lists the triangles that may cover a pixel, in drawing order.
     while (covering != 0) {
       int lane = n < 0 ? first_lane(covering) : last_lane(covering);
       covering ^= 1u << lane;
       if (d->most == ENTRIES) {
         flush(pass, 0, d, tile);
-        d->used = slot + LANES;   // the rest of this batch still stands in its slots
+        d->used = slot + LANES;   // the rest of this batch is still in its slots
       }
       covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
     }
@@ -139,7 +141,7 @@ static bool anything_seen_through(const Tile *tile) {
   return seen;
 }
 
-// What the pixels gathered in the passes before, between passes: colour and transmittance in the image.
+// Reads the colour and transmittance that the previous passes accumulated. Between passes the image holds them.
 static void resume(const RasterParams *s, const Place *place, Tile *tile, __global const float4 *image) {
   for (int j = 0; j < place->height; ++j)
     for (int i = 0; i < place->width; ++i) {
@@ -161,7 +163,8 @@ static void suspend(const RasterParams *s, const Place *place, const Tile *tile,
     }
 }
 
-// The base, then the pass's layers from the outermost one. Returns the fragments of these, when counting.
+// Draws the base, then the pass's layers from the outermost one. Returns the number of covered fragments of the layers
+// if COUNT_FRAGMENTS is defined.
 static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
                       __global float4 *image) {
   const RasterParams *s = pass->s;
@@ -218,8 +221,9 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   return fragments;
 }
 
-// shown: room for four times the lists, and 4 LANES more per tile. next: the number of the next tile that no work-item has
-// taken, 0 at first. Work-items take tiles one by one, so none is left with all the tiles that hold much fur.
+// shown: room for four times the entries of all lists, and 4 LANES more per tile. next: number of the next tile that no
+// work-item has taken, 0 at first. Each work-item takes one tile at a time, so that tiles with much fur are shared
+// among the work-items.
 __kernel void tile_shells(RasterParams s, RASTER_BUFFERS, __global int *shown, __global int *next) {
   RasterBuffers of = RASTER_RECORD;
   Geometry m = of.geometry;

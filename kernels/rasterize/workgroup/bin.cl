@@ -1,19 +1,19 @@
-// Bins of the workgroup mapping: which triangles may touch which tile of TILE_W x TILE_H pixels, per batch of layers
-// and in the mesh's order. Each triangle counts its tiles, a prefix sum says where its entries go, it writes them as pairs
-// of list and triangle, and a stable sort (common/radix_sort.cl) brings the lists together. 5 or 5 million triangles: nothing is
-// sized in advance.
+// Bins of the workgroup mapping: lists of the triangles that may touch each tile of TILE_W x TILE_H pixels, per layer
+// batch and in the mesh's order. Each triangle counts its tiles. A prefix sum gives the positions of its entries, which
+// are written as pairs of list and triangle. A stable sort (common/radix_sort.cl) groups the pairs by list. No capacity
+// is fixed in advance, so the number of triangles is not limited.
 #include "rasterize/geometry/boxes.clh"
 
 typedef struct { int left, top, right, bottom; } Span;
 
-// The tiles that triangle t may touch in group g; right < left when it covers no pixel centre there.
+// Returns the tiles that triangle t may touch in batch g; right < left if it covers no pixel centre there.
 static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) box, int g, int t) {
   Box b = box_of(s, load_rows(corners, t), box, g);
   Span tiles = {b.left / TILE_W, b.top / TILE_H, b.live ? b.right / TILE_W : -1, b.live ? b.bottom / TILE_H : -1};
   return tiles;
 }
 
-// count: [g triangles + t].
+// Counts the tiles of each triangle in each layer batch. count: [g triangles + t].
 __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
   int i = (int)get_global_id(0);
   if (i >= s.layer_batches * s.triangles) return;
@@ -21,7 +21,8 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
 
-// start: the counts' prefix sum. key: the list, g tiles + tile. triangle: in whose list.
+// Writes the pairs. start: prefix sums of the counts. key: the pair's list, g tiles + tile. triangle: the pair's
+// triangle.
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);
@@ -35,7 +36,7 @@ __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box,
     }
 }
 
-// Where each list begins among `count` sorted keys; the last entry is the end.
+// Finds the start of each list among `count` sorted keys. The last entry is the end of the last list.
 __kernel void group_starts(RasterParams s, int count, TABLE(int) key, __global int *list_start) {
   int i = (int)get_global_id(0);
   if (i > count) return;

@@ -1,39 +1,40 @@
-// The workgroup mapping, for GPUs: a work-group owns a tile, a work-item a pixel. Triangles come in batches: each work-item
-// sets one up and finds the pixels that it covers as bits of a word; triangles that cover no pixel drop out; then each pixel
-// draws those that cover it. Layers run from the tips down and triangles backwards, and composite front to back: layers
-// write no depth, so 'under' in reverse order is the paper's 'over'.
+// The workgroup mapping, for GPUs: a work-group draws a tile, a work-item draws a pixel. Triangles come in batches.
+// Each work-item sets up one triangle and finds the pixels that it covers, as bits of a word. Triangles without pixels
+// are dropped. Then each work-item draws the triangles that cover its pixel. Layers are drawn from the outermost to the
+// innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers write no depth, so
+// 'under' in reverse order equals the paper's 'over'.
 //
-//   put_triangle       set up one triangle, its pixels as bits         batch.clh, coverage/
-//   draw_clipped       the triangles that cross the near plane         below, coverage/fan.clh
-//   perspective_in     where on the triangle the pixel is              batch.clh, coverage/perspective.clh
-//   draw               base: keep the nearest; layers: shade, blend    below
-//   blend_under        clump, fur texture, light, blending             shading/one_pixel.clh
-//   over_base          base surface or background                      shading/one_pixel.clh
+//   put_triangle sets up one triangle and the mask of its pixels (batch.clh, coverage/).
+//   draw_clipped draws a triangle that needs clipping (below, coverage/fan.clh).
+//   perspective_in locates the pixel on the triangle (batch.clh, coverage/perspective.clh).
+//   draw keeps the nearest triangle of the base, or shades and blends a layer (below).
+//   blend_under computes clump, fur texture and light, and blends (shading/one_pixel.clh).
+//   over_base adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
 #include "rasterize/shading/one_pixel.clh"
 #include "rasterize/workgroup/batch.clh"
 
-// What a layer's triangles are drawn with.
+// The parameters with which the triangles of a layer are drawn.
 typedef struct {
   const RasterParams *s;
   Attributes from;
   Textures textures;
-  int n;                                     // -1: the base
+  int n;                                     // number of the layer, -1 for the base
   Layer layer;
 } Pass;
 
 typedef struct {
-  int x, y;                                  // in the tile
-  float from_centre_x, from_centre_y;        // of the image, pixels
-  float depth;                               // 1/w of the base, 0 where there is none
+  int x, y;                                  // position in the tile
+  float from_centre_x, from_centre_y;        // pixels from the image centre
+  float depth;                               // 1/w of the base, 0 where the base is absent
   Perspective base;
-  int vertex[3];                             // of the base
-  float4 front;                              // colour gathered, and the transmittance of what it was gathered from
-  uint fragments;                            // covered by layers, whether seen or not
+  int vertex[3];                             // vertices of the base triangle
+  float4 front;                              // accumulated colour and transmittance
+  uint fragments;                            // number of fragments of layers that cover the pixel, visible or not
 } Pixel;
 
-// The triangle in a slot at a pixel that it covers.
+// Draws the triangle in a slot at a pixel that it covers.
 INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective h, Pixel *p) {
   int vertex[3] = {d->v0[slot], d->v1[slot], d->v2[slot]};
   if (pass->n < 0) {
@@ -50,11 +51,11 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective
 #endif
 }
 
-// The fan of the polygon that clipping leaves of the triangle in `slot`: one work-item clips, a few set the pieces up, all
-// draw. By all work-items of the group together.
+// Draws the fan of the polygon that remains of the clipped triangle in `slot`. One work-item clips, a few set up the
+// pieces, and all draw them. All work-items of the group must call it together.
 INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot, int item, int origin_x, int origin_y,
                          int width, int height, Pixel *p) {
-  barrier(CLK_LOCAL_MEM_FENCE);              // the last fan has been drawn
+  barrier(CLK_LOCAL_MEM_FENCE);              // waits until the previous fan has been drawn
   if (item == 0) {
     Cut polygon[POLYGON];
     int corners = clipped_triangle(pass->s, m, pass->layer, w->drawn.v0[slot], w->drawn.v1[slot], w->drawn.v2[slot], polygon);
@@ -105,7 +106,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   float least_iw = 0.0f;
   int turn = 0;
 
-  // n = -1, the base, forwards; then the pass's layers from the outermost one, backwards.
+  // n = -1, the base, in the mesh's order; then the pass's layers from the outermost one, in reverse order.
   for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
     int n = step < 0 ? -1 : s.end_layer - 1 - step;
     int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
@@ -113,8 +114,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     pass.n = n;
     pass.layer = layer_at(&s, layer_table, n);
     for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
-      barrier(CLK_LOCAL_MEM_FENCE);          // the last batch has been drawn
-      if (item == 0) clear(&work, 1 - turn); // all have read it, and it is next
+      barrier(CLK_LOCAL_MEM_FENCE);          // waits until the previous batch has been drawn
+      if (item == 0) clear(&work, 1 - turn); // all have read it, and the next batch uses it
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
         put_triangle(&work, turn, item, n, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
@@ -126,7 +127,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
         mine |= (work.drawn.covered[slot] >> item & 1) << slot;
       }
       if (n >= 0) p.fragments += (uint)popcount(mine);
-      // What comes before a triangle that has to be clipped is drawn before it.
+      // Triangles that come before one that needs clipping are drawn before it.
       for (;;) {
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {
@@ -140,13 +141,14 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     }
 #ifndef COUNT_FRAGMENTS
     if (n < 0) {
-      // What lies behind the base everywhere in the tile cannot be seen.
+      // Fragments behind the least 1/w of the base in the tile are hidden.
       barrier(CLK_LOCAL_MEM_FENCE);
       if (inside) atomic_min(&work.least, as_int(p.depth));
       barrier(CLK_LOCAL_MEM_FENCE);
       least_iw = as_float(work.least);
     } else if (first < last) {
-      // Without a batch there is no barrier since the last question, and nothing new to ask.
+      // After an empty layer the test is skipped: no pixel has changed, and no barrier separates it from the previous
+      // test.
       if (!finished && (!inside || p.front.w <= OPAQUE)) {
         finished = true;
         atomic_inc(&work.finished);
