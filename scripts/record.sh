@@ -1,12 +1,9 @@
 #!/usr/bin/env bash
 # Times Table 1 on this machine and records it: the rows under results/, docs/table1/, and the lines between the markers of
 # README.md. Usage: scripts/record.sh [options of pelage run]. The script replaces an earlier recording.
-set -euo pipefail
-cd "$(dirname "$0")/.."
-command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }
-pelage=${PELAGE:-build/release/pelage}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+set -euo pipefail cd "$(dirname "$0")/.." command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found;
+it makes the sheet of models: install openimageio-tools" >&2; exit 2; } pelage=${PELAGE:-build/release/pelage}
+work=$(mktemp -d) trap 'rm -rf "$work"' EXIT
 
 "$pelage" run silva2010-table1 --anonymous -o "$work/run" "$@" >"$work/folder"
 mkdir -p results/silva2010-table1
@@ -35,7 +32,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
          $at["status"] == "ok" && $at["median_ms"] > 0 {
            rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6
            if (!n || rate < low) low = rate; if (rate > high) high = rate; sum += log(rate); ++n }
-         END { printf "%d cells; covered fragments (of all layers, seen or not) per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
+         END { printf "%d cells; covered fragments (of all layers, visible or not) per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
   docs/table1/silva2010-table1.csv >"$work/rate"
 
 awk -v table="$work/table" -v rate="$work/rate" '
