@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # Times Table 1 on this machine and records it: the rows under results/, docs/table1/, and the lines between the markers of
 # README.md. Usage: scripts/record.sh [options of pelage run]. The script replaces an earlier recording.
-set -euo pipefail cd "$(dirname "$0")/.." command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found;
-it makes the sheet of models: install openimageio-tools" >&2; exit 2; } pelage=${PELAGE:-build/release/pelage}
-work=$(mktemp -d) trap 'rm -rf "$work"' EXIT
+set -euo pipefail
+cd "$(dirname "$0")/.."
+command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }
+pelage=${PELAGE:-build/release/pelage}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
 
 "$pelage" run silva2010-table1 --anonymous -o "$work/run" "$@" >"$work/folder"
 mkdir -p results/silva2010-table1
