@@ -35,7 +35,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
          $at["status"] == "ok" && $at["median_ms"] > 0 {
            rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6
            if (!n || rate < low) low = rate; if (rate > high) high = rate; sum += log(rate); ++n }
-         END { printf "%d cells; covered fragments (of all layers, seen or not) per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
+         END { printf "%d cells; covered fragments (of all layers, visible or not) per second: %.3f to %.3f G, geometric mean %.3f G.\n", n, low, high, exp(sum / n) }' \
   docs/table1/silva2010-table1.csv >"$work/rate"
 
 awk -v table="$work/table" -v rate="$work/rate" '
