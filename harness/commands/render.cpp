@@ -30,7 +30,7 @@ FrameOutput shells_output(const RenderOptions& options, const cl::Device& device
   Shells shells(device, input, shell_options);
   shells.advance(frames_before(input->scene.dynamics));
   const FrameTiming timing = shells.frame();
-  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold; time with `pelage run`\n",
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
              device.info().name, timing.wall_ms);
   return {fmt::format("shells on {}", device.info().name),
           shells.frames_simulated(),
@@ -45,7 +45,7 @@ FrameOutput opengl_output(const OpenGlOptions& options, const std::string& rende
   FrameOutput output = reference_motion(*input, frames_before(input->scene.dynamics) + 1);
   OpenGl opengl(input, output.mask, options);
   opengl.bend(output.tips);
-  fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold\n", renderer, opengl.frame());
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up\n", renderer, opengl.frame());
   output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
   output.image = opengl.read();
   return output;
@@ -53,16 +53,17 @@ FrameOutput opengl_output(const OpenGlOptions& options, const std::string& rende
 
 int render(const RenderOptions& options) {
   if (options.bits == 8 && options.pipeline != "reference") {
-    throw InputError("--reference-bits 8: only the reference rounds; add --pipeline reference");
+    throw InputError("--reference-bits 8: works only with the reference; add --pipeline reference");
   }
   if (!options.opengl.empty() && options.pipeline != "opengl") {
-    throw InputError("--opengl: only the OpenGL rival reads it; add --pipeline opengl");
+    throw InputError("--opengl: works only with the OpenGL baseline; add --pipeline opengl");
   }
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
   const Scene scene = resolve_scene(options.scene);
   const bool shells = options.pipeline == "shells";
-  // Before the mesh, which may take minutes.
+  // The device is chosen before the mesh is prepared, which may take minutes, so that a wrong name fails at
+  // once.
   std::optional<cl::Device> device;
   if (shells) device = cl::choose_device(options.device);
   const bool opengl = options.pipeline == "opengl";
@@ -88,29 +89,31 @@ void add_render(CLI::App& app, Chosen& chosen) {
       ->required()
       ->type_name("IMAGE");
   command
-      ->add_option(
-          "--pipeline", options->pipeline,
-          "shells: tiles on an OpenCL device; reference: naive double precision on the host; opengl: "
-          "the paper's own N passes, by whatever OpenGL there is")
+      ->add_option("--pipeline", options->pipeline,
+                   "shells: OpenCL; reference: naive implementation in double precision on the host; opengl: "
+                   "the paper's "
+                   "own pipeline of N passes on the installed OpenGL")
       ->check(CLI::IsMember({"shells", "reference", "opengl"}))
       ->capture_default_str();
   command
       ->add_option("--opengl", options->opengl,
-                   "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
+                   "Implementation choices of the OpenGL baseline: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
   command
-      ->add_option("--mapping", options->mapping,
-                   "How the shells' pixels are spread over work-items (default: what suits the device): " +
-                       mappings_help())
+      ->add_option(
+          "--mapping", options->mapping,
+          "Mapping of the shells' pixels to work-items (default: depends on the device): " + mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
-  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
-  command->add_option("--dump", options->dump, "Write every intermediate of the frame as HDF5")
+  command
+      ->add_option("--dump", options->dump, "Write all inputs and intermediate arrays of the frame as HDF5")
       ->type_name("FRAME.h5");
   command
-      ->add_option("--reference-bits", options->bits,
-                   "8: the reference rounds its picture to 8 bits after every layer, as a GPU of 2010 did")
+      ->add_option(
+          "--reference-bits", options->bits,
+          "8: the reference rounds its picture to 8 bits per channel after every layer, like GPUs of 2010")
       ->check(CLI::IsMember({8, 32}))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });

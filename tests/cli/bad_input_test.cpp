@@ -45,8 +45,8 @@ const Bad usage[] = {
     {"render -o a.png --reference-bits 8 --pipeline shells", 2, "add --pipeline reference"},
     {"render -o a.png --device 'no such device'", 2, "no such device"},
     {"check fly", 2, "fly"},
-    {"check --filter '('", 2, "--filter (: no regular expression"},
-    {"check --filter zebra", 2, "--filter zebra: no case has such a name"},
+    {"check --filter '('", 2, "--filter (: this is not a valid regular expression"},
+    {"check --filter zebra", 2, "--filter zebra: no case has a name that matches"},
     {"check --device 'no such device'", 2, "no such device"},
     {"scene --set fur.layers=\"'\na\n'\"", 2, "fur.layers"},
 };
