@@ -1,17 +1,19 @@
-// What more layers cost, as a ratio of frames drawn in turns.
+// Measures the cost of more layers: the frame times with all, half and a quarter of the layers, and their
+// ratios.
 #pragma once
 #include "harness/measure/subject.hpp"
 
 namespace pelage {
 
-/// Draws in every round a frame with all of the case's layers, one with half of them and one with a quarter,
-/// each a subject of its own that is checked by itself. Throws InputError where the layers are no multiple
-/// of 4.
+/// Returns a subject that draws three frames in every round, one after another: with all layers of the case,
+/// with half of them and with a quarter. Three separate subjects draw these frames, and each picture is
+/// checked. Throws InputError if the number of layers is not a multiple of 4.
 std::unique_ptr<Subject> make_fewer_layers(SubjectContext& context, const Case& which);
 
-/// The same with subjects by `make`. The row is that of all layers, and holds besides: the others' times as
-/// phases "half" and "quarter", and as metrics "half_ratio" and "quarter_ratio" the median over rounds of the
-/// whole frame's time by theirs with its 95% interval.
+/// Does the same with subjects that `make` returns. The row is that of all layers. It also contains the times
+/// with half and a quarter of the layers as phases "half" and "quarter". The metrics "half_ratio" and
+/// "quarter_ratio" are medians over the rounds, with their 95% intervals, of the time with all layers divided
+/// by those times.
 std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which);
 
 }  // namespace pelage

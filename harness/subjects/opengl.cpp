@@ -40,7 +40,7 @@ class OpenGlSubject : public Subject {
     advance(frames_before(input_->scene.dynamics));
   }
 
-  /// The strands' step is not in the time.
+  /// The returned time does not contain the simulation of the strands.
   FrameSample frame() override {
     advance(1);
     std::vector<glm::vec3> tips;
@@ -128,7 +128,7 @@ class Duel : public Subject {
   std::string phase_;
 };
 
-/// Says before the mesh is prepared whether there is any OpenGL.
+/// Throws Unsupported if OpenGL is unavailable. Callers run this check before they prepare the mesh.
 void need_opengl() {
   try {
     opengl_renderer();

@@ -138,7 +138,8 @@ TEST(Journal, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("already holds"), std::string::npos);
+    EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("already contains the row"),
+              std::string::npos);
     Row repeat = sample_row("a"), changed = sample_row("a");
     repeat.repeat = 1;
     changed.overrides["fur.length"] = "0.1";

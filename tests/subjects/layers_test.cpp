@@ -46,7 +46,7 @@ TEST(Layers, ThatFailTheirCheckFailTheRow) {
 TEST(Layers, MustBeAMultipleOfFour) {
   const Row row = row_of(6);
   EXPECT_NE(row.status, Status::ok);
-  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer draws half and a quarter of them"),
+  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer also draws a half and a quarter"),
             std::string::npos)
       << row.reason;
 }

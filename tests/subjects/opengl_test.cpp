@@ -85,7 +85,7 @@ TEST(Pipelines, AnUnknownOneIsUnsupported) {
     subjects_on(cl::choose_device(""), {}, {}, {})(which);
     ADD_FAILURE() << "a subject was made";
   } catch (const Unsupported& refusal) {
-    EXPECT_STREQ(refusal.what(), "no pipeline 'no-such-pipeline' in this build");
+    EXPECT_STREQ(refusal.what(), "this build has no pipeline 'no-such-pipeline'");
   }
 }
 
