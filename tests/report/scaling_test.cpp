@@ -72,7 +72,8 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
             std::string::npos)
       << in_turns_csv(shown);
-  EXPECT_NE(in_turns_text(shown).find("At most 1.80 times for twice and 3.20 times for four times"),
+  EXPECT_NE(in_turns_text(shown).find(
+                "Twice the layers take at most 1.80 times the time, four times the layers 3.20 times"),
             std::string::npos)
       << in_turns_text(shown);
   EXPECT_TRUE(in_turns_text({}).empty());
@@ -88,10 +89,10 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   two[3].median_ms = 70;
   const std::string text = scaling_text(two);
   EXPECT_NE(text.find("1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Doubling the layers costs at most 2.11 times (wanted: at most 2.05)"),
-            std::string::npos)
+  EXPECT_NE(text.find("Twice the layers take at most 2.11 times the time (limit: 2.05)"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("64 layers cost at most 4.00 times 16 (wanted: at most 3.3)"), std::string::npos)
+  EXPECT_NE(text.find("64 layers take at most 4.00 times the time of 16 layers (limit: 3.3)"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
@@ -107,7 +108,7 @@ Cell timed(const std::string& host, int layers, double ms) {
 
 TEST(Scaling, ComparesSixtyFourLayersWithSixteenOnly) {
   const std::string text = scaling_text({timed("h", 8, 6), timed("h", 16, 10), timed("h", 64, 30)});
-  EXPECT_NE(text.find("64 layers cost at most 3.00 times 16"), std::string::npos) << text;
+  EXPECT_NE(text.find("64 layers take at most 3.00 times the time of 16 layers"), std::string::npos) << text;
 }
 
 TEST(Scaling, ComparesCellsOfOneHostOnly) {
@@ -115,7 +116,7 @@ TEST(Scaling, ComparesCellsOfOneHostOnly) {
       {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
   EXPECT_NE(text.find("10.00 ->     18.00 ms, 1.80 times"), std::string::npos) << text;
   EXPECT_NE(text.find("20.00 ->     38.00 ms, 1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Doubling the layers costs at most 1.90 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("Twice the layers take at most 1.90 times the time"), std::string::npos) << text;
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
