@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the frame time against layers, pixels and triangles. Fits a model to the smaller cases and tests it on the others.
+"""Draws the frame time against layers, pixels and triangles. Fits a model to a part of the cases and tests it on the rest.
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -8,10 +8,10 @@ The model is this sum of costs with coefficients that are not negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
-The fit minimizes the squared relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit leaves
-out a third of the smaller cases and all larger cases. Larger cases have more than 64 layers, more pixels than 1680 x 1050, or
-more than a million triangles. The omitted third is chosen so that each number of triangles, layers and pixels occurs both in
-the fit and in the test. The program needs only matplotlib and numpy.
+The fit minimizes the squared relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit
+leaves out a third of the smaller cases and all larger cases. Larger cases have more than 64 layers, more pixels than
+1680 x 1050, or more than a million triangles. The omitted third is chosen so that each number of triangles, layers and
+pixels occurs both in the fit and in the test. The program needs only matplotlib and numpy.
 """
 import csv
 import os
@@ -35,7 +35,7 @@ def features(case):
 
 
 def fitted(cases):
-    """Returns the coefficients that minimize the squared relative errors. Removes the most negative term until none is negative."""
+    """Returns the coefficients of the fit. Removes the term with the most negative coefficient until none is negative."""
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:
@@ -99,7 +99,7 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """Draws one panel with x as the abscissa. Colours distinguish the values of `by`, markers the numbers of triangles."""
+    """Draws one panel with the abscissa x. Colours distinguish the values of `by`, markers the numbers of triangles."""
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:
