@@ -1,4 +1,5 @@
-// Scaling: what doubling the layers costs, and a fit that finds the costs that a table was made with.
+// Tests the report's text on the cost of more layers, and that the fit of plots/scaling.py finds the costs of
+// a synthetic table.
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 1 ms a frame, 40 ns a triangle, 2 ns per triangle and layer, 10 ns per pixel and layer, within 1%.
+/// Returns cells whose frame times are a sum of 1 ms per frame, 40 ns per triangle, 2 ns per triangle and
+/// layer, and 10 ns per pixel and layer, changed by up to 1%.
 std::vector<Cell> cells() {
   std::vector<Cell> result;
   int i = 0;
@@ -97,7 +99,7 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
 
-/// One cell of a model of 9360 triangles at 800x600.
+/// Returns one cell of a model of 9360 triangles at 800x600 with the time `ms`.
 Cell timed(const std::string& host, int layers, double ms) {
   Cell c = cells().at(1);
   c.host = host;
@@ -134,7 +136,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
   EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
   EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
-  // No size, and no number of layers, is left out of the fit whole.
+  // The fit uses some cases of every picture size and every number of layers.
   for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
     int left_out = 0;
     for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {
@@ -144,7 +146,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
   EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
-  // Too few cases are said to be too few, not fitted.
+  // With too few cases the program reports an error and fits nothing.
   std::vector<Cell> few = cells();
   few.resize(6);
   std::ofstream(folder / "few.csv") << scaling_csv(few);
