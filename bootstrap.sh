@@ -120,7 +120,7 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # Status 1: a case failed its check or its device, and the report names it. Other errors leave no results to report.
+  # With status 1 a case has no time, and the report gives the reason. After other errors there are no results.
   if ((status == 130 || status == 143)); then
     say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi

@@ -2,13 +2,13 @@
 # Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and combines them in
 # docs/look/banisch2006.jpg. Each picture has 400 x 300 pixels.
 #
-#   Figure 2 a structure, b colour, c self-shadow, d diffuse shading
+#   Figure 2: (a) structure, (b) colour, (c) self-shadow, (d) diffuse shading.
 #
-#   Figure 6 a linear, b bent; Figure 7 two seconds later, without and with the return force
+#   Figure 6: (a) linear and (b) bent layers. Figure 7: two seconds later without and with the return force.
 #
-#   Figure 8 a elephant, b dog, c grass; Figure 12 parted grass
+#   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
 #
-#   Figure 13 waving grass, every 0.2 s
+#   Figure 13: waving grass in steps of 0.2 s.
 #
 # The script also draws Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
 # Usage: scripts/grass_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.

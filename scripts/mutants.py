@@ -3,10 +3,11 @@
 
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
-The data file is tests/mutants/survivors.toml. Each mutant has these keys: its `name`; `original`, a text that occurs
-exactly once in the tracked files of harness/ and kernels/ (all white space is equal); its `replacement`; `target`,
-the test executable; `filter`, the GoogleTest filter of the tests that must fail; and `why`, the effect of the
-mistake. If a mutant also has `equivalent`, the reason why no test can detect it, the mutant is not run.
+The data file is tests/mutants/survivors.toml. Each mutant has a `name`. Its `original` is a text that occurs exactly
+once in the tracked files of harness/ and kernels/; all white space counts as equal. The program replaces this text
+by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail. `why`
+describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why no
+test can detect the mutant.
 
 The named tests must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when a
 test runs. The program restores every file at the end, also after Ctrl-C. The exit status is 0 if all mutants are

@@ -3,16 +3,21 @@
 # Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote. FOLDER is first deleted.
 #
 # These commands write the results for docs/topology in about 30 minutes on two cores, with --preset quick:
+#
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 #   pelage run banisch2006-{update-time,work-precision,longest-step,energy,mesh-size} --anonymous -o RESULTS
+#
 # These commands write the results for docs/rivals in about 25 minutes:
+#
 #   pelage run rivals --anonymous --preset quick -o RESULTS
 #   pelage run rivals --anonymous --preset tori -o TORI
 #   pelage run rival-options --anonymous --preset quick -o RESULTS      # exit code 1: some checks fail
+#
 # These commands write the results for docs/scaling in about 10 minutes. Each PRESET (quick, beyond, millions) needs a
 # separate folder RESULTS:
+#
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
 #   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail

@@ -42,7 +42,7 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """Yields the paragraphs of `lines`, pairs of a line number and a text without comment signs. An empty text ends one."""
+    """Yields paragraphs. `lines` has pairs of a line number and a text; an empty text ends a paragraph."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
         if words and (not text.strip() or (last is not None and number != last + 1)):

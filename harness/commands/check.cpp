@@ -22,7 +22,7 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;  // frames simulated from rest to the picture's own; 60 frames are one second
+constexpr int frames = 30;  // number of simulated frames, including the drawn one; 60 frames are 1 s
 
 struct CheckOptions {
   std::vector<std::string> stages;
@@ -187,12 +187,14 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->type_name("STAGE");
   command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
-  command->add_option("--filter", options->filter, "Use only the cases whose names match, for instance torus")
+  command
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression, for instance torus")
       ->type_name("REGEX");
-  command->add_flag(
-      "--full", options->full,
-      "Also compare all eight models with 16 and 64 layers, curly, wet and windy, and a mesh of 5 million "
-      "triangles");
+  command->add_flag("--full", options->full,
+                    "Compare a larger set of cases: all eight models with 16 and 64 layers, curly, wet and "
+                    "windy, and a mesh of 5 million "
+                    "triangles");
   command->add_flag(
       "--hashes", options->hashes,
       "Print hashes instead of comparing: of the strands, mask and picture of every mapping, and of the "

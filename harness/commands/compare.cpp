@@ -66,12 +66,15 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
-  command->add_option("a", options->a, "Results before")->required()->type_name("A");
-  command->add_option("b", options->b, "Results after; if absent, --by compares the results within A")
+  command->add_option("a", options->a, "First set of results")->required()->type_name("A");
+  command
+      ->add_option("b", options->b, "Second set of results; without it, --by compares the results within A")
       ->type_name("B");
   command->add_option("--by", options->by, "Property in which two compared cases may differ")
       ->type_name("device|variant|axes.KEY");
-  command->add_option("--threshold", options->threshold, "Smallest relative change of a time that counts")
+  command
+      ->add_option("--threshold", options->threshold,
+                   "Smallest relative change of the median time that counts as faster or slower")
       ->type_name("5%")
       ->capture_default_str();
   command->add_flag("--fail-on-regression", options->fail_on_regression,

@@ -62,7 +62,7 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
   fmt::print("     device    {}, {} compute units, work-groups up to {}, {} per work-item{}\n", kind,
              info.compute_units, info.max_work_group,
              info.lanes == 1 ? "1 lane" : fmt::format("{} lanes", info.lanes), info.fp64 ? ", fp64" : "");
-  fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB a buffer, {} KiB local\n",
+  fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB per buffer, {} KiB local\n",
              gib(info.global_memory), gib(info.max_allocation), info.local_memory >> 10);
   if (!speed) {
     fmt::print("     timer     {}\n",
@@ -76,7 +76,7 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
       speed->timer.real
           ? fmt::format("{} ns, agrees with the wall clock ({:.1f} ms by events, {:.1f} ms by the clock)",
                         info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
-          : fmt::format("wrong, only wall-clock times are usable: {}", speed->timer.reason));
+          : fmt::format("unreliable, only wall-clock times are usable: {}", speed->timer.reason));
   fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
   fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);
   fmt::print("     launch    {:.1f} us for one kernel, {:.1f} us per kernel in a queue of 200\n",

@@ -148,7 +148,9 @@ void add_roofline(CLI::App& app, Chosen& chosen) {
   command->add_option("--preset", options->preset, "Preset whose cases are drawn")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--filter", options->filter, "Use only the cases whose names match")
+  command
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
   command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")

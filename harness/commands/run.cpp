@@ -62,7 +62,7 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
 }
 
 /// Returns the case with a mapping: the experiment's, else --mapping, else the device's default. The default
-/// variant is renamed after the mapping.
+/// variant is renamed to "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;

@@ -90,7 +90,9 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--axis", options.axis, "Values that replace the experiment's values of an axis")
       ->type_name("key=a,b")
       ->take_all();
-  command.add_option("--filter", options.filter, "Use only the cases whose names match")->type_name("REGEX");
+  command
+      .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
+      ->type_name("REGEX");
   command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
       ->type_name("i/n");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
@@ -110,7 +112,9 @@ void declare(CLI::App& command, RunOptions& options) {
       ->type_name("defaults|FILE")
       ->capture_default_str();
   const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
-  command.add_option("--budget", options.budget_s, "Longest wall-clock time of the whole run: 90s, 5m, 1h")
+  command
+      .add_option("--budget", options.budget_s,
+                  "Longest wall-clock time of the whole run, for instance 90s, 5m or 1h")
       ->transform(CLI::AsNumberWithUnit(seconds).description(""))
       ->check([](const std::string& time) {
         return time.starts_with('-') ? time + " s is negative; write for instance 90s, 5m or 1h"
@@ -134,7 +138,7 @@ void declare(CLI::App& command, RunOptions& options) {
 void check_options(RunOptions& options) {
   options.argv = own_argv();
   if (!options.output.empty() && !options.resume.empty())
-    throw InputError("give either -o or --resume: --resume DIR writes into DIR");
+    throw InputError("give -o or --resume, but not both; --resume DIR also writes into DIR");
   if (!options.resume.empty() && !fs::is_directory(options.resume))
     throw InputError(fmt::format("--resume {}: no such folder", options.resume));
   if (options.tuning != "defaults" && !fs::is_regular_file(options.tuning))

@@ -75,7 +75,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
   for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
   const std::string against =
       found.best.empty() ? std::string("no other values were faster than the shipped ones")
-                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) of the shipped time", found.last.ratio,
+                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) times the shipped time", found.last.ratio,
                                        found.last.interval.low, found.last.interval.high);
   const std::string note =
       fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
@@ -132,7 +132,7 @@ int tune(const TuneOptions& options) {
       return 1;
     }
     if (!found.last.tuning.empty())
-      fmt::print("{}\t{}\t{} of the shipped time{}\n", stages[i], text_of(found.last.tuning),
+      fmt::print("{}\t{}\t{} times the shipped time{}\n", stages[i], text_of(found.last.tuning),
                  told(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);
@@ -156,7 +156,9 @@ void add_tune(CLI::App& app, Chosen& chosen) {
                    "Preset of silva2010-table1 whose cases are timed: smoke, quick, paper")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--filter", options->filter, "Use only the cases whose names match")
+  command
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
   command
@@ -166,9 +168,9 @@ void add_tune(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(6, 1000))
       ->capture_default_str();
   command
-      ->add_option(
-          "-o,--output", options->output,
-          "File for the values; values of other stages in it are kept (default: pelage-tuning/DEVICE.toml)")
+      ->add_option("-o,--output", options->output,
+                   "File in which the values are stored; values of other stages in it are kept (default: "
+                   "pelage-tuning/DEVICE.toml)")
       ->type_name("FILE");
   command->add_flag("--dry-run", options->dry_run, "Print the axes without running anything");
   command->callback([options, &chosen] { chosen = [options] { return tune(*options); }; });

@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the text as a TOML string in quotes. The JSON writer is used because TOML has the same escapes.
+/// Returns the text as a TOML string in quotes. The JSON writer is used because JSON's
+/// escape sequences are also valid in TOML.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
@@ -90,7 +91,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // The name of a case does not contain the reading or the variant if it is the experiment's first one.
+    // The name of a case omits the first reading and the first variant of the experiment.
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&

@@ -25,10 +25,10 @@ struct Axis {
 
 /// The number of samples of a case, and the conditions that end its sampling.
 struct SamplingLimits {
-  double warm_up_s = 0.5;   ///< time of untimed frames before the first sample, s; at least one frame
+  double warm_up_s = 0.5;   ///< duration of the frames before the first sample, s; at least one frame
   int least = 10;           ///< number of samples before `precision` is tested
   int most = 200;           ///< largest number of samples
-  double precision = 0.01;  ///< half width of the median's 95% interval at which sampling ends, relative
+  double precision = 0.01;  ///< sampling ends at this relative half width of the median's 95% interval
   double limit_s = 20;      ///< wall-clock time after which sampling ends, s; at least one sample is taken
 };
 
@@ -75,7 +75,7 @@ struct Case {
   std::map<std::string, double> require;  ///< empty if there are overrides
 };
 
-/// The changes of an experiment by --set, --axis and --model of the command line.
+/// The command-line options --set, --axis and --model, which change an experiment.
 struct Overrides {
   std::vector<Setting> set;
   std::vector<Axis> axes;

@@ -1,14 +1,12 @@
 // The append-only journal of rows: one file, one line per case. A kill of the program loses no complete row.
 //
-// The rules follow SQLite and RocksDB:
-// - A lock admits one writer. The file is opened with O_APPEND.
-// - Each write is one whole line with a checksum. Interrupted and short writes are completed.
-// - A row counts as written only after fdatasync. The folder is synced when the file is created.
-// - If a write fails, for instance on a full disk, the file is truncated to its last complete row and
-// append()
-//   throws.
-// - If fdatasync fails, append() throws. It does not retry.
-// - Mode::resume removes a truncated last line (without a line feed). Any other damage is an error.
+// The rules follow SQLite and RocksDB. A lock admits only one writer, and the file is opened with O_APPEND.
+// Each write is one whole line with a checksum. Interrupted and short writes are completed. A row counts as
+// written only after fdatasync. The folder is synced when the file is created. If a write fails, for instance
+// on a full disk, the file is truncated to its last complete row and append() throws. If fdatasync fails,
+// append() throws and does not retry. Mode::resume removes a truncated last line (without a line feed). Any
+// other damage is an error.
+//
 // The rules protect rows if the program is killed. They do not protect data that a disk loses in a power
 // failure.
 #pragma once

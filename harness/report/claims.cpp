@@ -90,7 +90,7 @@ const std::vector<Sentence>& sentences() {
       {"for the moving fur simulation of the dog and the elephant, using non-separable topologies, the "
        "computational power needed for rendering the shell layers takes the greater part of the total "
        "performance",
-       "on Figures 9 and 10",
+       "about Figures 9 and 10",
        "the simulation's share of the frame time is at most 1/2",
        {elephant, dog},
        shared,
@@ -100,7 +100,7 @@ const std::vector<Sentence>& sentences() {
        0.5},
       {"Even when using the potentially slower implicit solution method, no significant slowdown can be "
        "noticed",
-       "on Figure 9, the elephant on spring-sticks and prisms",
+       "about the elephant on spring-sticks and prisms in Figure 9",
        "frame time with the implicit solver's simulation over frame time with the explicit solver's "
        "simulation "
        "is at most 1.1",
@@ -112,7 +112,7 @@ const std::vector<Sentence>& sentences() {
        1.1},
       {"the number of mass points and springs needed for an entire surface is increased using these "
        "topologies",
-       "in section 4, on the separable topologies",
+       "about the separable topologies in section 4",
        "simulation time of the separable form over that of the shared form is at least 1",
        {elephant, dog},
        shared,
@@ -122,7 +122,7 @@ const std::vector<Sentence>& sentences() {
        1},
       {"the separable topologies simulated using the explicit solver run at update rates which are still "
        "interactive",
-       "on Figure 9, the elephant",
+       "about the elephant in Figure 9",
        "the updates per second are at least 17, which the paper calls near the limits of interactive "
        "application",
        {elephant},
@@ -132,7 +132,7 @@ const std::vector<Sentence>& sentences() {
        false,
        17},
       {"Using the spring-sticks for the dynamical simulation does not noticeably slow down the system",
-       "on Figure 10, the dog",
+       "about the dog in Figure 10",
        "the simulation's share of the frame time is at most 1/20",
        {dog},
        {"sticks"},
@@ -142,7 +142,7 @@ const std::vector<Sentence>& sentences() {
        0.05},
       {"Nearly all the time needed to process the animation is required by the rendering, not by the "
        "physical system",
-       "on Figure 11, the grass",
+       "about the grass in Figure 11",
        "the simulation's share of the frame time is at most 1/10",
        {grass},
        every,
@@ -165,7 +165,8 @@ Claim judged(const Sentence& s, const std::string& device, const Table& table) {
         const Key key{model, topology, solver};
         const std::optional<double> value = s.number(table, key);
         if (!value) {
-          claim.found = fmt::format("no time of {} on {} with {}", model, topology, solver);
+          claim.found = fmt::format("there is no time for model {}, topology {} and solver {}", model,
+                                    topology, solver);
           return claim;
         }
         if (cells == 0 || (s.at_most ? *value > most : *value < least)) worst = key;
@@ -176,8 +177,8 @@ Claim judged(const Sentence& s, const std::string& device, const Table& table) {
   const double decisive = s.at_most ? most : least;
   claim.held = (s.at_most ? decisive <= s.limit : decisive >= s.limit) ? Held::yes : Held::no;
   claim.found =
-      fmt::format("{:.3g} to {:.3g} in {} cells; the worst cell has {:.3g}: {} on {} with {}", least, most,
-                  cells, decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
+      fmt::format("{:.3g} to {:.3g} in {} cells; {:.3g} in the worst cell: model {}, topology {}, solver {}",
+                  least, most, cells, decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
   return claim;
 }
 

@@ -1,5 +1,5 @@
-// The paper's own table with our figures beside the paper's: a block per layer count, a row per model,
-// columns per picture size.
+// A table of a paper with our figures beside the paper's. It has one block per layer count, one row per model
+// and three columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>
@@ -38,8 +38,8 @@ CellText cell_text(const Cell& cell);
 /// Returns the footnote of a model; "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// Returns one table per experiment, device and reading. Only cells without overrides are used that
-/// have the axes model, layers and size.
+/// Returns one table per experiment, device and reading. It uses only cells without
+/// overrides and with the axes model, layers and size.
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
 /// Returns text for a terminal, with a legend.

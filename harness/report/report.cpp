@@ -49,8 +49,8 @@ void write_tables(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
-/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. Adds an error to the notes
-/// unless they contain it.
+/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. Adds an error text
+/// to the report's notes once.
 void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";

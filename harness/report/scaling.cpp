@@ -141,8 +141,8 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
     quarter = std::max(quarter, by_quarter.value);
   }
   return text + fmt::format(
-                    "Twice the layers take at most {:.2f} times the time, four times the layers {:.2f} times "
-                    "(limits: {:.2f} and {:.1f})\n",
+                    "Twice the layers take at most {:.2f} times the time; four times the layers take at most "
+                    "{:.2f} times the time (limits: {:.2f} and {:.1f})\n",
                     half, quarter, most_for_doubling, most_for_64_by_16);
 }
 

@@ -37,8 +37,8 @@ struct TopologyTable {
 /// Returns true for a cell whose experiment has the topology as an axis.
 bool has_topology_axis(const Cell& cell);
 
-/// Returns one table per experiment, device and host. Only cells without overrides are used that
-/// have the axes model, layers, size and dynamics.topology.
+/// Returns one table per experiment, device and host. It uses only cells without
+/// overrides and with the axes model, layers, size and dynamics.topology.
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);

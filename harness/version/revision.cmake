@@ -1,4 +1,4 @@
-# Every build runs this script. It writes `output` from the template `input`, only if the contents change.
+# Every build runs this script. It fills in the template `input` and writes the result to `output` if it changed.
 set(revision unknown)
 set(dirty false)
 file(STRINGS ${source}/harness/version/revision.txt archived LIMIT_COUNT 1)

@@ -1,5 +1,5 @@
-// What bad input gets: the exit code of the command line's contract and one clear line, never a crash or a
-// hang. Runs under the sanitizers too, whose reports would show as another exit code.
+// Tests that invalid input gives the right exit code and one clear line on stderr, without a crash or a hang.
+// The tests also run under the sanitizers, whose reports change the exit code.
 #include <gtest/gtest.h>
 
 #include <algorithm>

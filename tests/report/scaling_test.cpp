@@ -75,7 +75,7 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
             std::string::npos)
       << in_turns_csv(shown);
   EXPECT_NE(in_turns_text(shown).find(
-                "Twice the layers take at most 1.80 times the time, four times the layers 3.20 times"),
+                "Twice the layers take at most 1.80 times the time; four times the layers take at most 3.20"),
             std::string::npos)
       << in_turns_text(shown);
   EXPECT_TRUE(in_turns_text({}).empty());
