@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages that pelage needs on Debian 12, builds pelage, tests it and times Table 1. A second run installs nothing
-# and rebuilds only changed files.
+# Installs the packages that pelage needs on Debian 12, builds pelage, tests it and times Table 1. A second run installs
+# nothing and rebuilds only changed files.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build/release
@@ -39,7 +39,7 @@ run_apt() {
 set_up() {
   local install=$1; shift
   if ! command -v dpkg-query >/dev/null; then
-    [[ $install == no ]] && return  # CMake reports what it does not find
+    [[ $install == no ]] && return  # CMake then reports missing packages
     fail "this system is not Debian: install the equivalents of packages.txt, then run ./bootstrap.sh --no-install ..."
   fi
   local wanted
@@ -70,7 +70,8 @@ set_up() {
   fi
 }
 
-# Prints the number of compilers to run at once: one per core, and at most one per 2 GB of memory, which CGAL's headers need.
+# Prints the number of compilers to run at once: one per core, and at most one per 2 GB of memory, which CGAL's headers
+# need.
 compilers() {
   local memory=$(($(awk '/^MemAvailable/ { print $2 }' /proc/meminfo) / 1024)) limit
   limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
@@ -119,7 +120,7 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # Status 1: a case failed its check or its device, and the report names it. Other errors leave no results to report.
+  # With status 1 a case has no time, and the report gives the reason. After other errors there are no results.
   if ((status == 130 || status == 143)); then
     say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi

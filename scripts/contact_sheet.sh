@@ -1,7 +1,10 @@
 #!/bin/sh
-# Draws seven scenes of examples/ at 800 x 600, with 64 layers and with 16 layers and four sub-steps, and combines the pictures
-# to docs/look/contact_sheet.jpg: straight, wavy, large and small curls, 64 layers above 16; then dry, wet and grass.
-# Usage: scripts/contact_sheet.sh [options of pelage render]; $PELAGE names another binary.
+# Draws seven scenes of examples/ at 800 x 600 and combines the pictures in docs/look/contact_sheet.jpg. Each scene is
+# drawn twice: with 64 layers, and with 16 layers and four sub-steps. The upper two rows show straight, wavy,
+# large-curls and small-curls. The lower two rows show dry, wet and grass. In each pair of rows the upper row has 64
+# layers.
+#
+# Usage: scripts/contact_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.
 set -eu
 cd "$(dirname "$0")/.."
 pelage=${PELAGE:-build/release/pelage}
@@ -12,8 +15,8 @@ looks="straight wavy large-curls small-curls dry wet grass"
 for layers in 64 16; do
   for look in $looks; do
     set_few=
-    # With 16 layers each fragment samples its layer four times, so blades need less widening. A wide curl or a bent blade
-    # still moves too far from one layer to the next. Narrower curls and straighter blades therefore replace them.
+    # With 16 layers each fragment samples its layer four times. Wide curls and strongly bent blades would still move
+    # too far from one layer to the next. Narrower curls and straighter blades therefore replace them.
     [ "$layers" = 16 ] && set_few="--set fur.substeps=4"
     [ "$layers $look" = "16 grass" ] && set_few="$set_few --set fur.sweep=0.25 --set fur.bend=12"
     [ "$layers $look" = "16 large-curls" ] && set_few="$set_few --set curl.radius=0.032 --set curl.turns=1.1"
@@ -23,7 +26,8 @@ for layers in 64 16; do
   done
 done
 
-# Each bunny is cut to a width of 500 pixels, dry and wet to 600 pixels, and the meadow keeps 800: each band is 2000 pixels wide.
+# Each row is 2000 pixels wide. The pictures of curls are cut to a width of 500 pixels, dry and wet to 600 pixels, and
+# grass keeps its 800 pixels.
 cut() { oiiotool "$pictures/$1.png" --cut "$2" -o "$pictures/$1-cut.png"; }
 place() { oiiotool "$pictures/$1-cut.png" "$pictures/sheet.png" --paste "$2" -o "$pictures/sheet.png"; }
 oiiotool --create 2000x2320 3 -d uint8 -o "$pictures/sheet.png"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs pelage's checks and timings on a machine with a GPU, and stores the results in one folder with their provenance.
-# Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]; DEVICE as --device takes it (default: the first GPU), PRESET of the
-# runs (default quick). The script installs nothing and does not change the settings of a device. If a step fails, the
-# others still run, and the last line names the failed step. PELAGE: the binary.
+# Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]. DEVICE is a value of --device (default: the first GPU).
+# PRESET is the preset of the runs (default: quick). The variable PELAGE can name another binary. The script installs
+# nothing and changes no device settings. If a step fails, the others still run. The last line names all failed steps.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 if (($# < 1 || $# > 3)); then
@@ -11,7 +11,7 @@ if (($# < 1 || $# > 3)); then
 fi
 out=$1 device=${2:-} preset=${3:-quick}
 pelage=${PELAGE:-build/release/pelage}
-[[ -x $pelage ]] || { echo "gpu_check: no $pelage: build first, or set PELAGE" >&2; exit 2; }
+[[ -x $pelage ]] || { echo "gpu_check: there is no $pelage; build it, or set PELAGE to another binary" >&2; exit 2; }
 mkdir -p "$out"
 if [[ -n $(ls -A "$out") ]]; then
   echo "gpu_check: $out is not empty" >&2
@@ -21,7 +21,7 @@ on=()
 [[ -z $device ]] || on=(--device "$device")
 
 failed=()
-# Stores the output of a step beside the step's files.
+# Runs the command of a step and stores its output as NAME.txt and NAME.err.
 step() {
   local name=$1 from=$SECONDS
   shift

@@ -1,26 +1,31 @@
 #!/bin/sh
-# Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and combines them to
-# docs/look/banisch2006.jpg, 400 x 300 pixels each:
-#   2a structure, b colour, c self-shadow, d diffuse shading;
-#   6a linear, b bent, 7 after two seconds without and with the return force;
-#   8a elephant, b dog, c grass, 12 parting of grass;
-#   13 grass waving, every fifth of a second.
-# It also draws Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
-# Usage: scripts/grass_sheet.sh [options of pelage render]; $PELAGE names another binary.
+# Draws Figures 2, 6, 7, 8, 12 and 13 of Banisch and Wuethrich 2006 from the scenes of examples/ and combines them in
+# docs/look/banisch2006.jpg. Each picture has 400 x 300 pixels.
+#
+#   Figure 2: (a) structure, (b) colour, (c) self-shadow, (d) diffuse shading.
+#
+#   Figure 6: (a) linear and (b) bent layers. Figure 7: two seconds later without and with the return force.
+#
+#   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
+#
+#   Figure 13: waving grass in steps of 0.2 s.
+#
+# The script also draws Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
+# Usage: scripts/grass_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.
 set -eu
 cd "$(dirname "$0")/.."
 pelage=${PELAGE:-build/release/pelage}
 pictures=$(mktemp -d)
 trap 'rm -rf "$pictures"' EXIT
 
-# draw PICTURE SCENE [options of pelage render]
+# Draws examples/SCENE.toml as PICTURE.png: draw PICTURE SCENE [options of pelage render]
 draw() {
   picture=$1 scene=$2
   shift 2
   "$pelage" render "examples/$scene.toml" --size 400x300 -o "$pictures/$picture.png" "$@"
 }
 
-# The three steps before the lit elephant: without the lamp, without self-shadow too, without colour too.
+# Picture 03 has no lamp, 02 also has no self-shadow, and 01 also has no colour. Picture 04 is the lit elephant.
 dark='shading.light=[{direction=[0.0,1.0,0.0],intensity=0.0}]'
 draw 01 elephant --set "$dark" --set shading.ambient=0.9 --set shading.occlusion=0 --set coat.pattern=plain --set 'coat.colour=[1.0,1.0,1.0]' \
   "$@"

@@ -1,16 +1,17 @@
 #!/usr/bin/python3
-"""Applies planted mistakes (mutants) one by one and runs the test that must see each.
+"""Applies deliberate mistakes (mutants) to the sources one by one and runs the tests that must detect them.
 
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
-The data file (tests/mutants/survivors.toml) says per mutant: `name`; `original`, a text that occurs exactly once in
-the tracked files of harness/ and kernels/ (runs of blanks and line ends are equal); `replacement`; `target`, the
-test executable; `filter`, the GoogleTest filter of the tests that must fail; `why`, what the mistake does. A mutant
-with `equivalent`, the reason why no test can see it, is not run.
+The data file is tests/mutants/survivors.toml. Each mutant has a `name`. Its `original` is a text that occurs exactly
+once in the tracked files of harness/ and kernels/; all white space counts as equal. The program replaces this text
+by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail. `why`
+describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why no
+test can detect the mutant.
 
-The named tests must pass without the mutant. A mutant of a kernel needs no build: kernels are compiled when a test
-runs. Every file is restored at the end, also after Ctrl-C. Exit status: 0 all killed, 1 some survived or could not
-be run, 2 a mistake in the data or the command line.
+The named tests must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when a
+test runs. The program restores every file at the end, also after Ctrl-C. The exit status is 0 if all mutants are
+detected, 1 if some are not detected or cannot be run, and 2 for an error in the data or the command line.
 """
 import argparse
 import contextlib
@@ -26,11 +27,11 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEYS = {"name", "original", "replacement", "target", "filter", "why", "equivalent"}
 NEEDED = {"name", "original", "replacement", "target", "filter", "why"}
-TEST_LIMIT_S = 600  # a test that runs longer has seen the mutant: it hangs
+TEST_LIMIT_S = 600  # a mutant that makes a test run longer counts as detected
 
 
 class Mistake(Exception):
-    """One line for the user."""
+    """An error whose message is one line for the user."""
 
 
 def read_data(file):
@@ -58,7 +59,7 @@ def tracked_sources():
 
 
 def find(mutant, sources):
-    """The file that holds the mutant's original text, and where: (file, begin, end)."""
+    """Returns (file, begin, end): the file that contains the mutant's original text, and the text's position in it."""
     pattern = re.compile(r"\s+".join(re.escape(word) for word in mutant["original"].split()))
     places = [(file, m.start(), m.end()) for file, text in sources.items() for m in pattern.finditer(text)]
     if len(places) != 1:
@@ -70,30 +71,31 @@ def find(mutant, sources):
 
 @contextlib.contextmanager
 def planted(file, begin, end, replacement, built):
-    """The file with the mutant in it, for the length of a with statement."""
+    """Inserts the mutant into the file for the duration of a with statement, and restores the file afterwards."""
     text, times = file.read_text(), file.stat()
     try:
         file.write_text(text[:begin] + replacement + text[end:])
         yield
     finally:
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            signal.signal(number, signal.SIG_IGN)  # a second Ctrl-C must not stop this
+            signal.signal(number, signal.SIG_IGN)  # a second Ctrl-C must not interrupt the restoration
         file.write_text(text)
-        # What was built from the mutant has to be older than its source; where nothing was built, nothing is to be.
+        # If the mutant was built, the restored file must be newer than the objects, so that it is built again. If nothing
+        # was built, the old time is restored, so that nothing is built again.
         if not built:
             os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
         take_signals()
 
 
 def build(folder, jobs, target):
-    """The end of the compiler's output where it fails, else an empty text."""
+    """Builds the target. Returns an empty text, or the end of the output if the build fails."""
     run = subprocess.run(["cmake", "--build", folder, "--parallel", str(jobs), "--target", target],
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return "" if run.returncode == 0 else run.stdout[-2000:]
 
 
 def run_tests(folder, mutant):
-    """(whether all passed, how many ran, seconds)"""
+    """Runs the mutant's tests. Returns (true if all passed, number of tests, seconds)."""
     program = pathlib.Path(folder) / "tests" / mutant["target"]
     begin = time.monotonic()
     try:

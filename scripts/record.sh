@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Times Table 1 on this machine and records it: the rows under results/, docs/table1/, and the lines between the markers of
-# README.md. Usage: scripts/record.sh [options of pelage run]. The script replaces an earlier recording.
+# Times Table 1 on this machine. Replaces the recorded rows under results/, the folder docs/table1/, and the lines
+# between the markers in README.md. Usage: scripts/record.sh [options of pelage run].
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }
@@ -18,7 +18,7 @@ cp "$work"/report/tables/silva2010-table1.{csv,tex} "$work"/report/plots/silva20
    docs/table1/
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >docs/table1/provenance.txt
 
-# The eight models in two rows of four.
+# Combines the pictures of the eight models in two rows of four.
 models="torus pear hippo cow horse bunny elephant lion"
 oiiotool --create 1600x600 3 -d uint8 -o "$work/sheet.png"
 i=0

@@ -1,17 +1,23 @@
 #!/usr/bin/env bash
-# Records results of a machine: the rows under results/, and the tables, charts and claims of their report in a folder of docs/.
-# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote. It replaces an earlier recording.
+# Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER in docs/.
+# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote. FOLDER is first deleted.
 #
-# docs/topology, about 30 minutes on two cores, all with --preset quick:
+# These commands write the results for docs/topology in about 30 minutes on two cores, with --preset quick:
+#
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 #   pelage run banisch2006-{update-time,work-precision,longest-step,energy,mesh-size} --anonymous -o RESULTS
-# docs/rivals, about 25 minutes:
+#
+# These commands write the results for docs/rivals in about 25 minutes:
+#
 #   pelage run rivals --anonymous --preset quick -o RESULTS
 #   pelage run rivals --anonymous --preset tori -o TORI
-#   pelage run rival-options --anonymous --preset quick -o RESULTS      (ends with 1: some variants draw another picture)
-# docs/scaling, about 10 minutes, with a separate folder for each of the presets quick, beyond and millions:
+#   pelage run rival-options --anonymous --preset quick -o RESULTS      # exit code 1: some checks fail
+#
+# These commands write the results for docs/scaling in about 10 minutes. Each PRESET (quick, beyond, millions) needs a
+# separate folder RESULTS:
+#
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
 #   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail
@@ -30,7 +36,7 @@ for folder in "$@"; do
   done
 done
 for folder in "$@"; do
-  # An experiment may have run in several parts. Each part becomes a separate file.
+  # Several RESULTS may contain rows of the same experiment and device. Each journal becomes a separate file.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
     place=results/$(basename "$(dirname "$rows")")
     mkdir -p "$place"
@@ -43,6 +49,6 @@ rm -rf "$docs"
 mkdir -p "$docs"
 cp "$work"/report/plots/*.{svg,pdf} "$docs/"
 find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
-rm -f "$docs/all-phases.csv" # the rows contain it, and every report rebuilds it
+rm -f "$docs/all-phases.csv" # it can be rebuilt from the rows
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
 cp "$work/report.txt" "$docs/report.txt"

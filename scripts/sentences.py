@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Lists or draws the sentences of pelage's prose: documents, comments and messages, for a reader who judges them.
+"""Lists the sentences of pelage's documents, comments and messages, or draws a random sample for readers who judge them.
 
-A drawn sentence is printed with its file, its line and the paragraph in which it stands; a comment with the code that
-follows it.
+A sentence of the sample is printed with its file, its line and its paragraph. A comment is also printed with the line of
+code that follows it.
 
   scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
   scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
@@ -28,7 +28,7 @@ FEWEST_WORDS = 4
 class Paragraph:
     path: str
     line: int
-    kind: str  # document, comment or message
+    kind: str  # "document", "comment" or "message"
     text: str
 
 
@@ -42,7 +42,7 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """lines: pairs of a line number and its text without the comment sign; an empty text ends a paragraph."""
+    """Yields paragraphs. `lines` has pairs of a line number and a text; an empty text ends a paragraph."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
         if words and (not text.strip() or (last is not None and number != last + 1)):
@@ -63,7 +63,7 @@ def markdown(name, text):
             line = ""
         if fenced or line.startswith(("#", "    ", "![", "<")):
             line = ""
-        if line.startswith("|"):  # a cell of a table is a paragraph of its own
+        if line.startswith("|"):  # each cell of a table is a separate paragraph
             for cell in line.strip("|").split("|"):
                 yield Paragraph(name, number, "document", cell.strip())
             line = ""
@@ -72,7 +72,7 @@ def markdown(name, text):
             lines.append((number, ""))
             line = item.group(1)
         lines.append((number, line))
-    # An item of a list begins a paragraph on its own line; the numbers of lines only separate paragraphs here.
+    # The lines are renumbered, because an inserted empty line separates each item of a list from the line before.
     yield from paragraphs_of_lines(name, "document", [(i, t) for i, (_, t) in enumerate(lines)])
 
 
@@ -80,7 +80,7 @@ C_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]
 
 
 def c_like(name, text):
-    """Comments on lines of their own, comments behind code (each a paragraph), and string literals of harness/."""
+    """Yields comments on separate lines, comments behind code (one paragraph each), and string literals of harness/."""
     own_lines, behind_code, messages = [], [], []
     end_of_last = -1
     for match in C_TOKEN.finditer(text):
@@ -92,7 +92,7 @@ def c_like(name, text):
             own_lines += [(line + i, part.lstrip(" *")) for i, part in enumerate(token[2:-2].split("\n"))]
         elif token.startswith('"') and not before.lstrip().startswith("#"):
             body = token[1:-1].replace('\\"', '"').replace("\\n", " ")
-            if messages and not text[end_of_last:match.start()].strip():  # adjacent literals are one string
+            if messages and not text[end_of_last:match.start()].strip():  # adjacent literals form one string
                 messages[-1][1] += body
             else:
                 messages.append([line, body])
@@ -152,7 +152,7 @@ def paragraphs(prefixes):
 
 
 def sentences_of(paragraph):
-    """Sentences of at least FEWEST_WORDS words; a formula or a path alone is none."""
+    """Yields the sentences with at least FEWEST_WORDS words, which excludes formulas and paths."""
     for part in re.split(r'(?<=[.?!;])["\')]*\s+(?=[A-Z`"(\[])', paragraph.text):
         part = part.strip(" ;")
         words = re.findall(r"\b[A-Za-z][a-z']+\b", part)
@@ -161,7 +161,7 @@ def sentences_of(paragraph):
 
 
 def code_at(paragraph):
-    """The line of a comment behind code, or the first line of code below a comment."""
+    """Returns the line of code beside a comment, or the first line of code below it."""
     for text in (ROOT / paragraph.path).read_text().split("\n")[paragraph.line - 1:]:
         if text.strip() and not text.strip().startswith(("//", "#", "*", "/*")):
             return text.strip()

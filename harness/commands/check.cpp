@@ -22,7 +22,7 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;  // of motion before the picture: half a second of wind
+constexpr int frames = 30;  // number of simulated frames, including the drawn one; 60 frames are 1 s
 
 struct CheckOptions {
   std::vector<std::string> stages;
@@ -30,7 +30,7 @@ struct CheckOptions {
   bool full = false, hashes = false;
 };
 
-/// A check and the stage that it belongs to.
+/// A check and the name of its stage.
 struct StageCheck {
   std::string stage;
   Check check;
@@ -66,7 +66,7 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
     const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
   }
-  // Two dry masks agree whatever the kernel does.
+  // Without droplets both masks are dry everywhere, and comparing them tests nothing.
   if (which.motion && stages.contains("mask") && !input->droplets.empty())
     add("mask", "", check_mask(drawn.mask, reference.mask));
   const auto add_picture = [&](const FrameOutput& output) {
@@ -84,7 +84,7 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
   return all;
 }
 
-/// One line: the case, what was computed, the hash of its bytes.
+/// Prints one line: the name of the case, the name of the data and the hash of their bytes.
 void print_hash(const CheckScene& which, const std::string& what, const std::string& hash) {
   fmt::print("{:<34} {:<44} {}\n", which.name, what, hash);
 }
@@ -94,7 +94,8 @@ std::string hash_of(const std::vector<T>& values) {
   return Hash().values(values).hex();
 }
 
-/// Hashes of the masses of every topology by every solver, and of the picture with them.
+/// Prints a hash of the masses of every topology and solver, and of each topology's picture with the default
+/// solver.
 void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   const auto mesh = load_scene_mesh(which.scene);
   for (const springs::Kind kind : springs::kinds) {
@@ -122,7 +123,8 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   }
 }
 
-/// Hashes of the strands, the mask and the picture in every mapping, and of the topologies.
+/// Prints a hash of the strands' tips, the mask and the picture of every mapping, and the hashes of
+/// print_spring_hashes().
 void print_hashes(const cl::Device& device, const CheckScene& which) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
   for (const std::string& mapping : mappings()) {
@@ -134,15 +136,16 @@ void print_hashes(const cl::Device& device, const CheckScene& which) {
   print_spring_hashes(device, which);
 }
 
-/// The cases whose name holds a match of the regular expression.
+/// Returns the cases whose names contain a match of the regular expression. Throws InputError if the
+/// expression is malformed or no case matches.
 std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::string& filter) {
   try {
     const std::regex pattern(filter);
     std::erase_if(cases, [&](const CheckScene& which) { return !std::regex_search(which.name, pattern); });
   } catch (const std::regex_error&) {
-    throw InputError(fmt::format("--filter {}: no regular expression", filter));
+    throw InputError(fmt::format("--filter {}: this is not a valid regular expression", filter));
   }
-  if (cases.empty()) throw InputError(fmt::format("--filter {}: no case has such a name", filter));
+  if (cases.empty()) throw InputError(fmt::format("--filter {}: no case has a name that matches", filter));
   return cases;
 }
 
@@ -170,7 +173,7 @@ int run_checks(const CheckOptions& options) {
     }
     std::fflush(stdout);
   }
-  if (failures > 0) fmt::print(stderr, "pelage: {} of the checks failed\n", failures);
+  if (failures > 0) fmt::print(stderr, "pelage: {} checks failed\n", failures);
   return failures > 0 ? 1 : 0;
 }
 
@@ -179,23 +182,26 @@ int run_checks(const CheckOptions& options) {
 void add_check(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
-      app.add_subcommand("check", "Compare what a device computes with the double-precision reference");
+      app.add_subcommand("check", "Compare the results of a device with the double-precision reference");
   command
       ->add_option("stages", options->stages,
-                   "Stages to compare: simulate, mask, picture, mappings; without any, all")
+                   "Stages to compare: simulate, mask, picture, mappings (default: all)")
       ->check(CLI::IsMember({"simulate", "mask", "picture", "mappings"}))
       ->type_name("STAGE");
-  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
-      ->add_option("--filter", options->filter, "Only the cases whose name holds a match, for instance torus")
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression, for instance torus")
       ->type_name("REGEX");
   command->add_flag("--full", options->full,
-                    "All eight models, 16 and 64 layers, curly, wet and windy; 5 million triangles");
+                    "Compare a larger set of cases: all eight models with 16 and 64 layers, curly, wet and "
+                    "windy, and a mesh of 5 million "
+                    "triangles");
   command->add_flag(
       "--hashes", options->hashes,
-      "Compare nothing: print a hash of the strands, mask and picture of every mapping and of the "
-      "masses of every topology and solver, to be compared with another revision's");
+      "Print hashes instead of comparing: of the strands, mask and picture of every mapping, and of the "
+      "masses of every topology and solver. Equal hashes of two revisions show equal results");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 

@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage check [STAGE...] [--device D] [--full]: what a device computes against the double-precision
-/// reference, stage by stage. Exit 1 when a limit is broken.
+/// pelage check [STAGE...] [--device D] [--full]: compares the results of a device with the double-precision
+/// reference, stage by stage. Exit code 1 if a result exceeds its limit.
 void add_check(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

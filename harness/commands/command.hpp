@@ -1,16 +1,10 @@
-// How a command of pelage is written. One file per command: it declares its options on `app`, and when the
-// command line names it, puts into `chosen` the function that main() then runs. That function returns the
-// exit code (0 done, 1 a check failed, 5 regression) or throws: InputError becomes exit 2, NoDeviceError 3,
-// anything else 1. Data goes to stdout, messages to stderr.
-//
-//   void add_devices(CLI::App& app, Chosen& chosen) {
-//     auto options = std::make_shared<DevicesOptions>();          // lives as long as the callbacks that hold
-//     it CLI::App* command = app.add_subcommand("devices", "List every platform and device");
-//     command->add_flag("--json", options->json, "Print JSON");
-//     command->callback([options, &chosen] { chosen = [options] { return list_devices(*options); }; });
-//   }
-//
-// A command is added to main.cpp's list only once it works.
+// The interface of a command of pelage. Each command has one file with a function add_NAME(app, chosen),
+// which main() calls. add_NAME declares the command's options on `app`. If the command line names the
+// command, CLI11 calls the command's callback. The callback stores a function in `chosen`, and main() then
+// runs the stored function. The stored function returns the exit code (0 done, 1 a check failed, 5 a
+// regression) or throws: main() turns InputError into exit code 2, NoDeviceError into 3, and every other
+// exception into 1. Commands write data to stdout and messages to stderr. harness/commands/devices.cpp is a
+// short example.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>

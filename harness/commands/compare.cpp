@@ -1,4 +1,4 @@
-// pelage compare: did anything get slower?
+// pelage compare: finds the cases that became slower or faster between two sets of results.
 #include "harness/commands/compare.hpp"
 
 #include <fmt/format.h>
@@ -46,7 +46,7 @@ int compare(const CompareOptions& options) {
   const double threshold = threshold_from_text(options.threshold);
   const bool one_set = options.b.empty();
   if (one_set && by.text.empty())
-    throw InputError("give two sets of results, or --by what differs within one");
+    throw InputError("give two sets of results, A and B, or one set and --by device, variant or axes.KEY");
   const std::vector<Cell> a = cells_of(read_results({options.a}));
   const std::vector<Cell> b = one_set ? a : cells_of(read_results({options.b}));
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, threshold);
@@ -54,8 +54,9 @@ int compare(const CompareOptions& options) {
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };
-  fmt::print(stderr, "pelage: {} faster, {} slower, {} lost, {} the same within {}\n", count(Verdict::faster),
-             count(Verdict::slower), count(Verdict::lost), count(Verdict::same), options.threshold);
+  fmt::print(stderr, "pelage: {} faster, {} slower, {} without a time in B, {} unchanged within {}\n",
+             count(Verdict::faster), count(Verdict::slower), count(Verdict::lost), count(Verdict::same),
+             options.threshold);
   const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
   return options.fail_on_regression && regressed ? 5 : 0;
 }
@@ -65,14 +66,19 @@ int compare(const CompareOptions& options) {
 void add_compare(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
-  command->add_option("a", options->a, "Results before")->required()->type_name("A");
-  command->add_option("b", options->b, "Results after; without it, --by compares within A")->type_name("B");
-  command->add_option("--by", options->by, "What may differ")->type_name("device|variant|axes.KEY");
-  command->add_option("--threshold", options->threshold, "Smaller changes count as none")
+  command->add_option("a", options->a, "First set of results")->required()->type_name("A");
+  command
+      ->add_option("b", options->b, "Second set of results; without it, --by compares the results within A")
+      ->type_name("B");
+  command->add_option("--by", options->by, "Property in which two compared cases may differ")
+      ->type_name("device|variant|axes.KEY");
+  command
+      ->add_option("--threshold", options->threshold,
+                   "Smallest relative change of the median time that counts as faster or slower")
       ->type_name("5%")
       ->capture_default_str();
   command->add_flag("--fail-on-regression", options->fail_on_regression,
-                    "Exit 5 when a case is slower or lost");
+                    "Exit with code 5 if a case is slower in B or has no time in B");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &chosen] { chosen = [options] { return compare(*options); }; });
 }

@@ -3,8 +3,10 @@
 
 namespace pelage {
 
-/// pelage compare A [B] [--by device|variant|axes.KEY] [--threshold 5%] [--fail-on-regression] [--json]. Exit
-/// 5 when asked to fail and a case is slower or lost.
+/// pelage compare A [B] [--by device|variant|axes.KEY] [--threshold 5%] [--fail-on-regression] [--json]
+///
+/// Compares the times of two sets of results. With --fail-on-regression the exit code is 5 if a case is
+/// slower in B or has no time in B.
 void add_compare(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// pelage devices: what is there, and with --measure what it can do.
+// pelage devices: lists platforms and devices; with --measure, also their measured speed.
 #include "harness/commands/devices.hpp"
 
 #include <fmt/format.h>
@@ -62,22 +62,25 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
   fmt::print("     device    {}, {} compute units, work-groups up to {}, {} per work-item{}\n", kind,
              info.compute_units, info.max_work_group,
              info.lanes == 1 ? "1 lane" : fmt::format("{} lanes", info.lanes), info.fp64 ? ", fp64" : "");
-  fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB a buffer, {} KiB local\n",
+  fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB per buffer, {} KiB local\n",
              gib(info.global_memory), gib(info.max_allocation), info.local_memory >> 10);
   if (!speed) {
-    fmt::print("     timer     {}\n", info.timer_resolution_ns > 0
-                                          ? fmt::format("{} ns", info.timer_resolution_ns)
-                                          : "none: the driver reports a resolution of 0; wall times only");
+    fmt::print("     timer     {}\n",
+               info.timer_resolution_ns > 0
+                   ? fmt::format("{} ns", info.timer_resolution_ns)
+                   : "none: the driver reports a resolution of 0; only wall-clock times are usable");
     return;
   }
-  fmt::print("     timer     {}\n",
-             speed->timer.real
-                 ? fmt::format("{} ns, agrees with the wall clock ({:.1f} ms of events in {:.1f})",
-                               info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
-                 : fmt::format("not to be trusted, wall times only: {}", speed->timer.reason));
+  fmt::print(
+      "     timer     {}\n",
+      speed->timer.real
+          ? fmt::format("{} ns, agrees with the wall clock ({:.1f} ms by events, {:.1f} ms by the clock)",
+                        info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
+          : fmt::format("unreliable, only wall-clock times are usable: {}", speed->timer.reason));
   fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
   fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);
-  fmt::print("     launch    {:.1f} us alone, {:.1f} us queued\n", speed->launch_us, speed->queued_launch_us);
+  fmt::print("     launch    {:.1f} us for one kernel, {:.1f} us per kernel in a queue of 200\n",
+             speed->launch_us, speed->queued_launch_us);
 }
 
 int list_devices(const DevicesOptions& options) {
@@ -86,7 +89,7 @@ int list_devices(const DevicesOptions& options) {
   bool failed = false;
   for (const cl::Device& device : all) {
     std::optional<cl::DeviceSpeed> speed;
-    // One device that fails must not hide the others.
+    // If one device fails, the others are still listed.
     std::string failure;
     if (options.measure) try {
         speed = cl::measure_device(device);
@@ -111,7 +114,8 @@ int list_devices(const DevicesOptions& options) {
   if (options.json)
     fmt::print("{}\n",
                nlohmann::ordered_json{{"devices", list}, {"platforms_without_devices", idle}}.dump(2));
-  if (all.empty()) cl::choose_device("");  // throws, and says what to install
+  if (all.empty())
+    cl::choose_device("");  // throws NoDeviceError, whose message names the packages to install
   return failed ? 1 : 0;
 }
 
@@ -121,7 +125,9 @@ void add_devices(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<DevicesOptions>();
   CLI::App* command = app.add_subcommand("devices", "List every OpenCL platform and device");
   command->add_flag("--measure", options->measure,
-                    "Measure timer, bandwidth, arithmetic peak and launch cost (seconds per device)");
+                    "Measure the event timer, the memory bandwidth, the arithmetic peak and the cost of a "
+                    "launch (about 2 s "
+                    "per device)");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &chosen] { chosen = [options] { return list_devices(*options); }; });
 }

@@ -3,7 +3,8 @@
 
 namespace pelage {
 
-/// pelage devices [--measure] [--json]. Exit 1 when a device fails its measurement, 3 when there is none.
+/// pelage devices [--measure] [--json]: lists the OpenCL devices. Exit code 1 if the measurement of a device
+/// fails, 3 if there is no device.
 void add_devices(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// pelage export: recorded rows as CSV.
+// pelage export: writes the rows of journals as CSV.
 #include "harness/commands/export.hpp"
 
 #include <fmt/format.h>
@@ -40,13 +40,13 @@ int export_csv(const ExportOptions& options) {
 void add_export(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ExportOptions>();
   CLI::App* command = app.add_subcommand("export", "Write recorded rows as CSV");
-  command->add_option("results", options->results, "Folders or files of results")
+  command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
-  command->add_option("--csv", options->csv, "Where to; - is standard output")
+  command->add_option("--csv", options->csv, "Output file; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_flag("--raw", options->raw, "A line per sample, rather than per case and phase");
+  command->add_flag("--raw", options->raw, "Write one line per sample instead of one per case and phase");
   command->callback([options, &chosen] { chosen = [options] { return export_csv(*options); }; });
 }
 

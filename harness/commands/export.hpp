@@ -3,7 +3,7 @@
 
 namespace pelage {
 
-/// pelage export RESULTS... --csv FILE|- [--raw]
+/// pelage export RESULTS... --csv FILE|- [--raw]: writes the rows of journals as CSV.
 void add_export(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// pelage list: experiments and their presets, or the cases of one.
+// pelage list: lists the experiments and their presets, or the cases of one experiment.
 #include "harness/commands/list.hpp"
 
 #include <fmt/format.h>
@@ -19,12 +19,13 @@ struct ListOptions {
   bool json = false;
 };
 
-/// Most seconds that sampling can take; meshes, textures and checks come on top.
+/// Returns the longest time that sampling can take, in seconds. Preparing meshes and textures and checking
+/// pictures take additional time.
 double most_seconds(const Experiment& experiment, const Preset& preset) {
   return double(cases_of(experiment, preset).size()) * (preset.limits.warm_up_s + preset.limits.limit_s);
 }
 
-/// " (PAPER, TABLE)"; each of them only where the experiment names it.
+/// Returns " (PAPER, TABLE)" without the parts that the experiment does not name; "" if it names neither.
 std::string source_of(const Experiment& experiment) {
   if (experiment.paper.empty() && experiment.table.empty()) return "";
   const char* between = experiment.paper.empty() || experiment.table.empty() ? "" : ", ";
@@ -44,7 +45,7 @@ int list_all(bool json) {
                        {"most_samples", preset.limits.most},
                        {"sampling_at_most_s", most_seconds(e, preset)}};
       if (!json)
-        fmt::print("  {:8} {:3} cases, {} to {} samples each, sampling takes {} at most\n", name, count,
+        fmt::print("  {:8} {:3} cases, {} to {} samples each, sampling takes at most {}\n", name, count,
                    preset.limits.least, preset.limits.most, clock_text(most_seconds(e, preset)));
     }
     list.push_back({{"name", e.name},
@@ -82,10 +83,14 @@ int list_cases(const ListOptions& options) {
 
 void add_list(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ListOptions>();
-  CLI::App* command = app.add_subcommand("list", "List the experiments, or the cases of one");
-  command->add_option("experiment", options->experiment, "A name, or FILE.toml")
+  CLI::App* command = app.add_subcommand("list", "List the experiments, or the cases of one experiment");
+  command
+      ->add_option("experiment", options->experiment,
+                   "Experiment whose cases are listed: a name, or FILE.toml")
       ->type_name("EXPERIMENT|FILE.toml");
-  command->add_option("--preset", options->preset, "Whose cases")->type_name("NAME")->capture_default_str();
+  command->add_option("--preset", options->preset, "Preset whose cases are listed")
+      ->type_name("NAME")
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &chosen] {
     chosen = [options] {

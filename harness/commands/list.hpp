@@ -3,7 +3,7 @@
 
 namespace pelage {
 
-/// pelage list [EXPERIMENT|FILE.toml] [--preset NAME] [--json]
+/// pelage list [EXPERIMENT|FILE.toml] [--preset NAME] [--json]: lists the experiments, or the cases of one.
 void add_list(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -31,7 +31,7 @@ struct MeshCommand {
 
 void fill(Picture& picture, const Mesh& mesh, const glm::uvec3& t, glm::vec4 colour) {
   glm::vec2 p[3];
-  for (int k = 0; k < 3; ++k)  // v grows upwards in the picture
+  for (int k = 0; k < 3; ++k)  // v increases upwards in the picture
     p[k] = glm::vec2(mesh.uv[t[k]].x, 1 - mesh.uv[t[k]].y) * float(picture.width) - 0.5f;
   const auto low = glm::vec2(std::min({p[0].x, p[1].x, p[2].x}), std::min({p[0].y, p[1].y, p[2].y}));
   const auto high = glm::vec2(std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y}));
@@ -59,8 +59,9 @@ void line(Picture& picture, glm::vec2 a, glm::vec2 b, glm::vec4 colour) {
   }
 }
 
-// Charts in pale colours, darker where the map is squeezed (less UV than its share of the surface) and
-// lighter where it is stretched; seams black; faces turned over red, drawn large enough to be seen.
+// Draws the UV map: each chart in a pale colour of its own, seams in black. A face is darker where its UV
+// area is less than its share of the surface area, and lighter where it is more. Flipped faces (negative UV
+// area) are red, each with a red cross that makes it visible even if it is smaller than a pixel.
 Picture draw_atlas(const Mesh& mesh, int side) {
   Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), glm::vec4(1))};
   const std::vector<std::uint32_t> chart = charts(mesh);
@@ -79,7 +80,8 @@ Picture draw_atlas(const Mesh& mesh, int side) {
                          0.9f + 0.1f * std::cos(hue + 2.1f));
     fill(picture, mesh, t, glm::vec4(light * tint, 1));
   }
-  std::set<std::pair<std::uint32_t, std::uint32_t>> once;  // sides without a partner of the other direction
+  std::set<std::pair<std::uint32_t, std::uint32_t>>
+      once;  // directed edges without an opposite edge: the seams
   for (const glm::uvec3& t : mesh.triangle)
     for (int k = 0; k < 3; ++k)
       if (!once.erase({t[(k + 1) % 3], t[k]})) once.insert({t[k], t[(k + 1) % 3]});
@@ -100,7 +102,7 @@ void print(const Mesh& mesh) {
   const UvQuality q = uv_quality(mesh);
   fmt::print("{}, content {}\n", mesh.name, mesh.hash);
   for (const std::string& note : mesh.notes) fmt::print("  {}\n", note);
-  fmt::print("vertices {} with seam copies, {} welded; edges {}; faces {}\n", t.copies, t.points, t.edges,
+  fmt::print("vertices: {} with seam copies, {} welded; edges {}; faces {}\n", t.copies, t.points, t.edges,
              t.faces);
   fmt::print("components {}, genus {}, borders {} of {} edges, {}\n", t.components, t.genus, t.borders,
              t.boundary_edges,
@@ -109,11 +111,11 @@ void print(const Mesh& mesh) {
   fmt::print(
       "UV: {} chart{}{}, {:.1f}% of the square covered; flipped {} faces, {:.4f}% of the map; overlapping "
       "{:.4f}%\n",
-      q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " that wraps" : "", 100 * q.covered,
+      q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " (periodic)" : "", 100 * q.covered,
       q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
   fmt::print(
-      "UV area against surface area, 1 everywhere being perfect: {:.2f} at 1%, {:.2f} at 50%, {:.2f} at "
-      "99%\n",
+      "UV area over surface area (1: no distortion): {:.2f} at the 1%, {:.2f} at the 50%, {:.2f} at the 99% "
+      "quantile\n",
       q.area_low, q.area_median, q.area_high);
   fmt::print("surface length per unit of u {:.3f} R, of v {:.3f} R\n", mesh.length_per_uv.x,
              mesh.length_per_uv.y);
@@ -140,23 +142,26 @@ int run(const MeshCommand& command) {
 void add_mesh(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<MeshCommand>();
   CLI::App* command = app.add_subcommand("mesh", "Prepare a mesh; print its counts, topology and UV quality");
-  command->add_option("model", options->model, "A model's name, or a file: OBJ, OFF, PLY, STL, 3DS, glTF")
+  command
+      ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
   command->add_option("-o,--output", options->output, "Write the prepared mesh as PLY with its UV map");
-  command->add_option("--faces", options->faces, "Make it exactly so many triangles");
+  command->add_option("--faces", options->faces,
+                      "Simplify or refine the mesh to exactly this number of triangles");
   command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
       ->add_option("--components", options->components,
-                   "Of a file of several components, keep all that are closed or large, or the largest alone")
+                   "Components of the file to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
   command
       ->add_option("--rotate", options->rotate,
-                   "Turn the model: degrees about x, then y, then z, for instance -90,0,0")
+                   "Rotate the model by these degrees about x, then y, then z, for instance -90,0,0")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");
-  command->add_option("--atlas", options->atlas, "Draw the UV map: charts, seams, faces turned over");
+  command->add_option("--atlas", options->atlas,
+                      "Draw the UV map with its charts, seams and flipped faces as a picture");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 

@@ -62,7 +62,7 @@ void Progress::draw() const {
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - from_).count();
     line += fmt::format(" ETA {}", clock_text(spent / double(worked_) * double(total_ - done_)));
   }
-  // A line that wraps could not be drawn over.
+  // \r returns only to the start of the last terminal line, so the text must fit in one line.
   line.resize(std::min(line.size(), terminal_width() - 1));
   fmt::print(stderr, "\r\x1b[K{}", line);
   std::fflush(stderr);

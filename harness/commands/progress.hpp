@@ -1,4 +1,5 @@
-// Progress of long work on stderr: one bar on a terminal, plain lines elsewhere.
+// Progress of a long computation on stderr: a bar on a terminal, otherwise one line per finished piece of
+// work.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -6,21 +7,21 @@
 
 namespace pelage {
 
-/// "4:05", "1:02:09".
+/// Returns a duration as minutes and seconds, "4:05", or with hours, "1:02:09".
 std::string clock_text(double seconds);
 
 class Progress {
  public:
-  /// `total` pieces of work. The bar is drawn only when stderr is a terminal.
+  /// `total` is the number of pieces of work. The bar is drawn only if stderr is a terminal.
   explicit Progress(std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void start(const std::string& name);     ///< the piece now in hand
-  void note(const std::string& line);      ///< a line that stays
-  void finish(const std::string& result);  ///< the piece is done; `result` is shown where there is no bar
-  void skip(std::size_t pieces);           ///< done before
+  void start(const std::string& name);     ///< begins the piece `name`
+  void note(const std::string& line);      ///< prints a line above the bar
+  void finish(const std::string& result);  ///< ends the piece; without a bar, prints `result`
+  void skip(std::size_t pieces);           ///< counts pieces that an earlier run finished
 
  private:
   void draw() const;

@@ -22,7 +22,9 @@ int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
   const Scene scene = resolve_scene(options.scene);
-  const DrawPicture draw = open_renderer(options.renderer);  // before the mesh, which may take minutes
+  // The device is chosen before the mesh is prepared, which may take minutes, so that a wrong name fails at
+  // once.
+  const DrawPicture draw = open_renderer(options.renderer);
   const auto input = prepare(scene, load_scene_mesh(scene));
   const FrameOutput output = draw(input);
   write_picture(options.output, output.image);
@@ -57,21 +59,24 @@ void add_render(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   command
       ->add_option("--opengl", options->renderer.opengl,
-                   "How the OpenGL rival is written: name=value,name=value (docs/rival.md)")
+                   "Implementation choices of the OpenGL baseline: name=value,name=value (docs/rival.md)")
       ->type_name("OPTIONS");
   command
-      ->add_option("--mapping", options->renderer.mapping,
-                   "How the shells' pixels are spread over work-items (default: what suits the device): " +
-                       mappings_help())
+      ->add_option(
+          "--mapping", options->renderer.mapping,
+          "Mapping of the shells' pixels to work-items (default: depends on the device): " + mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
-  command->add_option("--device", options->renderer.device, "PLATFORM:INDEX, or part of a device's name")
+  command
+      ->add_option("--device", options->renderer.device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
-  command->add_option("--dump", options->dump, "Write every intermediate of the frame as HDF5")
+  command
+      ->add_option("--dump", options->dump, "Write all inputs and intermediate arrays of the frame as HDF5")
       ->type_name("FRAME.h5");
   command
-      ->add_option("--reference-bits", options->renderer.bits,
-                   "8: the reference rounds its picture to 8 bits after every layer, as a GPU of 2010 did")
+      ->add_option(
+          "--reference-bits", options->renderer.bits,
+          "8: the reference rounds its picture to 8 bits per channel after every layer, like GPUs of 2010")
       ->check(CLI::IsMember({8, 32}))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });

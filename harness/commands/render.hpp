@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage render [SCENE.toml] -o IMAGE: one picture of a scene, by the shells on a device or by the
-/// reference.
+/// pelage render [SCENE.toml] -o IMAGE: draws one picture of a scene with the OpenCL pipeline, the
+/// double-precision reference or the OpenGL baseline.
 void add_render(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

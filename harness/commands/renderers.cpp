@@ -20,7 +20,8 @@ DrawPicture open_shells(const RendererOptions& options) {
     Shells shells(device, input, shell_options);
     shells.advance(frames_before(input->scene.dynamics));
     const FrameTiming timing = shells.frame();
-    fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold; time with `pelage run`\n",
+    fmt::print(stderr,
+               "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
                device.info().name, timing.wall_ms);
     return {fmt::format("shells on {}", device.info().name),
             shells.frames_simulated(),
@@ -43,7 +44,7 @@ DrawPicture open_opengl(const RendererOptions& given) {
     FrameOutput output = reference_motion(*input, frames_before(input->scene.dynamics) + 1);
     OpenGl opengl(input, output.mask, options);
     opengl.bend(output.tips);
-    fmt::print(stderr, "{}: one frame in {:.1f} ms, the first and cold\n", renderer, opengl.frame());
+    fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up\n", renderer, opengl.frame());
     output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
     output.image = opengl.read();
     return output;
@@ -51,10 +52,9 @@ DrawPicture open_opengl(const RendererOptions& given) {
 }
 
 constexpr Renderer table[] = {
-    {"shells", "tiles on an OpenCL device", false, false, open_shells},
-    {"reference", "naive double precision on the host", true, false, open_reference},
-    {"opengl", "the papers' own pipeline, one pass per layer, by the OpenGL of this machine", false, true,
-     open_opengl},
+    {"shells", "OpenCL", false, false, open_shells},
+    {"reference", "naive implementation in double precision on the host", true, false, open_reference},
+    {"opengl", "the paper's own pipeline of N passes on the installed OpenGL", false, true, open_opengl},
 };
 
 /// The name of the first pipeline with that property.
@@ -75,10 +75,10 @@ DrawPicture open_renderer(const RendererOptions& options) {
   if (chosen == std::end(table))
     throw InputError(fmt::format("--pipeline {}: no such pipeline", options.pipeline));
   if (options.bits == 8 && !chosen->rounds)
-    throw InputError(fmt::format("--reference-bits 8: only the reference rounds; add --pipeline {}",
+    throw InputError(fmt::format("--reference-bits 8: works only with the reference; add --pipeline {}",
                                  pipeline_with(&Renderer::rounds)));
   if (!options.opengl.empty() && !chosen->has_variants)
-    throw InputError(fmt::format("--opengl: only the OpenGL baseline reads it; add --pipeline {}",
+    throw InputError(fmt::format("--opengl: works only with the OpenGL baseline; add --pipeline {}",
                                  pipeline_with(&Renderer::has_variants)));
   return chosen->open(options);
 }

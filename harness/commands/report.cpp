@@ -1,4 +1,4 @@
-// pelage report: tables, plots and a page from recorded rows.
+// pelage report: writes tables, plots and an HTML page from the rows of journals.
 #include "harness/report/report.hpp"
 
 #include <fmt/format.h>
@@ -41,8 +41,8 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Make tables, plots and a page from results");
-  command->add_option("results", options->results, "Folders or files of results")
+  CLI::App* command = app.add_subcommand("report", "Write tables, plots and an HTML page from results");
+  command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
   command->add_option("-o,--output", options->output, "Folder of the report")->required()->type_name("DIR");

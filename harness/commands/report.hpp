@@ -3,7 +3,7 @@
 
 namespace pelage {
 
-/// pelage report RESULTS... -o DIR. Prints the papers' tables to stdout.
+/// pelage report RESULTS... -o DIR: writes a report into DIR and prints its tables to stdout.
 void add_report(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

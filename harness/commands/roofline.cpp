@@ -1,4 +1,4 @@
-// pelage roofline: time, bytes and operations of every kernel of a frame.
+// pelage roofline: prints the time, bytes and operations of every kernel of a frame.
 #include "harness/commands/roofline.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +30,8 @@ struct RooflineOptions {
   int frames = 15;
 };
 
-/// Medians over frames of each kernel's launches together, in the order of a frame.
+/// Returns the kernels in the order of a frame. A kernel's time is the median over the frames of the summed
+/// time of its launches in a frame; its bytes are those of the first frame.
 std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
                                    const std::map<std::string, double>& operations) {
   std::vector<KernelWork> kernels;
@@ -51,7 +52,8 @@ std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
   return kernels;
 }
 
-/// Empty, with a line on stderr, when the picture is not the reference's.
+/// Times `frames` frames after three of warm-up. Returns nothing and prints the reason to stderr if the
+/// picture fails its check against the reference.
 std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
                                  const ShellOptions& how, int frames) {
   const Scene scene = scene_of(experiment, which);
@@ -67,8 +69,8 @@ std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& exp
   }
   for (const Check& c : check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks)
     if (!c.holds()) {
-      fmt::print(stderr, "pelage: {}: {} against {} is {:.6g}, must be {} {:.6g}: left out\n", which.name,
-                 c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
+      fmt::print(stderr, "pelage: {}: {} against {} is {:.6g}, must be {} {:.6g}; this case is left out\n",
+                 which.name, c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
       return {};
     }
   const Tally tally = shells.tally();
@@ -97,8 +99,8 @@ int roofline(const RooflineOptions& options) {
   const std::vector<Case> cases =
       filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
   if (cases.empty())
-    throw InputError(fmt::format("--filter '{}': {} has no such case with preset {}", options.filter,
-                                 experiment.name, options.preset));
+    throw InputError(fmt::format("--filter '{}': no case of {} with preset {} has a name that matches",
+                                 options.filter, experiment.name, options.preset));
   ShellOptions how{options.mapping, {}};
   if (options.tuning != "defaults") how.tuning = read_tuning(options.tuning);
   const fs::path folder = options.output;
@@ -109,8 +111,9 @@ int roofline(const RooflineOptions& options) {
   const cl::Device device = cl::choose_device(options.device);
   const cl::DeviceSpeed speed = cl::measure_device(device);
   if (!speed.timer.real)
-    throw InputError(fmt::format("{}: {}: kernels have no times of their own on it, see run",
-                                 device.info().name, speed.timer.reason));
+    throw InputError(
+        fmt::format("{}: {}: single kernels cannot be timed on this device; `pelage run` times whole frames",
+                    device.info().name, speed.timer.reason));
   const Ceilings ceilings{device.info().name, speed.triad_gb_s, speed.fma_gflop_s};
   std::vector<FrameWork> frames;
   for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -136,29 +139,34 @@ int roofline(const RooflineOptions& options) {
 void add_roofline(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<RooflineOptions>();
   CLI::App* command = app.add_subcommand(
-      "roofline", "Where a frame's time goes, kernel by kernel, against the device's measured ceilings");
+      "roofline", "Compare the rates of a frame's kernels with the measured peak rates of the device");
   command
       ->add_option("experiment", options->experiment,
-                   "Whose scenes: a name that `pelage list` shows, or FILE.toml")
+                   "Experiment whose scenes are drawn: a name that `pelage list` shows, or FILE.toml")
       ->type_name("EXPERIMENT|FILE.toml")
       ->capture_default_str();
-  command->add_option("--preset", options->preset, "Whose cases")->type_name("NAME")->capture_default_str();
-  command->add_option("--filter", options->filter, "Only the cases whose name holds a match")
+  command->add_option("--preset", options->preset, "Preset whose cases are drawn")
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
-  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
-      ->add_option(
-          "--mapping", options->mapping,
-          "How pixels are spread over work-items (default: what suits the device): " + mappings_help())
+      ->add_option("--mapping", options->mapping,
+                   "Mapping of pixels to work-items (default: depends on the device): " + mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--tuning", options->tuning, "Values of the kernels' tuning axes")
+  command
+      ->add_option("--tuning", options->tuning,
+                   "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
       ->type_name("defaults|FILE")
       ->capture_default_str();
-  command->add_option("--frames", options->frames, "Frames whose median counts")
+  command->add_option("--frames", options->frames, "Number of timed frames; their median is reported")
       ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

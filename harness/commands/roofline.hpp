@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage roofline [EXPERIMENT]: where a frame's time goes, kernel by kernel, against the device's ceilings.
-/// Exit 1 when a picture fails its check: that case is left out.
+/// pelage roofline [EXPERIMENT]: times the kernels of a frame and compares their rates with the measured peak
+/// rates of the device. Leaves out each case whose picture fails its check; the exit code is then 1.
 void add_roofline(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

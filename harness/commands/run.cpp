@@ -1,4 +1,4 @@
-// pelage run: the cases of an experiment on a device, a row of results each.
+// pelage run: times the cases of an experiment on a device and writes one row of results per case.
 #include "harness/commands/run.hpp"
 
 #include <fmt/format.h>
@@ -43,11 +43,12 @@ Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64
   sweep.limits = preset.limits;
   sweep.cases = filtered(cases_of(sweep.experiment, preset, options.overrides()), options.filter);
   if (sweep.cases.empty())
-    throw InputError(fmt::format("{}: no case matches --filter '{}'", sweep.experiment.name, options.filter));
+    throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", sweep.experiment.name,
+                                 options.filter));
   sweep.cases = shuffled(sharded(sweep.cases, options.shard_or_all()), seed);
   if (options.tuning != "defaults")
     for (Case& which : sweep.cases) which.variant += "/" + fs::path(options.tuning).stem().string();
-  // Every scene is read before anything runs: a typing error must not cost an hour.
+  // All scenes are read before the first case runs, so that an error in a late case is reported at once.
   for (const Case& which : sweep.cases) scene_of(sweep.experiment, which);
   return sweep;
 }
@@ -55,11 +56,13 @@ Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64
 std::vector<cl::Device> chosen_devices(const std::string& wanted) {
   if (wanted != "all") return {cl::choose_device(wanted)};
   std::vector<cl::Device> all = cl::devices();
-  if (all.empty()) cl::choose_device("");  // throws, and says what to install
+  if (all.empty())
+    cl::choose_device("");  // throws NoDeviceError, whose message names the packages to install
   return all;
 }
 
-/// The case as the device draws it, where the experiment does not name a mapping.
+/// Returns the case with a mapping: the experiment's, else --mapping, else the device's default. The default
+/// variant is renamed to "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
@@ -68,7 +71,7 @@ Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   return which;
 }
 
-/// The device's name, with its place where two have the same name.
+/// Returns the device's name as a file name, followed by "-PLATFORM.INDEX" if several devices have this name.
 std::string file_stem_of(const cl::Device& device, const std::vector<cl::Device>& all) {
   const auto same = std::count_if(all.begin(), all.end(), [&](const cl::Device& other) {
     return other.info().name == device.info().name;
@@ -92,18 +95,21 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
       options.preset);
 }
 
-/// A journal that continues must continue the same thing.
+/// Throws InputError if the journal has rows of the plan's cases and `resume` is false, or if `resume` is
+/// true and a row has another preset.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
   if (!resume && present > 0)
-    throw InputError(
-        fmt::format("{}: already holds {} of these cases: go on with --resume, or give -o another folder",
-                    journal.file().string(), present));
+    throw InputError(fmt::format(
+        "{}: already contains {} of these cases: continue it with --resume, or give another folder with -o",
+        journal.file().string(), present));
   for (const Row& row : journal.rows()) {
     const std::string was = row.provenance.value("preset", "");
     if (resume && was != plan.provenance.value("preset", ""))
-      throw InputError(fmt::format("{}: was run with --preset {}", journal.file().string(), was));
+      throw InputError(
+          fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
+                      journal.file().string(), was));
   }
 }
 
@@ -148,7 +154,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
 
   Progress progress(plan.cases.size());
   if (journal.dropped_bytes() > 0)
-    progress.note(fmt::format("pelage: {}: dropped a row that was cut off", file.string()));
+    progress.note(fmt::format("pelage: {}: removed an incomplete last row", file.string()));
   progress.skip(std::size_t(std::count_if(plan.cases.begin(), plan.cases.end(), [&](const Case& c) {
     return journal.holds(planned_key(plan, c));
   })));
@@ -173,7 +179,7 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   for (const std::string& name : options.experiments) {
     sweeps.push_back(plan_sweep(options, name, seed));
     if (!names.insert(sweeps.back().experiment.name).second)
-      throw InputError(fmt::format("{} is given twice", sweeps.back().experiment.name));
+      throw InputError(fmt::format("{}: this experiment is given twice", sweeps.back().experiment.name));
   }
   const std::vector<cl::Device> devices = chosen_devices(options.device);
   const std::map<std::string, int> tuning =
@@ -182,7 +188,7 @@ int run_here(const RunOptions& options, const fs::path& folder) {
     dry_run(options, sweeps, devices);
     return 0;
   }
-  // A model of the user's is refused now rather than case by case.
+  // An invalid model of --model is reported here once instead of in every case.
   for (const Sweep& sweep : sweeps)
     if (!options.model.empty() && !sweep.cases.empty())
       load_scene_mesh(scene_of(sweep.experiment, sweep.cases.front()),
@@ -203,9 +209,10 @@ int run_here(const RunOptions& options, const fs::path& folder) {
     }
   }
   fmt::print(stderr, "pelage: {} ok, {} not ok{}{}\n", all.ok, all.not_ok,
-             all.kept ? fmt::format(", {} kept from before", all.kept) : "",
-             all.left ? fmt::format(", {} left (the budget is spent; go on with --resume {})", all.left,
-                                    folder.string())
+             all.kept ? fmt::format(", {} kept from the interrupted run", all.kept) : "",
+             all.left ? fmt::format(
+                            ", {} not run because the time of --budget is used up; continue with --resume {}",
+                            all.left, folder.string())
                       : "");
   return all.bad_input ? 2 : all.not_ok > 0 ? 1 : 0;
 }
@@ -214,8 +221,8 @@ int run_command(const RunOptions& options) {
   const fs::path folder = options.folder();
   refuse_recordings(folder);
   if (options.dry_run) return run_here(options, folder);
-  end_on_interrupt(
-      fmt::format("\npelage: interrupted; what is done is kept: go on with --resume {}\n", folder.string()));
+  end_on_interrupt(fmt::format("\npelage: interrupted; finished cases are kept; continue with --resume {}\n",
+                               folder.string()));
   const int code = options.repeat > 1 && options.repeat_index < 0 ? run_repeats(options, folder)
                                                                   : run_here(options, folder);
   if (options.repeat_index < 0) fmt::print("{}\n", folder.string());
@@ -226,7 +233,7 @@ int run_command(const RunOptions& options) {
 
 void add_run(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "Time the cases of an experiment, checking every picture");
+  CLI::App* command = app.add_subcommand("run", "Time the cases of an experiment and check every picture");
   declare(*command, *options);
   command->callback([options, &chosen] {
     chosen = [options] {

@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage run EXPERIMENT|FILE.toml... Exit 1 when a row is not ok, 2 when one failed on its input. Prints the
-/// folder of the results to stdout.
+/// pelage run EXPERIMENT|FILE.toml...: times the cases of experiments and prints the folder of the results to
+/// stdout. Exit code 1 if a row is not ok, 2 if a case has invalid input.
 void add_run(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

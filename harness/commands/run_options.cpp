@@ -24,7 +24,7 @@ std::pair<std::string, std::string> key_and_value(const std::string& text, std::
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-/// A,B,C; commas inside brackets belong to a vector: [1,0,0],[0,1,0].
+/// Splits "A,B,C" at its commas. Commas inside brackets belong to a vector: "[1,0,0],[0,1,0]" has two parts.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts(1);
   int depth = 0;
@@ -70,61 +70,75 @@ fs::path RunOptions::folder() const {
 }
 
 void declare(CLI::App& command, RunOptions& options) {
-  command.add_option("experiment", options.experiments, "Names that `pelage list` shows, or FILE.toml")
+  command
+      .add_option("experiment", options.experiments,
+                  "Experiments: names that `pelage list` shows, or FILE.toml")
       ->required()
       ->type_name("EXPERIMENT|FILE.toml");
   command
       .add_option("--preset", options.preset,
-                  "smoke: seconds; quick: every cell, few samples; paper: to publish")
+                  "Preset: smoke takes seconds; quick times every cell with few samples; paper takes as many "
+                  "samples as a "
+                  "publication needs")
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--device", options.device, "PLATFORM:INDEX, part of a device's name, or all")
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, part of its name, or all")
       ->type_name("DEVICE");
-  command.add_option("--model", options.model, "This model or mesh file in place of the experiment's")
+  command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
       ->type_name("NAME|FILE");
   command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
-  command.add_option("--axis", options.axis, "Values of an axis in place of the experiment's")
+  command.add_option("--axis", options.axis, "Values that replace the experiment's values of an axis")
       ->type_name("key=a,b")
       ->take_all();
-  command.add_option("--filter", options.filter, "Only the cases whose name holds a match")
+  command
+      .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
       ->type_name("REGEX");
-  command.add_option("--shard", options.shard, "Every n-th case from the i-th on, i from 0")
+  command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
       ->type_name("i/n");
-  command.add_option("--repeat", options.repeat, "Fresh processes that run all of it")
+  command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
   command
-      .add_option("--mapping", options.mapping,
-                  "How the shells' pixels are spread over work-items, where the experiment does not say "
-                  "(default: what "
-                  "suits the device): " +
-                      mappings_help())
+      .add_option(
+          "--mapping", options.mapping,
+          "Mapping of the shells' pixels to work-items if the experiment names none (default: depends on the "
+          "device): " +
+              mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
-  command.add_option("--tuning", options.tuning, "Values of the kernels' tuning axes")
+  command
+      .add_option("--tuning", options.tuning,
+                  "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
       ->type_name("defaults|FILE")
       ->capture_default_str();
   const std::map<std::string, double> seconds{{"s", 1}, {"m", 60}, {"h", 3600}};
-  command.add_option("--budget", options.budget_s, "Wall clock for all of it: 90s, 5m, 1h")
+  command
+      .add_option("--budget", options.budget_s,
+                  "Longest wall-clock time of the whole run, for instance 90s, 5m or 1h")
       ->transform(CLI::AsNumberWithUnit(seconds).description(""))
       ->check([](const std::string& time) {
-        return time.starts_with('-') ? time + " s is below 0: write 90s, 5m or 1h" : std::string();
+        return time.starts_with('-') ? time + " s is negative; write for instance 90s, 5m or 1h"
+                                     : std::string();
       })
       ->type_name("TIME");
-  command.add_option("-o,--output", options.output, "New folder of results")->type_name("DIR");
-  command.add_option("--resume", options.resume, "Go on in this folder; what it holds is kept")
+  command.add_option("-o,--output", options.output, "New folder for the results")->type_name("DIR");
+  command
+      .add_option("--resume", options.resume,
+                  "Continue the interrupted run in this folder; its rows are kept")
       ->type_name("DIR");
-  command.add_option("--order-seed", options.order_seed, "Replays a recorded order of the cases")
+  command
+      .add_option("--order-seed", options.order_seed,
+                  "Seed of the random order of the cases, as recorded in the rows of an earlier run")
       ->type_name("N");
-  command.add_flag("--anonymous", options.anonymous, "Leave the host's name and paths out of the rows");
-  command.add_flag("--dry-run", options.dry_run, "Print the cases, run nothing");
+  command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
+  command.add_flag("--dry-run", options.dry_run, "Print the cases without running them");
   command.add_option("--repeat-index", options.repeat_index)->group("");
 }
 
 void check_options(RunOptions& options) {
   options.argv = own_argv();
   if (!options.output.empty() && !options.resume.empty())
-    throw InputError("give -o or --resume, not both: --resume DIR goes on in DIR");
+    throw InputError("give -o or --resume, but not both; --resume DIR also writes into DIR");
   if (!options.resume.empty() && !fs::is_directory(options.resume))
     throw InputError(fmt::format("--resume {}: no such folder", options.resume));
   if (options.tuning != "defaults" && !fs::is_regular_file(options.tuning))
@@ -141,9 +155,9 @@ int run_repeats(const RunOptions& options, const fs::path& folder) {
     if (options.output.empty() && options.resume.empty()) words.insert(words.end(), {"-o", folder.string()});
     fmt::print(stderr, "pelage: process {} of {}\n", index + 1, options.repeat);
     const pid_t child = fork();
-    if (child < 0) throw InputError("no further process can be started");
+    if (child < 0) throw InputError("the system cannot start another process");
     if (child == 0) {
-      prctl(PR_SET_PDEATHSIG, SIGTERM);  // whoever ends the parent ends the sweep
+      prctl(PR_SET_PDEATHSIG, SIGTERM);  // the child ends when its parent ends
       std::vector<char*> argv;
       argv.reserve(words.size() + 1);
       for (std::string& word : words) argv.push_back(word.data());

@@ -1,4 +1,4 @@
-// The options of pelage run, and what follows from them alone.
+// The options of pelage run, and the values that are computed from the options alone.
 #pragma once
 #include <filesystem>
 #include <limits>
@@ -16,23 +16,25 @@ struct RunOptions {
   std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
-  int repeat_index = -1;  ///< which process of --repeat this is; -1: none of them
+  int repeat_index = -1;  ///< number of this process of --repeat, from 0; -1: started by the user
   std::optional<std::uint64_t> order_seed;
   bool dry_run = false, anonymous = false;
-  std::vector<std::string> argv;  ///< as the program was called
+  std::vector<std::string> argv;  ///< command line of this process, the program's name first
 
   Overrides overrides() const;  ///< throws InputError for a malformed key=value
   Shard shard_or_all() const;
-  std::filesystem::path folder() const;  ///< --resume, -o, or a new one named after the time and the host
+  std::filesystem::path folder()
+      const;  ///< --resume, or -o, or a new folder named after the time and the host
 };
 
 void declare(CLI::App& command, RunOptions& options);
 
-/// Throws InputError for what can be told from the options alone; notes argv.
+/// Fills options.argv. Throws InputError for options that contradict each other, are malformed, or name a
+/// missing file or folder.
 void check_options(RunOptions& options);
 
-/// Runs this program options.repeat times, each time a fresh process with its own --repeat-index. The exit
-/// code is the first that is not 0, after all have run; input errors end it at once.
+/// Runs this program in options.repeat new processes, one after another, each with its own --repeat-index.
+/// Returns the first exit code that is not 0, or 0. An exit code of 2 or more ends the repetition.
 int run_repeats(const RunOptions& options, const std::filesystem::path& folder);
 
 }  // namespace pelage

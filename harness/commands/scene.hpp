@@ -3,7 +3,7 @@
 
 namespace pelage {
 
-/// pelage scene [SCENE.toml] [--set KEY=VALUE]: the resolved scene as commented TOML on stdout.
+/// pelage scene [SCENE.toml] [--set KEY=VALUE]: prints the resolved scene as commented TOML to stdout.
 void add_scene(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -13,7 +13,7 @@
 namespace pelage {
 namespace {
 
-/// "800x600" as overrides of the scene, which know the range.
+/// Sets the scene's width and height to those of "800x600"; apply_set() checks their range.
 void set_size(Scene& scene, const std::string& size) {
   const auto cross = size.find('x');
   const std::string width = size.substr(0, cross);
@@ -24,7 +24,7 @@ void set_size(Scene& scene, const std::string& size) {
   if (!digits(width) || !digits(height)) {
     throw InputError(fmt::format("--size {}: give width x height in pixels, for instance 800x600", size));
   }
-  // Through int: TOML refuses leading zeros.
+  // std::stoi removes leading zeros, which TOML does not allow.
   apply_set(scene, fmt::format("image.width={}", std::stoi(width)), "--size");
   apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
 }
@@ -32,13 +32,15 @@ void set_size(Scene& scene, const std::string& size) {
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
-  command.add_option("scene", options.file, "Scene file; without one, the default scene")
+  command.add_option("scene", options.file, "Scene file (default: the default scene)")
       ->type_name("SCENE.toml");
   command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   if (!draws) return;
-  command.add_option("--model", options.model, "A name of experiments/models.toml, or a mesh file")
+  command
+      .add_option("--model", options.model,
+                  "Model to draw: a name in experiments/models.toml, or a mesh file")
       ->type_name("MODEL");
   command.add_option("--size", options.size, "Size of the picture in pixels")->type_name("WxH");
 }

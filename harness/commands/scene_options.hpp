@@ -1,4 +1,4 @@
-// The options by which a command is told its scene: a file, a model, overrides, a size.
+// The command-line options that define a scene: a file, a model, overrides and a size.
 #pragma once
 #include <memory>
 #include <string>
@@ -12,19 +12,18 @@ namespace pelage {
 
 struct SceneOptions {
   std::string file;              ///< empty: the default scene
-  std::string model;             ///< empty: the scene's own
-  std::string size;              ///< "WxH"; empty: the scene's own
-  std::vector<std::string> set;  ///< key=value
+  std::string model;             ///< empty: the model of the scene file
+  std::string size;              ///< "WxH" in pixels; empty: the size of the scene file
+  std::vector<std::string> set;  ///< overrides, key=value
 };
 
-/// Adds SCENE.toml, --set and, when the command draws, --model and --size.
+/// Adds SCENE.toml and --set and, if the command draws, also --model and --size.
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 
-/// The scene they mean, checked. Throws InputError.
+/// Returns the scene with all overrides. Throws InputError for unknown keys and values out of range.
 Scene resolve_scene(const SceneOptions& options);
 
-/// The scene's mesh; says on stderr what goes on while it is prepared, and what is
-/// wrong with its UV map.
+/// Returns the scene's mesh. Prints the steps of its preparation and the defects of its UV map to stderr.
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene);
 
 }  // namespace pelage

@@ -30,7 +30,7 @@ struct TopologyCommand {
   float length = 0.15f;
 };
 
-// Masses and springs that a paper counts, by topology.
+// Numbers of masses and springs that a paper prints, by the topology's name.
 using Published = decltype(Model::published);
 
 Published published_of(const std::string& model) {
@@ -39,7 +39,7 @@ Published published_of(const std::string& model) {
   return {};
 }
 
-// Counts, degrees and memory do not depend on the fur's length.
+// Length of the fur, in R. Counts, degrees and memory do not depend on it.
 constexpr float any_length = 0.05f;
 
 void row(std::string_view what, const auto& masses, const auto& springs, const std::string& degrees,
@@ -69,7 +69,7 @@ void print(const Mesh& mesh, springs::Kind kind, springs::Vertices vertices, std
 void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
   const std::filesystem::path path = command.drawing;
   if (path.extension() != ".svg")
-    throw InputError(fmt::format("--draw {}: a file whose name ends in .svg", command.drawing));
+    throw InputError(fmt::format("--draw {}: the name of the drawing must end in .svg", command.drawing));
   const std::string svg = springs::drawing_of(mesh, command.length);
   write_atomically(path, [&](const std::filesystem::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary);
@@ -88,8 +88,8 @@ int run(const TopologyCommand& command) {
   const Published published = command.faces ? Published() : published_of(command.model);
   fmt::print("{}: {} surface points, {} vertices with seam copies, {} edges, {} faces\n", mesh->name,
              counts.points, counts.copies, counts.edges, counts.faces);
-  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs a top", "device memory, KiB",
-             published.empty() ? "" : "       the paper");
+  fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs per top", "device memory, KiB",
+             published.empty() ? "" : "       in the paper");
   row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",
       published.empty() ? "" : "masses/springs");
   for (const springs::Kind kind : springs::kinds)
@@ -110,15 +110,17 @@ void add_topology(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<TopologyCommand>();
   CLI::App* command = app.add_subcommand(
       "topology",
-      "Masses, springs, degrees and memory of the topologies over a model, and a drawing of them");
-  command->add_option("model", options->model, "A model's name, or a file: OBJ, OFF, PLY, STL, 3DS, glTF")
+      "Print the masses, springs and memory of each topology over a model, and draw the topologies");
+  command
+      ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
-  command->add_option("--faces", options->faces, "Make it exactly so many triangles");
+  command->add_option("--faces", options->faces,
+                      "Simplify or refine the mesh to exactly this number of triangles");
   command->add_option("--draw", options->drawing, "Draw the four topologies into this file")
       ->type_name("PICTURE.svg");
   command
       ->add_option("--length", options->length,
-                   "Length of the drawing's sticks, in radii of the bounding sphere")
+                   "Length of the sticks in the drawing, in radii of the bounding sphere")
       ->check(CLI::Range(0.001f, 10.0f))
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

@@ -1,4 +1,4 @@
-// pelage topology
+// pelage topology MODEL|FILE: prints the size of each spring network over a model, and draws the networks.
 #pragma once
 #include "harness/commands/command.hpp"
 

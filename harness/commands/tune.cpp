@@ -1,4 +1,4 @@
-// pelage tune: which values of the kernels' tuning axes are quickest on a device.
+// pelage tune: finds the fastest values of the kernels' tuning axes on a device.
 #include "harness/commands/tune.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Few and large triangles, many and small ones, many layers.
+// These cases have few large triangles (torus), many small triangles (bunny) and many layers (torus-64).
 constexpr const char* default_scenes = "^(torus-16|torus-64|bunny-16)-800x600$";
 
 struct TuneOptions {
@@ -74,8 +74,8 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
   std::string scenes;
   for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
   const std::string against =
-      found.best.empty() ? std::string("nothing tried was faster than what is shipped")
-                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) of the shipped time", found.last.ratio,
+      found.best.empty() ? std::string("no other values were faster than the shipped ones")
+                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) times the shipped time", found.last.ratio,
                                        found.last.interval.low, found.last.interval.high);
   const std::string note =
       fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
@@ -87,7 +87,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
     stream << text << std::flush;
     if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
   });
-  // What cannot be read back is of no use to anybody.
+  // This throws if the written file cannot be read back.
   read_tuning(file);
 }
 
@@ -100,23 +100,23 @@ int tune(const TuneOptions& options) {
   const std::vector<Case> cases =
       filtered(cases_of(experiment, preset_of(experiment, options.preset)), options.filter);
   if (cases.empty())
-    throw InputError(fmt::format("--filter '{}': {} has no such case with preset {}", options.filter,
-                                 experiment.name, options.preset));
+    throw InputError(fmt::format("--filter '{}': no case of {} with preset {} has a name that matches",
+                                 options.filter, experiment.name, options.preset));
   const cl::Device device = cl::choose_device(options.device);
   const fs::path file = options.output.empty()
                             ? fs::path("pelage-tuning") / (file_name_of(device.info().name) + ".toml")
                             : fs::path(options.output);
   refuse_recordings(file);
-  if (fs::exists(file)) read_tuning(file);  // refused now rather than at the end
+  if (fs::exists(file)) read_tuning(file);  // reports a malformed file now instead of after the search
   if (options.dry_run) {
     for (std::size_t i = 0; i < stages.size(); ++i) print_axes(stages[i], axes[i]);
-    fmt::print(stderr, "pelage: on {}; would be timed on", device.info().name);
+    fmt::print(stderr, "pelage: would search on {} with the cases", device.info().name);
     for (const Case& c : cases) fmt::print(stderr, " {}", c.name);
-    fmt::print(stderr, "; would be stored in {}; nothing was run\n", file.string());
+    fmt::print(stderr, "; would store the result in {}; nothing was run\n", file.string());
     return 0;
   }
   const std::vector<NamedInput> inputs = prepared(experiment, cases);
-  fmt::print("{}\nstage\tconfiguration\ttime by the incumbent's (95% interval)\n", device.info().name);
+  fmt::print("{}\nstage\tconfiguration\ttime over the incumbent's time (95% interval)\n", device.info().name);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::vector<TuningScene> scenes;
     scenes.reserve(inputs.size());
@@ -127,17 +127,17 @@ int tune(const TuneOptions& options) {
           std::fflush(stdout);
         });
     if (!found.fault.empty()) {
-      fmt::print(stderr, "pelage: {}: what is shipped fails its check, nothing is stored: {}\n", stages[i],
-                 found.fault);
+      fmt::print(stderr, "pelage: {}: the shipped values fail their check, so nothing is stored: {}\n",
+                 stages[i], found.fault);
       return 1;
     }
     if (!found.last.tuning.empty())
-      fmt::print("{}\t{}\t{} of the shipped time{}\n", stages[i], text_of(found.last.tuning),
+      fmt::print("{}\t{}\t{} times the shipped time{}\n", stages[i], text_of(found.last.tuning),
                  told(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);
   }
-  fmt::print(stderr, "pelage: use it with run --tuning {}\n", file.string());
+  fmt::print(stderr, "pelage: to use these values: pelage run --tuning {}\n", file.string());
   return 0;
 }
 
@@ -145,29 +145,34 @@ int tune(const TuneOptions& options) {
 
 void add_tune(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<TuneOptions>();
-  CLI::App* command =
-      app.add_subcommand("tune", "Search the kernels' tuning axes on a device; verify and store what wins");
-  command->add_option("stages", options->stages, "rasterize, simulate, wet; without any, all")
+  CLI::App* command = app.add_subcommand(
+      "tune", "Search, check and store the fastest values of the kernels' tuning axes on a device");
+  command->add_option("stages", options->stages, "Stages to tune: rasterize, simulate, wet (default: all)")
       ->type_name("STAGE");
-  command->add_option("--device", options->device, "PLATFORM:INDEX, or part of a device's name")
+  command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command
       ->add_option("--preset", options->preset,
-                   "Whose cases of silva2010-table1 are timed on: smoke, quick, paper")
+                   "Preset of silva2010-table1 whose cases are timed: smoke, quick, paper")
       ->type_name("NAME")
       ->capture_default_str();
-  command->add_option("--filter", options->filter, "Only the cases whose name holds a match")
+  command
+      ->add_option("--filter", options->filter,
+                   "Use only the cases whose names match this regular expression")
       ->type_name("REGEX")
       ->capture_default_str();
-  command->add_option("--rounds", options->rounds, "Turns that each candidate takes on each scene")
+  command
+      ->add_option("--rounds", options->rounds,
+                   "Number of rounds in which each candidate is timed on each scene")
       ->type_name("N")
       ->check(CLI::Range(6, 1000))
       ->capture_default_str();
   command
       ->add_option("-o,--output", options->output,
-                   "File to store in, other stages' values are kept (default: pelage-tuning/DEVICE.toml)")
+                   "File in which the values are stored; values of other stages in it are kept (default: "
+                   "pelage-tuning/DEVICE.toml)")
       ->type_name("FILE");
-  command->add_flag("--dry-run", options->dry_run, "Print the axes, run nothing");
+  command->add_flag("--dry-run", options->dry_run, "Print the axes without running anything");
   command->callback([options, &chosen] { chosen = [options] { return tune(*options); }; });
 }
 

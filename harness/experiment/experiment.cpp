@@ -18,12 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A string as TOML writes it; JSON's escapes are TOML's.
+/// Returns the text as a TOML string in quotes. The JSON writer is used because JSON's
+/// escape sequences are also valid in TOML.
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
 
-/// Scene keys that one of the named axes stands for, values as in TOML.
+/// Returns the scene keys that the value of a named axis sets, with their values as in TOML.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
@@ -41,7 +42,8 @@ bool is_named_axis(const std::string& key) {
   return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
 }
 
-/// A file name's worth of an axis value: a model file by its stem, anything odd replaced.
+/// Returns an axis value for use in a file name: the path of a model file is reduced to its stem, and all
+/// characters except letters, digits, '.' and '_' are replaced by '_'.
 std::string fit_for_a_name(const std::string& axis, const std::string& value) {
   std::string text = axis == "model" ? fs::path(value).stem().string() : value;
   for (char& c : text)
@@ -89,14 +91,15 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // The first reading and the first variant of the experiment itself go without saying.
+    // The name of a case omits the first reading and the first variant of the experiment.
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(key, value);
   }
-  // A file named on the command line is looked for from the working folder, not from the experiment's.
+  // A relative path on the command line starts at the working folder; one in the file starts at the file's
+  // folder.
   if (is_model_file(overrides.model))
     result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
   result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());
@@ -104,7 +107,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
 
   const auto variant = experiment.variants.find(result.variant);
   if (variant == experiment.variants.end() && result.variant != default_variant)
-    throw InputError(fmt::format("{}: no variant '{}'", experiment.name, result.variant));
+    throw InputError(fmt::format("{}: this experiment has no variant '{}'", experiment.name, result.variant));
   auto part = [&](std::string_view key, std::string_view otherwise) {
     if (variant == experiment.variants.end()) return std::string(otherwise);
     const auto found = variant->second.find(std::string(key));
@@ -156,7 +159,7 @@ fs::path experiment_file(const std::string& name_or_file) {
     if (file.stem() == name_or_file) return file;
     known.push_back(file.stem().string());
   }
-  throw InputError(fmt::format("no experiment '{}' (known: {}; or give a FILE.toml)", name_or_file,
+  throw InputError(fmt::format("there is no experiment '{}' (known: {}; or give a FILE.toml)", name_or_file,
                                fmt::join(known, ", ")));
 }
 
@@ -175,7 +178,7 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
     if (axis.key == "reading")
       for (const std::string& value : axis.values)
         if (!experiment.at.contains("reading") || !experiment.at.at("reading").contains(value))
-          throw InputError(fmt::format("{}: no reading '{}'", experiment.name, value));
+          throw InputError(fmt::format("{}: this experiment has no reading '{}'", experiment.name, value));
 
   std::vector<Case> result;
   std::vector<std::size_t> choice(axes.size(), 0);
@@ -190,7 +193,7 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
   std::set<std::string> names;
   for (const Case& c : result)
     if (!names.insert(c.name).second)
-      throw InputError(fmt::format("{}: two cases are called {}", experiment.name, c.name));
+      throw InputError(fmt::format("{}: two cases have the name {}", experiment.name, c.name));
   return result;
 }
 
@@ -233,8 +236,8 @@ std::vector<Case> sharded(const std::vector<Case>& cases, const Shard& shard) {
 }
 
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
-  // Fisher and Yates by hand: std::shuffle's order is the library's own affair, and the recorded seed must
-  // replay it.
+  // This is the Fisher-Yates shuffle. The order of std::shuffle depends on the standard library, but a
+  // recorded seed must give the same order everywhere.
   std::mt19937_64 random(seed);
   for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random() % i]);
   return cases;

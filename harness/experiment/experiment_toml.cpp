@@ -1,4 +1,4 @@
-// Reading experiments/*.toml.
+// Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
@@ -34,13 +34,14 @@ std::string literal(const toml::node& node) {
   return text.str();
 }
 
-/// The text of an axis value or a published key: strings without their quotes.
+/// Returns the text of an axis value or a published key; strings without their quotes.
 std::string plain(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   return literal(node);
 }
 
-/// Tables become dotted keys: [fur] length = 1 and fur.length = 1 are the same setting.
+/// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
+/// setting.
 void flatten(const toml::table& table, const std::string& prefix, std::vector<Setting>& into) {
   for (const auto& [key, node] : table) {
     const std::string name =
@@ -79,14 +80,14 @@ std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
     Axis axis{std::string(key.str()), {}};
     for (const toml::node& value : *list) {
       if (!value.is_value())
-        refuse(file, &value, fmt::format("axis {} must hold numbers or strings", key.str()));
+        refuse(file, &value, fmt::format("the values of axis {} must be numbers or strings", key.str()));
       axis.values.push_back(plain(value));
     }
     if (std::set<std::string>(axis.values.begin(), axis.values.end()).size() != axis.values.size())
-      refuse(file, &node, fmt::format("axis {} holds a value twice", key.str()));
+      refuse(file, &node, fmt::format("axis {} contains a value twice", key.str()));
     found.emplace_back(key.source().begin, std::move(axis));
   }
-  // A table does not keep its keys in order; the file does.
+  // toml++ sorts the keys of a table. The order in the file is restored from their positions.
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
   });
@@ -112,9 +113,9 @@ Preset read_preset(const fs::path& file, const toml::table& table) {
   limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
   limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
   limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
-  if (limits.most < limits.least) refuse(file, table.get("most"), "most must be at least least");
+  if (limits.most < limits.least) refuse(file, table.get("most"), "most must be at least as large as least");
   if (const toml::node* axes = table.get("axes")) {
-    if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists");
+    if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
     preset.axes = read_axes(file, *axes->as_table());
   }
   return preset;
@@ -124,12 +125,12 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   const std::string unit = text_at(file, table, "unit");
   const auto* keys = table["keys"].as_array();
   const auto* cells = table["cells"].as_array();
-  if (!keys || !cells) refuse(file, &table, "published needs keys = [...] and cells = [[...], ...]");
+  if (!keys || !cells) refuse(file, &table, "[published] must have keys = [...] and cells = [[...], ...]");
   std::vector<Published> result;
   for (const toml::node& node : *cells) {
     const auto* cell = node.as_array();
     if (!cell || cell->size() != keys->size() + 1)
-      refuse(file, &node, fmt::format("a published cell is {} keys and a figure", keys->size()));
+      refuse(file, &node, fmt::format("a published cell must contain {} keys and a figure", keys->size()));
     Published published;
     for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
     try {
@@ -142,7 +143,7 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
-/// Keys of a variant that are not the scene's.
+/// Returns true for the keys of a variant that select its implementation; its other keys are scene keys.
 bool says_how(std::string_view key) {
   return key == pipeline_key || key == mapping_key || key == opengl_key;
 }
@@ -169,8 +170,8 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   std::smatch match;
   if (std::regex_match(text, match, std::regex(number))) {
     const double value = std::stod(match[1]);
-    // A figure printed whole stands for everything that rounds to it; one with decimals for half its last
-    // digit.
+    // A printed figure represents all values that round to it: +-0.5 without decimals, else +- half a unit of
+    // the last digit.
     const std::size_t point = text.find('.');
     const double half =
         point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));
@@ -183,7 +184,8 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   if (std::regex_match(text, match, std::regex(number + R"(\.\.)" + number)))
     return {(std::stod(match[1]) + std::stod(match[2])) / 2, unit, "range", std::stod(match[1]),
             std::stod(match[2])};
-  throw InputError(fmt::format("'{}' is no published figure: write 267, < 1, ~ 30 or 20..30", text));
+  throw InputError(
+      fmt::format("'{}' is not a published figure; write for instance 267, < 1, ~ 30 or 20..30", text));
 }
 
 Experiment read_experiment(const fs::path& file) {
@@ -202,7 +204,8 @@ Experiment read_experiment(const fs::path& file) {
   result.table = text_at(file, table, "table");
   result.hardware = text_at(file, table, "hardware");
   if (!std::regex_match(result.name, std::regex("[A-Za-z0-9][A-Za-z0-9._-]*")))
-    refuse(file, table.get("name"), "name must be given, in letters, digits, '.', '_' and '-'");
+    refuse(file, table.get("name"),
+           "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
   static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware"};
 
   for (const auto& [key, node] : table) {
@@ -233,8 +236,10 @@ Experiment read_experiment(const fs::path& file) {
                       key.str()));
     }
   }
-  if (result.axes.empty()) refuse(file, nullptr, "no [axes]: name at least the models, model = [...]");
-  if (result.presets.empty()) refuse(file, nullptr, "no [preset.NAME]: give at least preset.quick");
+  if (result.axes.empty())
+    refuse(file, nullptr, "there is no [axes] table; give it with at least model = [...]");
+  if (result.presets.empty())
+    refuse(file, nullptr, "there is no [preset.NAME]; the file must have at least [preset.quick]");
   return result;
 }
 

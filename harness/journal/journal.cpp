@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}: {}: {}", file.string(), what, std::strerror(code)));
 }
 
-/// Entries of a folder are durable only after the folder itself is synced.
+/// Syncs a folder to the disk. A new file in it is durable only after this sync.
 void sync_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) fail(folder, "cannot open the folder", errno);
@@ -46,7 +46,7 @@ struct Contents {
   std::vector<Row> rows;
   std::set<std::string> keys;
   std::size_t good = 0;  ///< bytes up to and including the last line feed
-  std::size_t torn = 0;  ///< bytes after it
+  std::size_t torn = 0;  ///< bytes after the last line feed
 };
 
 Contents parse(const fs::path& file, std::string_view text) {
@@ -93,16 +93,17 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK)
         throw InputError(fmt::format(
-            "{}: another pelage process is writing it: wait, or use another folder with -o", file.string()));
+            "{}: another pelage process is writing this file; wait, or give another folder with -o",
+            file.string()));
       fail(file, "cannot be locked", errno);
     }
     if (!existed) sync_folder(file.parent_path().empty() ? fs::path(".") : file.parent_path());
     Contents contents = parse(file, read_text(file));
     if (contents.torn > 0) {
       if (mode == Mode::fresh)
-        throw InputError(fmt::format("{}: its last row is truncated: continue with --resume", file.string()));
+        throw InputError(fmt::format("{}: the last row is truncated; continue with --resume", file.string()));
       if (::ftruncate(descriptor_, off_t(contents.good)) != 0 || ::fdatasync(descriptor_) != 0)
-        fail(file, "cannot drop the truncated row", errno);
+        fail(file, "cannot remove the truncated last row", errno);
     }
     rows_ = std::move(contents.rows);
     keys_ = std::move(contents.keys);
@@ -131,14 +132,15 @@ Journal::Journal(Journal&& other) noexcept
 void Journal::append(const Row& row) {
   if (broken_)
     throw InputError(
-        fmt::format("{}: an earlier write failed: pelage writes no further rows", file_.string()));
+        fmt::format("{}: an earlier write failed, so pelage writes no more rows", file_.string()));
   const std::string key = row_key(row);
-  if (keys_.contains(key)) throw InputError(fmt::format("{}: already holds {}", file_.string(), key));
+  if (keys_.contains(key))
+    throw InputError(fmt::format("{}: already contains the row {}", file_.string(), key));
   const std::string line = to_line(row) + "\n";
   write_all(line);
   if (calls_.fdatasync(descriptor_) != 0) {
-    // After a failed sync the kernel may have dropped the pages. The state of the file is unknown, so the
-    // journal does not retry.
+    // After a failed sync the operating system may have discarded the unwritten pages. A second sync could
+    // then succeed without writing them, so the journal does not retry.
     broken_ = true;
     fail(file_, "cannot be synced to the disk", errno);
   }

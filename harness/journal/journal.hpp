@@ -1,11 +1,14 @@
 // The append-only journal of rows: one file, one line per case. A kill of the program loses no complete row.
 //
-// Rules (as in SQLite and RocksDB): one writer (lock); O_APPEND; a whole line per write, each with its
-// checksum; interrupted and short writes are completed; a row counts only after fdatasync; the folder is
-// synced when the file is created; a full disk truncates the file to the last good length and fails; an error
-// of fdatasync stops the run and is never retried. On opening, only a truncated last line (no line feed) may
-// be dropped, and only when resuming; damage anywhere else is an error. The rules cover kills of the program,
-// not data that the disk loses in a power failure.
+// The rules follow SQLite and RocksDB. A lock admits only one writer, and the file is opened with O_APPEND.
+// Each write is one whole line with a checksum. Interrupted and short writes are completed. A row counts as
+// written only after fdatasync. The folder is synced when the file is created. If a write fails, for instance
+// on a full disk, the file is truncated to its last complete row and append() throws. If fdatasync fails,
+// append() throws and does not retry. Mode::resume removes a truncated last line (without a line feed). Any
+// other damage is an error.
+//
+// The rules protect rows if the program is killed. They do not protect data that a disk loses in a power
+// failure.
 #pragma once
 #include <sys/types.h>
 
@@ -18,7 +21,7 @@
 
 namespace pelage {
 
-/// The system calls of a journal; tests replace them by failing ones.
+/// The system calls of a journal. Tests replace them by functions that fail.
 struct JournalCalls {
   ssize_t (*write)(int, const void*, std::size_t);
   int (*fdatasync)(int);
@@ -32,19 +35,23 @@ class Journal {
 
   /// Opens or creates `file` (and its folder), takes the lock and reads the existing rows. Throws InputError
   /// if the file cannot be written, another process writes it, a line is damaged, two lines have the same
-  /// key, or (fresh) its last line is truncated.
+  /// key, or the last line is truncated and `mode` is fresh.
   Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
   ~Journal();
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
 
-  const std::vector<Row>& rows() const { return rows_; }                    ///< rows found on opening
-  bool holds(const std::string& key) const { return keys_.contains(key); }  ///< found or appended
-  std::size_t dropped_bytes() const { return dropped_; }  ///< length of a dropped, truncated last line
+  const std::vector<Row>& rows() const { return rows_; }  ///< rows found on opening
+  bool holds(const std::string& key) const {
+    return keys_.contains(key);
+  }  ///< true for found and appended rows
+  std::size_t dropped_bytes() const {
+    return dropped_;
+  }  ///< bytes of the truncated last line that was removed
   const std::filesystem::path& file() const { return file_; }
 
-  /// Appends a row and returns after the row is on the disk. Throws InputError for an existing key, a full
-  /// disk or an I/O error; the file then ends with the last row that was acknowledged.
+  /// Appends a row, syncs the file to the disk and returns. Throws InputError for an existing key, a full
+  /// disk or an I/O error. After such an error the file ends with the last row of a successful call.
   void append(const Row& row);
 
  private:
@@ -60,8 +67,8 @@ class Journal {
   std::set<std::string> keys_;
 };
 
-/// Reads the rows of a journal that another process may be writing (no lock; skips a truncated last line).
-/// Throws InputError for a damaged line.
+/// Reads the rows of a journal. Another process may write it at the same time: takes no lock, and skips a
+/// truncated last line. Throws InputError for a damaged line.
 std::vector<Row> read_journal(const std::filesystem::path& file);
 
 }  // namespace pelage

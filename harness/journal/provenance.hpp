@@ -1,4 +1,4 @@
-// Provenance of a row: program, machine, device, time.
+// Provenance of a row: the program, the machine, the device and the time.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,22 +8,22 @@
 
 namespace pelage {
 
-std::string utc_stamp();  ///< "20261121T001502Z", usable in a file name
-std::string utc_now();    ///< "2026-11-21T00:15:02Z"
-double load_average();    ///< average over the last minute
-std::string host_name();  ///< up to the first dot
-std::string cpu_model();  ///< /proc/cpuinfo's model name; "" if it cannot be read
+std::string utc_stamp();  ///< current time such as "20261121T001502Z", usable in a file name
+std::string utc_now();    ///< current time such as "2026-11-21T00:15:02Z"
+double load_average();    ///< number of runnable processes, averaged over the last minute; -1 if unknown
+std::string host_name();  ///< host name up to the first dot
+std::string cpu_model();  ///< model name in /proc/cpuinfo; "" if it cannot be read
 std::string governor();   ///< frequency governor of the first CPU; "" if it cannot be read
 
-/// Returns a name that is usable in a file name: keeps letters, digits, '.', '_' and '-', replaces others by
-/// '_'.
+/// Returns `text` as part of a file name: keeps letters, digits, '.', '_' and '-', and replaces all other
+/// characters by '_'.
 std::string file_name_of(const std::string& text);
 
-/// Returns the host's part, without the device. `anonymous` omits the host's name and reduces paths in argv
-/// to file names.
+/// Returns the provenance of the program and the host. If `anonymous`, the host's name is omitted, and paths
+/// in argv are reduced to file names.
 nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous);
 
-/// Returns platform, driver, device and its timer.
+/// Returns the provenance of the device: its platform, driver, name and timer.
 nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info);
 
 }  // namespace pelage

@@ -38,7 +38,8 @@ void refuse_recordings(const fs::path& folder) {
       std::mismatch(recordings.begin(), recordings.end(), wanted.begin(), wanted.end());
   if (end == recordings.end())
     throw InputError(fmt::format(
-        "{}: contains recordings, which a run must not change: use another folder with -o", folder.string()));
+        "{}: this folder contains recordings, which a run must not change; give another folder with -o",
+        folder.string()));
 }
 
 }  // namespace pelage

@@ -14,8 +14,9 @@ struct FoundRow {
   std::filesystem::path journal;
 };
 
-/// Returns every row of the journals (*.jsonl) and of the folders with journals at any depth, in the order of
-/// their paths. Throws InputError for a missing path, a folder without a journal, or a damaged journal.
+/// Returns all rows of the given journals (*.jsonl), and of all journals at any depth in the given folders.
+/// The journals of a folder are sorted by path. Throws InputError for a missing path, a folder without a
+/// journal, or a damaged journal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
 /// Throws InputError for the repository's results/, which contains recordings and must not receive a run.

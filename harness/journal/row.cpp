@@ -28,7 +28,7 @@ std::string checksum(std::string_view text) {
   return fmt::format("{:08x}", crc32_z(0, bytes, text.size()));
 }
 
-/// Texts of numbers become JSON numbers ("16" -> 16), so that readers need not convert them.
+/// Returns a JSON number if `text` is a number ("16" becomes 16), else a JSON string.
 Json typed(const std::string& text) {
   double number = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -53,7 +53,8 @@ std::map<std::string, std::string> strings(const Json& values) {
   return result;
 }
 
-/// JSON has no infinity and no NaN, but the PSNR of two equal pictures is infinite.
+/// Returns infinity and NaN as JSON strings, because JSON has no such numbers. The PSNR of two equal pictures
+/// is infinite.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
 }
@@ -81,7 +82,8 @@ Metric metric_from(const Json& json) {
 Row row_from_json(const Json& json) {
   const int schema = json.at("schema").get<int>();
   if (schema != kRowSchema)
-    throw InputError(fmt::format("row schema {} (this pelage reads {})", schema, kRowSchema));
+    throw InputError(
+        fmt::format("the row has schema {}; this version of pelage reads schema {}", schema, kRowSchema));
   Row row;
   json.at("run_id").get_to(row.run_id);
   json.at("experiment").get_to(row.experiment);
@@ -166,8 +168,8 @@ std::string to_line(const Row& row) {
                   {"tuning", Json(row.tuning)},
                   {"image_hash", row.image_hash},
                   {"provenance", row.provenance}};
-  // Driver strings and logs may contain bytes that are not UTF-8. They are replaced, so that the row is not
-  // lost.
+  // Driver strings and logs may contain bytes that are not UTF-8. Such bytes are replaced; otherwise
+  // dump() would throw and the row would be lost.
   std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   body.pop_back();
   return fmt::format("{}{}{}\"}}", body, kCrcMark, checksum(body));
@@ -177,16 +179,16 @@ Row row_from_line(std::string_view line) {
   const std::size_t mark = line.rfind(kCrcMark);
   if (mark == std::string_view::npos || line.size() != mark + kCrcMark.size() + 8 + 2 ||
       !line.ends_with("\"}"))
-    throw InputError("no checksum at the end of the row");
+    throw InputError("the row does not end with a checksum");
   const std::string_view body = line.substr(0, mark);
   if (line.substr(mark + kCrcMark.size(), 8) != checksum(body))
     throw InputError("the checksum does not match the row");
   try {
     return row_from_json(Json::parse(std::string(body) + "}"));
   } catch (const std::logic_error& error) {  // std::stod
-    throw InputError(fmt::format("not a number in the row: {}", error.what()));
+    throw InputError(fmt::format("the row contains a text in place of a number: {}", error.what()));
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("not a row: {}", error.what()));
+    throw InputError(fmt::format("this line is not a row: {}", error.what()));
   }
 }
 

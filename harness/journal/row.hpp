@@ -19,15 +19,16 @@ enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
 std::optional<Status> status_from_text(std::string_view text);  ///< empty: no such status
 
-/// Raw times of one phase, ms, in the order taken. Any list may be empty: a phase within a frame has no
-/// separate wall time, a device without a real timer has no event times, and rows of earlier versions have no
-/// CPU time. `cpu_ms` is the time that all threads of this process used during `wall_ms`.
+/// Measured times of one phase, ms, in the order of measurement. Any list may be empty: a phase within a
+/// frame has no separate wall time, a device without a real timer has no event times, and rows of earlier
+/// versions have no CPU time. `cpu_ms` is the time that all threads of this process used during `wall_ms`.
 struct PhaseSamples {
   std::vector<double> event_ms, wall_ms, cpu_ms = {};
 };
 
-/// A measured or published number. A published number has a relation: "=", "<", "about" or "range", and the
-/// interval that it represents (whole fps: +-0.5; no upper or lower end: censored).
+/// A measured or published number. A published number has a relation, "=", "<", "about" or "range", and the
+/// ends `low` and `high` of the interval that the print represents: a whole number of fps represents +-0.5
+/// fps. An end that the print does not give is empty.
 struct Metric {
   double value = 0;
   std::string unit;
@@ -39,15 +40,17 @@ struct Row {
   std::string run_id;
   std::string experiment;
   std::string case_name;
-  std::string variant;                           ///< pipeline, mapping, solver, tuning
-  std::map<std::string, std::string> axes;       ///< values that are numbers become JSON numbers
-  std::map<std::string, std::string> overrides;  ///< --set, --axis, --model; empty: the experiment as shipped
+  std::string variant;                      ///< what was timed: pipeline, mapping, solver, tuning
+  std::map<std::string, std::string> axes;  ///< axis -> value; to_line() writes numbers as JSON numbers
+  std::map<std::string, std::string>
+      overrides;  ///< by --set, --axis and --model; empty: the shipped experiment
   std::string device;
-  int repeat = 0;  ///< the process of --repeat that took the samples, from 0
+  int repeat = 0;  ///< number of the process of --repeat, from 0
   Status status = Status::ok;
-  std::string reason;  ///< reason for a status other than ok, or a caveat
+  std::string reason;  ///< reason for a status other than ok, or a note about an ok row
   std::vector<Check> check;
-  std::map<std::string, PhaseSamples> samples;  ///< simulate, wet, transform, bin, raster, resolve, frame
+  std::map<std::string, PhaseSamples>
+      samples;  ///< by phase: simulate, wet, transform, bin, raster, resolve, frame
   std::map<std::string, Metric> metrics;
   double build_ms = 0;
   double first_launch_ms = 0;
@@ -59,14 +62,15 @@ struct Row {
 /// Returns the key that is unique in a journal.
 std::string row_key(const Row& row);
 
-/// Returns the row as one line without its line feed; the last field is the checksum of the text before it.
+/// Returns the row as one line without a line feed. The last field, "crc", is the CRC-32 of the text before
+/// it.
 std::string to_line(const Row& row);
 
-/// Reads such a line. Throws InputError with the cause: checksum, JSON, a missing field, a field of the wrong
-/// type, a newer schema.
+/// Reads a line that to_line() wrote. Throws InputError for a wrong checksum, invalid JSON, a missing field,
+/// a field of the wrong type, or another schema.
 Row row_from_line(std::string_view line);
 
-/// Returns the main samples: wall times of whole frames, ms; empty unless the row is ok.
+/// Returns the wall times of whole frames, ms; nothing if the row is not ok.
 std::vector<double> frame_ms(const Row& row);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// references.bib: the works to cite with these figures.
+// Writes references.bib: BibTeX entries of the works to cite together with the report.
 #include <fmt/format.h>
 
 #include <map>
@@ -45,7 +45,7 @@ const std::map<std::string, std::string>& papers() {
   return entries;
 }
 
-/// Returns the shipped experiment of that name.
+/// Returns the shipped experiment `name`, or nothing if there is none.
 std::optional<Experiment> shipped(const std::string& name) {
   for (const auto& file : experiment_files())
     if (file.stem() == name) return read_experiment(file);
@@ -81,7 +81,7 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 }
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
-  // Fields that always differ between rows are omitted; the rows contain them.
+  // These fields differ between the rows of a run. They are omitted here because each row contains them.
   static const std::set<std::string> of_a_row{
       "utc",       "load",      "prepare_s",  "load_after", "other_cpu_share", "check_s",      "kernel_hash",
       "converged", "mesh_hash", "scene_hash", "check_seed", "bad_input",       "mesh_warnings"};

@@ -58,7 +58,7 @@ std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   return tables;
 }
 
-/// A number of one cell; no value if the cell was not measured.
+/// Computes a number of one cell. Returns no value if the cell was not measured.
 using Number = std::optional<double> (*)(const Table&, const Key&);
 
 std::optional<Times> times(const Table& table, const Key& key) {
@@ -75,8 +75,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, by_implicit}),
              fast = times(table, {model, topology, by_explicit});
-  // Uses the device's timer, because the rest of a frame is equal and its noise is larger than this
-  // difference.
+  // Only the simulation differs between the two solvers. The noise of the remaining frame time is larger than
+  // this difference, so only the simulation times of the two rows are compared.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
@@ -105,8 +105,8 @@ const std::vector<Sentence>& sentences() {
       {"for the moving fur simulation of the dog and the elephant, using non-separable topologies, the "
        "computational power needed for rendering the shell layers takes the greater part of the total "
        "performance",
-       "on Figures 9 and 10",
-       "simulation's share of the frame at most 1/2",
+       "about Figures 9 and 10",
+       "the simulation's share of the frame time is at most 1/2",
        {elephant, dog},
        topologies(false),
        both,
@@ -115,9 +115,10 @@ const std::vector<Sentence>& sentences() {
        0.5},
       {"Even when using the potentially slower implicit solution method, no significant slowdown can be "
        "noticed",
-       "on Figure 9, the elephant on spring-sticks and prisms",
-       "the explicit solver's frame with the implicit one's simulation in place of its own, by that frame, "
-       "at most 1.1",
+       "about the elephant on spring-sticks and prisms in Figure 9",
+       "frame time with the implicit solver's simulation over frame time with the explicit solver's "
+       "simulation "
+       "is at most 1.1",
        {elephant},
        topologies(false),
        {by_implicit},
@@ -126,8 +127,8 @@ const std::vector<Sentence>& sentences() {
        1.1},
       {"the number of mass points and springs needed for an entire surface is increased using these "
        "topologies",
-       "section 4, of the separable topologies",
-       "so they cost more: their simulation's time by the shared form's, at least 1",
+       "about the separable topologies in section 4",
+       "simulation time of the separable form over that of the shared form is at least 1",
        {elephant, dog},
        topologies(false),
        both,
@@ -136,8 +137,9 @@ const std::vector<Sentence>& sentences() {
        1},
       {"the separable topologies simulated using the explicit solver run at update rates which are still "
        "interactive",
-       "on Figure 9, the elephant",
-       "at least 17 updates a second, which the paper calls near the limits of interactive application",
+       "about the elephant in Figure 9",
+       "the updates per second are at least 17, which the paper calls near the limits of interactive "
+       "application",
        {elephant},
        topologies(true),
        {by_explicit},
@@ -145,8 +147,8 @@ const std::vector<Sentence>& sentences() {
        false,
        17},
       {"Using the spring-sticks for the dynamical simulation does not noticeably slow down the system",
-       "on Figure 10, the dog",
-       "simulation's share of the frame at most 1/20",
+       "about the dog in Figure 10",
+       "the simulation's share of the frame time is at most 1/20",
        {dog},
        {std::string(springs::Kind::sticks.name)},
        both,
@@ -155,8 +157,8 @@ const std::vector<Sentence>& sentences() {
        0.05},
       {"Nearly all the time needed to process the animation is required by the rendering, not by the "
        "physical system",
-       "on Figure 11, the grass",
-       "simulation's share of the frame at most 1/10",
+       "about the grass in Figure 11",
+       "the simulation's share of the frame time is at most 1/10",
        {grass},
        every_topology(),
        both,
@@ -178,7 +180,8 @@ Claim judged(const Sentence& s, const std::string& device, const Table& table) {
         const Key key{model, topology, solver};
         const std::optional<double> value = s.number(table, key);
         if (!value) {
-          claim.found = fmt::format("no time of {} on {} by {}", model, topology, solver);
+          claim.found = fmt::format("there is no time for model {}, topology {} and solver {}", model,
+                                    topology, solver);
           return claim;
         }
         if (cells == 0 || (s.at_most ? *value > most : *value < least)) worst = key;
@@ -188,8 +191,9 @@ Claim judged(const Sentence& s, const std::string& device, const Table& table) {
       }
   const double decisive = s.at_most ? most : least;
   claim.held = (s.at_most ? decisive <= s.limit : decisive >= s.limit) ? Held::yes : Held::no;
-  claim.found = fmt::format("{:.3g} to {:.3g} in {} cells; {:.3g} for {} on {} by {}", least, most, cells,
-                            decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
+  claim.found =
+      fmt::format("{:.3g} to {:.3g} in {} cells; {:.3g} in the worst cell: model {}, topology {}, solver {}",
+                  least, most, cells, decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
   return claim;
 }
 
@@ -224,7 +228,7 @@ std::string csv_of(const std::vector<Claim>& claims) {
 std::string text_of(const std::vector<Claim>& claims) {
   std::string text;
   for (const Claim& c : claims) {
-    if (text.empty()) text = "What the paper says of Figures 9 to 11, on this device\n";
+    if (text.empty()) text = "Statements of the paper on Figures 9 to 11, tested on this device\n";
     text += fmt::format("  {}: \"{}\" ({})\n    {}: {}\n", to_text(c.held), c.sentence, c.source, c.reading,
                         c.found);
   }

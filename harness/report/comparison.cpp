@@ -16,7 +16,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// All properties that must agree. The axes determine the case's name, so they replace it.
+/// Returns all properties that must agree in a pair, as one text: the experiment, axes, overrides, variant
+/// and device without the property `by`.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
@@ -57,8 +58,9 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
       pairs.push_back(std::move(pair));
     }
   if (pairs.empty())
-    throw InputError(by.text.empty() ? "the two have no case in common; --by device compares across machines"
-                                     : fmt::format("no two cases differ in {} alone", by.text));
+    throw InputError(by.text.empty()
+                         ? "A and B have no case in common; --by device compares results of different devices"
+                         : fmt::format("no two cases differ only in {}", by.text));
   return pairs;
 }
 
@@ -79,7 +81,7 @@ std::string_view to_text(Verdict verdict) {
 double threshold_from_text(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, std::regex(R"(([0-9]{1,6}(?:\.[0-9]{1,9})?)(%?))")))
-    throw InputError(fmt::format("--threshold '{}' is not a fraction: write 5% or 0.05", text));
+    throw InputError(fmt::format("--threshold '{}' is not a fraction; write for instance 5% or 0.05", text));
   return std::stod(match[1]) * (match[2].length() > 0 ? 0.01 : 1.0);
 }
 

@@ -7,20 +7,20 @@
 
 namespace pelage {
 
-/// The property that may differ between the two: "device", "variant" or "axes.KEY"; "" for none. Throws
-/// InputError for another text.
+/// The property in which the two cells of a pair may differ: "device", "variant" or "axes.KEY"; "" for none.
+/// The constructor throws InputError for another text.
 struct CompareBy {
   std::string text;
   explicit CompareBy(const std::string& by);
 };
 
-enum class Verdict { same, faster, slower, lost };  ///< lost: the case has a time in A and none in B
+enum class Verdict { same, faster, slower, lost };  ///< lost: the case has a time in A but no time in B
 
 struct Pair {
-  std::string name;  ///< the properties that both have in common
-  std::string a, b;  ///< the values of `by`
+  std::string name;  ///< the common properties of both cells
+  std::string a, b;  ///< the two values of the property `by`
   double a_ms = 0, b_ms = 0;
-  double change = 0;  ///< b / a - 1; 0 if one has no time
+  double change = 0;  ///< b_ms / a_ms - 1; 0 if a time is missing
   Verdict verdict = Verdict::same;
 };
 

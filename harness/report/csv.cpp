@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-/// Columns that only some rows have: the union over all rows.
+/// Names of the columns that not all rows have: all axes and metrics of all rows.
 struct Columns {
   std::set<std::string> axes, metrics;
   explicit Columns(const std::vector<FoundRow>& rows) {
@@ -59,7 +59,7 @@ std::vector<std::string> body(const Columns& columns, const Row& row, const std:
   return fields;
 }
 
-/// Calls `use(phase, clock, samples)` for every list of times of a row.
+/// Calls `use(phase, clock, samples)` for every list of times in the row.
 void each_list(
     const Row& row,
     const std::function<void(const std::string&, const std::string&, const std::vector<double>&)>& use) {

@@ -1,4 +1,4 @@
-// Tables as comma-separated values (RFC 4180, with a single line feed).
+// Tables as comma-separated values (RFC 4180, but lines end with a line feed only).
 #pragma once
 #include <string>
 #include <vector>
@@ -7,15 +7,16 @@
 
 namespace pelage {
 
-/// Returns one line with its line feed; quotes fields that contain a comma, a quote or a line break.
+/// Returns one line, including its line feed. Fields that contain a comma, a quote or a line break are
+/// quoted.
 std::string csv_line(const std::vector<std::string>& fields);
 
-/// Returns tidy long form, one line per row of results, phase and clock ("wall", "event"): the case, the
+/// Returns one line per row of results, phase and clock ("wall" or "event"). A line contains the case, the
 /// number of samples, their median and its 95% interval, ms. A row that is not ok has one line without times.
-/// Each axis is a column with its own name; each metric is a column "metric.NAME".
+/// Each axis has a column of its name; each metric has a column "metric.NAME".
 std::string csv_by_phase(const std::vector<FoundRow>& rows);
 
-/// Returns the same with one line per sample.
+/// Returns the same columns with one line per sample in place of the median.
 std::string csv_by_sample(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// index.html: the report as one page without resources from outside its folder.
+// Writes index.html: the report as one page that uses only files of its folder.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -61,7 +61,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Returns the drawing without the XML prologue, which is not allowed inside a page.
+/// Returns the SVG drawing without its XML prologue, which is not allowed inside an HTML page.
 std::string svg_of(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -125,7 +125,7 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
-/// Returns for each table a heading, a link to its CSV file, and the table.
+/// Returns the HTML of the tables. Each has a heading and a link to its CSV file.
 template <class Table>
 std::string sections(const char* title, const std::vector<Table>& tables,
                      const std::vector<std::string>& stems) {

@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// Sorts by the leading number: "16" before "64", "800x600" before "1680x1050".
+/// Compares by the leading number, so that "16" precedes "64" and "800x600" precedes "1680x1050".
 bool by_number(const std::string& a, const std::string& b) {
   return std::tuple(std::atof(a.c_str()), a) < std::tuple(std::atof(b.c_str()), b);
 }
@@ -35,7 +35,7 @@ std::string triangles_of(const Cell& cell) {
   return found == cell.metrics.end() ? "" : fmt::format("{:.0f}", found->second.value);
 }
 
-/// Sorts models by their triangle count, as the papers do.
+/// Sorts models by their triangle count, like the papers' tables.
 std::vector<std::string> models_of(const std::vector<Cell>& cells) {
   std::vector<std::pair<double, std::string>> models;
   for (const Cell& c : cells) {
@@ -131,7 +131,7 @@ CellText cell_text(const Cell& cell) {
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note) {
   std::map<std::tuple<std::string, std::string, std::string, std::string, std::string>, std::vector<Cell>>
       groups;
-  std::set<std::string> duels;  // the table of the OpenGL baseline shows their ratios
+  std::set<std::string> duels;  // rival_tables() shows these cells
   for (const Cell& c : cells)
     if (c.metrics.contains("opengl_ratio")) duels.insert(c.experiment);
   for (const Cell& c : cells)

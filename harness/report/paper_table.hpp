@@ -1,5 +1,5 @@
-// The paper's own table with our figures beside the paper's: a block per layer count, a row per model,
-// columns per picture size.
+// A table of a paper with our figures beside the paper's. It has one block per layer count, one row per model
+// and three columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>
@@ -22,24 +22,24 @@ struct PaperTable {
     std::vector<Row> rows;
   };
   std::string experiment, variant, device, host, reading;
-  std::string title, source, hardware;  ///< name of the paper's table; machine of its figures
+  std::string title, source, hardware;  ///< caption; the paper's table; the paper's machine
   std::vector<std::string> sizes;
   std::vector<Block> blocks;
   std::vector<std::string> footnotes;  ///< "a: stand-in ..."
 };
 
-/// The texts of a cell in every form of the table: ours (or the status), the paper's, the ratio; "-" for
-/// none.
+/// The texts of a cell in the text, LaTeX and HTML tables: our figure (or the status), the paper's figure and
+/// their ratio. A missing number is "-".
 struct CellText {
   std::string ours, paper, ratio;
 };
 CellText cell_text(const Cell& cell);
 
-/// Returns the footnote of a model; "" for a model without one.
+/// Returns the footnote of a model; "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// Returns one table per experiment, device and reading. It uses the cells without overrides that have the
-/// axes model, layers and size.
+/// Returns one table per experiment, device and reading. It uses only cells without
+/// overrides and with the axes model, layers and size.
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
 /// Returns text for a terminal, with a legend.

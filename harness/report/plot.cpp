@@ -67,7 +67,7 @@ fs::path plot_program(const std::string& name) {
   places.push_back(fs::path(PELAGE_SHARE_DIR) / "plots");
   for (const fs::path& place : places)
     if (fs::is_regular_file(place / (name + ".py"))) return place / (name + ".py");
-  throw InputError(fmt::format("plots/{}.py is missing: set PELAGE_DATA to pelage's data folder", name));
+  throw InputError(fmt::format("plots/{}.py is missing; set PELAGE_DATA to pelage's data folder", name));
 }
 
 std::string draw_plot(const fs::path& program, const fs::path& table, const fs::path& stem) {

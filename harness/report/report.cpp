@@ -49,7 +49,8 @@ void write_tables(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
-/// Draws plots/STEM by the program of that name; adds each error to the notes once.
+/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. Adds an error text
+/// to the report's notes once.
 void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";
@@ -77,12 +78,13 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
          "Cost of each topology: " + report.topology_stems[i]);
   for (std::size_t i = 0; i < report.rivals.size(); ++i)
     draw(report, folder, "rivals", report.rival_stems[i], csv_of(report.rivals[i]),
-         "Times as fast as the paper's pipeline: " + report.rivals[i].experiment);
+         "Speed relative to the paper's pipeline: " + report.rivals[i].experiment);
   for (const SpringsChart& chart : springs_charts(rows))
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// Returns STEM of tables/STEM.* for a table per experiment, device and host.
+/// Returns the file name without extension of a table in tables/. With several devices it contains device and
+/// host.
 template <class Table>
 std::string stem_of(const Table& table, const char* suffix, bool several_devices) {
   return file_name_of(table.experiment + suffix +
@@ -114,7 +116,8 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   }
 }
 
-/// The cost of more layers, from frames drawn in turns with fewer layers.
+/// Writes tables/layers.csv: frame times relative to those of frames with fewer layers, drawn in the same
+/// rounds.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -122,7 +125,8 @@ void write_in_turns(Report& report, const fs::path& folder) {
   report.scaling += in_turns_text(cells);
 }
 
-/// The growth of time with layers, pixels and triangles: a table, a plot, and the fit of the plot program.
+/// Writes how the frame time grows with layers, pixels and triangles: a table, a plot, and the plot program's
+/// fit.
 void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
@@ -146,7 +150,8 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// One picture per experiment, reading and model: the most layers, then the smallest size.
+/// Copies one picture per experiment, reading and model: of the cells with the most layers, the one of the
+/// smallest size.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {
@@ -173,7 +178,7 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
 }
 
-/// Says how many times were taken on a machine that other processes used as well.
+/// Adds a note with the number of rows that were timed while other processes used much CPU time.
 void note_load(Report& report, const std::vector<FoundRow>& rows) {
   std::size_t timed = 0, loaded = 0;
   for (const FoundRow& found : rows) {
@@ -183,7 +188,7 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
   }
   if (loaded > 0)
     report.notes.push_back(
-        fmt::format("{} of {} rows were timed on a loaded machine: other processes took more than {:.0f}% of "
+        fmt::format("{} of {} rows were timed on a loaded machine: other processes used more than {:.0f}% of "
                     "its CPU time (other_cpu_share in the journal)",
                     loaded, timed, 100 * most_other_share));
 }

@@ -1,4 +1,4 @@
-// The report: tables, plots, pictures, bibliography, provenance and a page that shows them.
+// Writes a report: tables, plots, pictures, bibliography, provenance and an HTML page that shows them.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -15,7 +15,7 @@
 namespace pelage {
 
 struct ReportPlot {
-  std::string title, stem;  ///< plots/STEM.svg, .pdf, .csv, .py
+  std::string title, stem;  ///< the files are plots/STEM.svg, .pdf, .csv and .py
 };
 
 struct ReportPicture {
@@ -25,22 +25,22 @@ struct ReportPicture {
 struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
-  std::vector<std::string> table_stems;  ///< tables/STEM.csv, .tex, one per table
+  std::vector<std::string> table_stems;  ///< one per table; its files are tables/STEM.csv and .tex
   std::vector<TopologyTable> topologies;
-  std::vector<std::string> topology_stems;  ///< tables/STEM.csv, .tex, one per such table
+  std::vector<std::string> topology_stems;  ///< one per table; its files are tables/STEM.csv and .tex
   std::vector<RivalTable> rivals;
-  std::vector<std::string> rival_stems;  ///< tables/STEM.csv, one per such table
+  std::vector<std::string> rival_stems;  ///< one per table; its file is tables/STEM.csv
   std::vector<WayTable> ways;
-  std::vector<std::string> way_stems;  ///< tables/STEM.csv, one per such table
-  std::vector<SolverLine> solvers;     ///< tables/topology-solvers.csv if not empty
-  std::vector<Claim> claims;           ///< tables/claims.csv if not empty
+  std::vector<std::string> way_stems;  ///< one per table; its file is tables/STEM.csv
+  std::vector<SolverLine> solvers;     ///< written to tables/topology-solvers.csv if not empty
+  std::vector<Claim> claims;           ///< written to tables/claims.csv if not empty
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
-  std::string scaling;             ///< cost of doubling the layers; tables/scaling.txt also contains the fit
-  std::vector<std::string> notes;  ///< missing parts and the reasons
+  std::string scaling;             ///< text about the cost of more layers, and the fit of plots/scaling.py
+  std::vector<std::string> notes;  ///< parts that are missing, with the reasons, and warnings
 };
 
-/// Fills in the titles from the shipped experiment files; does not search for files of the user.
+/// Sets the titles of tables of shipped experiments. Tables of the user's own experiment files get no title.
 void add_titles(std::vector<PaperTable>& tables);
 
 /// Writes all parts into `folder` (created if missing) and returns them. Throws InputError for a path that
@@ -48,13 +48,14 @@ void add_titles(std::vector<PaperTable>& tables);
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note);
 
-/// Returns the page, without any resource from outside the folder.
+/// Returns the HTML page. It uses only files in `folder`.
 std::string html_of(const Report& report, const std::filesystem::path& folder);
 
 /// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);
 
-/// Returns the provenance: one block per run and device; fields that differ are listed with all their values.
+/// Returns the provenance as text, one block per run and journal. A field that differs between rows is listed
+/// with all its values.
 std::string provenance_of(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace {
 
 using Group = std::tuple<std::string, std::string, std::string>;  // experiment, device, host
 
-/// Data that cells do not contain: the baseline's times and its renderer.
+/// The data of rows that cells do not contain: the baseline's times and its renderer.
 struct Theirs {
   std::map<std::pair<Group, std::string>, std::vector<double>> wall_ms;  ///< by case
   std::map<Group, std::string> renderer;
@@ -144,22 +144,24 @@ std::string shown(const std::optional<RivalTable::Entry>& entry) {
 
 std::string sentence(const RivalTable::Summary& s) {
   const std::string name = s.reading == "default" ? "" : s.reading + ": ";
-  if (s.timed == 0) return fmt::format("{}none of {} cells has a ratio.", name, s.cells);
+  if (s.timed == 0) return fmt::format("{}none of the {} cells has a ratio.", name, s.cells);
   return fmt::format("{}geometric mean {:.2f} over {} of {} cells, least {:.2f} ({}).", name, s.mean, s.timed,
                      s.cells, s.least, s.least_cell);
 }
 
 std::string sentence(const RivalTable::Overhead& o) {
   return fmt::format(
-      "Curls and clumps take {:.2f} times the frame of plain shells here, {:.2f} times in OpenGL (geometric "
-      "means of {} cells).",
+      "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times "
+      "in "
+      "OpenGL (geometric means of {} cells).",
       o.ours, o.opengl, o.cells);
 }
 
 std::string legend_of(const RivalTable& table) {
   return fmt::format(
-      "The time of the paper's pipeline ({}) over ours on the same picture: median over rounds in turns, and "
-      "its 95% interval.",
+      "Time of the paper's pipeline ({}) divided by ours, for the same picture in the same round: median "
+      "over "
+      "the rounds, and its 95% interval.",
       table.renderer.empty() ? "OpenGL" : table.renderer);
 }
 

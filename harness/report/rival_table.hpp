@@ -1,5 +1,5 @@
-// Speed ratios to the paper's own pipeline (the OpenGL baseline, called rival in file names), from an
-// experiment that draws with both in turns.
+// A table of the time of the paper's own pipeline (the OpenGL baseline, called rival in file names) divided
+// by ours, from an experiment that draws a frame with both pipelines in every round.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace pelage {
 
-/// Rows of reading x model, columns of layers x size.
+/// The table has one row per reading and model, and one column per number of layers and picture size.
 struct RivalTable {
   struct Entry {
     Cell cell;
-    std::optional<Metric> ratio;      ///< median over the rounds and its 95% interval; only if the cell is ok
-    std::optional<double> opengl_ms;  ///< median
+    std::optional<Metric>
+        ratio;  ///< median over the rounds and its 95% interval; empty unless the cell is ok
+    std::optional<double> opengl_ms;  ///< median of the baseline's wall times, ms
   };
   struct Column {
     std::string layers, size;
@@ -22,29 +23,30 @@ struct RivalTable {
   struct Row {
     std::string reading, model;
     double triangles = 0;
-    std::vector<std::optional<Entry>> entries;  ///< per column
+    std::vector<std::optional<Entry>> entries;  ///< one per column
   };
   struct Summary {
     std::string reading;
     std::size_t cells = 0, timed = 0;
-    double mean = 0;  ///< geometric, over the cells with a ratio
+    double mean = 0;  ///< geometric mean of the ratios
     double least = 0;
     std::string least_cell;
   };
-  /// The cost of the scene's curls and clumps: frame time of "default" over that of "plain" shells.
+  /// Cost of the scene's curls and clumps: frame time of the reading "default" over that of the reading
+  /// "plain".
   struct Overhead {
-    std::size_t cells = 0;        ///< number of cells in which both were timed
-    double ours = 0, opengl = 0;  ///< geometric means
+    std::size_t cells = 0;        ///< number of cells that were timed in both readings
+    double ours = 0, opengl = 0;  ///< geometric means over the cells, per pipeline
   };
   std::string experiment, device, host, renderer;
-  std::vector<Column> columns;  ///< by layers, size
-  std::vector<Row> rows;        ///< by reading, triangles
+  std::vector<Column> columns;  ///< sorted by layers, then size
+  std::vector<Row> rows;        ///< sorted by reading, then triangles
   std::vector<Summary> summary;
   Overhead overhead;
 };
 
-/// Returns one table per experiment, device and host with rows that have opengl_ratio. It uses the cells
-/// without overrides.
+/// Returns one table per experiment, device and host whose rows have the metric opengl_ratio. Only cells
+/// without overrides are used.
 std::vector<RivalTable> rival_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const RivalTable& table);

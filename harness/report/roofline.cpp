@@ -13,12 +13,12 @@ double intensity_of(const KernelWork& k) {
   return k.bytes > 0 ? k.operations / k.bytes : 0;
 }
 
-/// Returns the rate of `count` in `ms` milliseconds, 1e9 per second.
+/// Returns the rate of `count` operations or bytes in `ms` milliseconds, in units of 1e9 per second.
 double per_second(double count, double ms) {
   return ms > 0 ? count / ms * 1e-6 : 0;
 }
 
-/// Fraction of the lower of the two ceilings.
+/// Returns the kernel's rate of operations divided by allowed_gflop_s().
 double share_of_roof(const KernelWork& k, const Ceilings& ceilings) {
   const double roof = allowed_gflop_s(ceilings, intensity_of(k));
   return roof > 0 ? per_second(k.operations, k.ms) / roof : 0;

@@ -1,4 +1,5 @@
-// Times, bytes and operations of a frame's kernels, compared with the peak rates of the device.
+// Compares the times, bytes and operations of a frame's kernels with the peak rates of the device (roofline
+// model).
 #pragma once
 #include <string>
 #include <vector>
@@ -8,16 +9,16 @@ namespace pelage {
 /// A kernel within a frame.
 struct KernelWork {
   std::string kernel, phase;
-  double ms = 0;          ///< median over frames of its events, all launches of a frame together
-  double bytes = 0;       ///< of the kernel's buffers, each counted once
-  double operations = 0;  ///< floating-point, of the equations; 0 without any
+  double ms = 0;          ///< event time of all its launches in a frame, median over the frames
+  double bytes = 0;       ///< size of the kernel's buffers, each counted once
+  double operations = 0;  ///< floating-point operations of its equations in a frame; 0 if not counted
 };
 
 struct FrameWork {
-  std::string name;      ///< of the case
-  double triangles = 0;  ///< of the mesh
-  double frame_ms = 0;   ///< median wall time
-  double covered = 0, shaded = 0, blended = 0;
+  std::string name;                             ///< name of the case
+  double triangles = 0;                         ///< triangles of the mesh
+  double frame_ms = 0;                          ///< median wall time
+  double covered = 0, shaded = 0, blended = 0;  ///< numbers of fragments
   std::vector<KernelWork> kernels;
 };
 
@@ -27,8 +28,8 @@ struct Ceilings {
   double gb_s = 0, gflop_s = 0;
 };
 
-/// Returns the rate that the two ceilings allow a kernel of this intensity (operations per byte), 1e9
-/// operations per second.
+/// Returns the highest rate of a kernel with this intensity (operations per byte), 1e9 operations per second:
+/// the lower one of the arithmetic peak and the intensity times the bandwidth.
 double allowed_gflop_s(const Ceilings& ceilings, double intensity);
 
 /// Returns text for a terminal: a table of frames, then a table of kernels.

@@ -29,7 +29,7 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
 }
 
-/// Returns the same case with another number of layers; null if there is none.
+/// Returns the cell that differs from `like` only in its number of layers; null if there is none.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&
@@ -79,11 +79,11 @@ std::string scaling_text(const std::vector<Cell>& cells) {
       worst_64 = std::max(worst_64, more->median_ms / c.median_ms);
   }
   if (worst_double > 0)
-    text += fmt::format("Doubling the layers costs at most {:.2f} times (wanted: at most {:.2f})\n",
-                        worst_double, most_for_doubling);
+    text += fmt::format("Twice the layers take at most {:.2f} times the time (limit: {:.2f})\n", worst_double,
+                        most_for_doubling);
   if (worst_64 > 0)
-    text += fmt::format("64 layers cost at most {:.2f} times 16 (wanted: at most {:.1f})\n", worst_64,
-                        most_for_64_by_16);
+    text += fmt::format("64 layers take at most {:.2f} times the time of 16 layers (limit: {:.1f})\n",
+                        worst_64, most_for_64_by_16);
   const auto largest = std::max_element(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return metric(a, "peak_memory") < metric(b, "peak_memory");
   });
@@ -126,7 +126,8 @@ std::string in_turns_csv(const std::vector<Cell>& cells) {
 std::string in_turns_text(const std::vector<Cell>& cells) {
   if (cells.empty()) return {};
   std::string text =
-      "A frame's time by that of one with half and a quarter of its layers, in turns [95% interval]\n";
+      "Frame time divided by the times with half and with a quarter of the layers, same rounds [95% "
+      "interval]\n";
   const auto shown = [](const Metric& m) {
     return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
   };
@@ -140,8 +141,8 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
     quarter = std::max(quarter, by_quarter.value);
   }
   return text + fmt::format(
-                    "At most {:.2f} times for twice and {:.2f} times for four times the layers (wanted: "
-                    "at most {:.2f} and {:.1f})\n",
+                    "Twice the layers take at most {:.2f} times the time; four times the layers take at most "
+                    "{:.2f} times the time (limits: {:.2f} and {:.1f})\n",
                     half, quarter, most_for_doubling, most_for_64_by_16);
 }
 

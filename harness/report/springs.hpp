@@ -1,4 +1,4 @@
-// Mass-spring experiments in a report: the charts, and the table of solvers against baselines.
+// The parts of a report about mass-spring experiments: charts, and a table of our solvers and the baselines.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,23 +7,24 @@
 
 namespace pelage {
 
-/// Rows of one experiment for a chart of plots/springs.py.
+/// The rows of one experiment that plots/springs.py draws as a chart.
 struct SpringsChart {
   std::string title, stem;
   std::vector<FoundRow> rows;
 };
-/// Returns one chart per experiment and device with at least one ok row, for experiments that have a chart.
+/// Returns one chart per experiment and device with at least one ok row. Only some experiments have a chart.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
-/// A solver on a topology over a model, and one baseline (member `rival`). Ratios are the baseline's time
-/// over ours: by the wall clock, round by round, with the 95% interval; and by processor time, with ours
-/// divided by the number of cores, which other work on the machine does not change (0: not known).
+/// One of our solvers on a topology of a model, and one baseline (member `rival`). `ratio` is the median over
+/// the rounds of the baseline's wall time divided by ours; `low` and `high` are its 95% interval.
+/// `processor_ratio` is the baseline's CPU time divided by our CPU time per core, 0 if unknown; other
+/// processes do not affect it.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;
 };
-/// Returns a line for every baseline of every ok row without overrides, sorted by model, topology, solver,
-/// substeps.
+/// Returns a line for every baseline of every ok row without overrides. The lines are sorted by model,
+/// topology, solver and substeps.
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);

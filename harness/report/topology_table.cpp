@@ -108,7 +108,8 @@ std::string three(std::optional<double> value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
-/// Returns frame and simulation time, ms; for a cell without a time its status.
+/// Returns the texts of the frame time and the simulation time, ms; for a cell without a time, its status and
+/// "-".
 std::pair<std::string, std::string> shown(const std::optional<TopologyTable::Entry>& entry) {
   if (!entry) return {"-", "-"};
   if (!timed(entry)) return {std::string(to_text(entry->cell.status)), "-"};
@@ -120,7 +121,7 @@ std::string percent(std::optional<double> share) {
 }
 
 constexpr const char* legend =
-    "Median wall time of a warm frame, and of its simulation by the device's timer, ms.";
+    "Median wall time of a frame after warm-up, and median time of its simulation by the device's timer, ms.";
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// The cost of each topology on each model: frame and simulation times of all topologies side by side.
+// A table of the cost of each topology on each model: the frame and simulation times of all topologies.
 #pragma once
 #include <optional>
 #include <string>
@@ -8,36 +8,37 @@
 
 namespace pelage {
 
-/// Rows of model x layers x size, columns of topologies.
+/// The table has one row per model, number of layers and picture size, and one column per topology.
 struct TopologyTable {
   struct Entry {
     Cell cell;
-    std::optional<double> simulate_ms, raster_ms;  ///< medians of the phases' event times
-    /// Median frame time over that of the row's first topology, which is Silva's strand if the row has it.
+    std::optional<double> simulate_ms, raster_ms;  ///< median event times of these phases, ms
+    /// Median frame time divided by that of the first topology in the row, which is "silva" if the row has
+    /// it.
     std::optional<double> ratio;
   };
   struct Row {
     std::string model, layers, size;
     double triangles = 0;
-    std::vector<std::optional<Entry>> entries;  ///< per topology
+    std::vector<std::optional<Entry>> entries;  ///< one per topology
   };
   struct Summary {
-    std::optional<double> ratio;     ///< geometric mean over the rows
-    std::optional<double> simulate;  ///< median share of simulation in the frame, 0..1
-    std::optional<double> worst;     ///< largest such share ...
-    std::string worst_row;           ///< ... and its row
+    std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the rows
+    std::optional<double> simulate;  ///< median share of the simulation in the frame time, 0..1
+    std::optional<double> worst;     ///< largest share of the simulation
+    std::string worst_row;           ///< row of the largest share
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;
-  std::vector<Row> rows;  ///< by layers, size, triangles
+  std::vector<Row> rows;  ///< sorted by layers, size and triangles
   std::vector<Summary> summary;
 };
 
 /// Returns true for a cell whose experiment has the topology as an axis.
 bool has_topology_axis(const Cell& cell);
 
-/// Returns one table per experiment, device and host. It uses the cells without overrides that have the axes
-/// model, layers, size and dynamics.topology.
+/// Returns one table per experiment, device and host. It uses only cells without
+/// overrides and with the axes model, layers, size and dynamics.topology.
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);

@@ -85,8 +85,9 @@ std::string times(double value) {
 }
 
 constexpr const char* legend =
-    "A frame's time, ms, median and 95% interval (*: wider than the preset asks for); times: by the fastest "
-    "that draws the picture asked for, geometric mean.";
+    "Frame time, ms: median and 95% interval (*: wider than the preset asks for). times: time over that of "
+    "the "
+    "fastest variant with a correct picture, geometric mean.";
 
 }  // namespace
 

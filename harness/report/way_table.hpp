@@ -1,5 +1,5 @@
-// A table of ways: an experiment's variants that draw the same picture. It shows which variant is fastest and
-// which draws another picture.
+// A table of the variants of an experiment that should draw the same picture ("ways"). It shows which variant
+// is fastest and which variants draw another picture.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,30 +9,32 @@
 
 namespace pelage {
 
-/// One row per way, one column per model x layers x size.
+/// The table has one row per variant ("way"), and one column per model, number of layers and picture size.
 struct WayTable {
   struct Column {
     std::string model, layers, size;
-    double fastest_ms = 0;  ///< of the ok cells; 0 without one
+    double fastest_ms = 0;  ///< shortest median of the column's ok cells; 0 without an ok cell
   };
   struct Row {
     std::string way;
-    double times = 0;  ///< geometric mean of time over the fastest way's time, over its ok cells
-    std::vector<std::optional<Cell>> entries;  ///< per column
+    double times = 0;  ///< time over the column's fastest time, geometric mean over its ok cells
+    std::vector<std::optional<Cell>> entries;  ///< one per column
   };
   std::string experiment, device, host;
-  std::vector<Column> columns;  ///< by model, layers, size
-  std::vector<Row> rows;        ///< sorted by speed, the fastest first; ways without a time last
+  std::vector<Column> columns;  ///< sorted by model, layers and size
+  std::vector<Row> rows;        ///< sorted by speed, the fastest first; variants without a time are last
 };
 
-/// An experiment with at least this many variants becomes a table of ways, not a table beside a paper's.
+/// Smallest number of variants of an experiment whose results become a WayTable instead of a PaperTable.
 constexpr std::size_t fewest_ways = 4;
 
-/// Returns true if the cell's experiment becomes a table of ways: many variants of cells with model, layers
-/// and size, and no cell with a paper's figure, a ratio or a topology.
+/// Returns true if the results of the cell's experiment become a WayTable. Such an experiment has at least
+/// `fewest_ways` variants and the axes model, layers and size. Its cells have no published figure, no ratio
+/// and no topology.
 bool has_ways(const std::vector<Cell>& cells, const Cell& cell);
 
-/// Returns one table per such experiment, device and host, from the cells without overrides.
+/// Returns one table per device and host for each experiment for which has_ways() is true. Only cells without
+/// overrides are used.
 std::vector<WayTable> way_tables(const std::vector<Cell>& cells);
 
 std::string text_of(const WayTable& table);

@@ -39,7 +39,7 @@ class FewerLayers : public Subject {
   }
   void describe(Row& row) override {
     all_->describe(row);
-    row.metrics.erase("peak_memory");  // of all three
+    row.metrics.erase("peak_memory");  // it is the memory of all three subjects together
     for (const auto& [phase, subject] : fewer_)
       row.metrics[phase + "_ratio"] = median_ratio(row.samples["frame"].wall_ms, row.samples[phase].wall_ms);
   }
@@ -55,9 +55,9 @@ std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which
   const auto given = which.settings.find("fur.layers");
   const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
   if (layers < 4 || layers % 4 != 0)
-    throw InputError(
-        fmt::format("{}: fur.layers = {}: {} draws half and a quarter of them, too: give a multiple of 4",
-                    which.name, layers, which.pipeline));
+    throw InputError(fmt::format(
+        "{}: fur.layers = {}: {} also draws a half and a quarter of the layers; give a multiple of 4",
+        which.name, layers, which.pipeline));
   const auto with = [&](int number) {
     Case fewer = which;
     fewer.settings["fur.layers"] = std::to_string(number);

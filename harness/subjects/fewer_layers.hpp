@@ -1,4 +1,5 @@
-// What more layers cost, as a ratio of frames drawn in turns.
+// Measures the cost of more layers: the frame times with all, half and a quarter of the layers, and their
+// ratios.
 #pragma once
 #include "harness/measure/subject.hpp"
 

@@ -40,7 +40,7 @@ class OpenGlSubject : public Subject {
     advance(frames_before(input_->scene.dynamics));
   }
 
-  /// The strands' step is not in the time.
+  /// The returned time does not contain the simulation of the strands.
   FrameSample frame() override {
     advance(1);
     std::vector<glm::vec3> tips;

@@ -43,7 +43,7 @@ MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
   return [context](const Case& which) {
     for (const Pipeline& pipeline : pipelines())
       if (pipeline.name == which.pipeline) return pipeline.make(*context, which);
-    throw Unsupported(fmt::format("no pipeline '{}' in this build", which.pipeline));
+    throw Unsupported(fmt::format("this build has no pipeline '{}'", which.pipeline));
   };
 }
 

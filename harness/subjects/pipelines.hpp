@@ -1,4 +1,4 @@
-// What an experiment can time.
+// The pipelines that an experiment can time.
 #pragma once
 #include <functional>
 #include <map>
@@ -10,12 +10,13 @@
 
 namespace pelage {
 
-/// All of them, in the order of docs/code.md.
+/// Returns the table of all pipelines: a name and a factory each.
 std::span<const Pipeline> pipelines();
 
-/// Makes the cases of `experiment` on `device` by the pipelines that they name; another name throws
-/// Unsupported. Meshes stay in memory from case to case. `tuning` goes to the kernels; `progress` is told
-/// what takes long.
+/// Returns a factory that makes the subject of a case of `experiment` on `device` with the case's pipeline.
+/// The factory throws Unsupported for an unknown pipeline, and keeps meshes in memory for later cases.
+/// `tuning` maps the kernels' tuning axes to values. The factory reports long preparation steps to
+/// `progress`.
 MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
                         const std::map<std::string, int>& tuning,
                         const std::function<void(const std::string&)>& progress);

@@ -48,15 +48,15 @@ class ShellsSubject : public Subject {
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {
-    peak_ = peak_memory();  // before the reference takes its own
+    peak_ = peak_memory();  // read before the reference allocates memory
     const bool springs = has_springs(input_->scene.dynamics);
     const WindowCheck result = check_against_reference(*input_, shells_.frames_simulated(), timed, seed_,
                                                        springs ? shells_.tips() : std::vector<glm::vec3>());
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
-    // The masses after the motion that precedes the first picture; the picture with the masses of its own
-    // frame.
+    // The masses are checked in the state before the first timed frame. The timed picture is checked above
+    // with the masses of its own frame, so that errors of the simulation do not change the picture's check.
     if (springs)
       for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
         checks.push_back(std::move(check));
@@ -78,7 +78,7 @@ class ShellsSubject : public Subject {
       row.metrics["masses"] = {double(topology.mass.size()), "masses"};
       row.metrics["springs"] = {double(topology.spring.size()), "springs"};
     }
-    // Where to look when a check fails.
+    // These metrics help to find the cause of a failed check.
     row.metrics["worst_difference"] = {agreement_.worst, "1"};
     row.metrics["flips"] = {double(agreement_.flips), "pixels"};
     row.metrics["psnr_without_flips"] = {agreement_.psnr_without_flips, "dB"};
@@ -109,7 +109,7 @@ class ShellsSubject : public Subject {
   Agreement agreement_, sample_;
   std::uint64_t peak_ = 0;
   Shells shells_;
-  std::vector<glm::vec3> before_;  ///< a topology's sticks when the first frame was timed
+  std::vector<glm::vec3> before_;  ///< tips of a topology's sticks before the first timed frame, R
 };
 
 }  // namespace

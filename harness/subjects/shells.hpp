@@ -1,11 +1,11 @@
-// The shell pipeline as a subject of the harness.
+// The OpenCL pipeline as a subject that the harness can time.
 #pragma once
 #include "harness/measure/subject.hpp"
 
 namespace pelage {
 
-/// The case's scene on the context's device by the case's mapping; every timed frame is compared with the
-/// reference.
+/// Returns a subject that draws the case's scene on the context's device with the case's mapping. Its check()
+/// compares a timed picture with the reference.
 std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-# Run at every build: writes `output` from `input`, and touches it only when something in it changed.
+# Every build runs this script. It fills in the template `input` and writes the result to `output` if it changed.
 set(revision unknown)
 set(dirty false)
 file(STRINGS ${source}/harness/version/revision.txt archived LIMIT_COUNT 1)
@@ -7,7 +7,8 @@ if(archived MATCHES "^[0-9a-f]+$")
 endif()
 find_program(GIT git)
 if(GIT)
-  # Only this folder's own repository counts: a copy unpacked inside another one is not that one's commit.
+  # A copy of pelage inside another git repository must not take that repository's commit, so the top folder of the
+  # repository must be the source folder.
   execute_process(COMMAND ${GIT} rev-parse --show-toplevel HEAD WORKING_DIRECTORY ${source}
                   OUTPUT_VARIABLE answer RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   string(REPLACE "\n" ";" answer "${answer}")

@@ -1,4 +1,4 @@
-// Which source this binary was built from, and how.
+// Version and revision of the source, and compiler of this binary.
 #pragma once
 #include <string>
 
@@ -6,14 +6,14 @@ namespace pelage {
 
 struct BuildInfo {
   std::string version;   ///< the release, "0.1.0"
-  std::string revision;  ///< git's commit in 40 hex digits; "unknown" in a copy that lost it
-  bool dirty = false;    ///< tracked files differed from that commit when this was built
+  std::string revision;  ///< git's commit, 40 hex digits; "unknown" without git and revision.txt
+  bool dirty = false;    ///< true if tracked files differed from that commit during the build
   std::string compiler;  ///< "GNU 12.2.0"
-  std::string flags;     ///< what the harness was compiled with
+  std::string flags;     ///< compiler flags of the harness
 };
 
-/// Taken from git at build time; a copy without .git has the revision that `git archive` wrote into
-/// revision.txt.
+/// Returns the build's data. The revision comes from git at build time, or in a copy without .git from
+/// revision.txt, which `git archive` fills in.
 const BuildInfo& build_info();
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// What bad input gets: the exit code of the command line's contract and one clear line, never a crash or a
-// hang. Runs under the sanitizers too, whose reports would show as another exit code.
+// Tests that invalid input gives the right exit code and one clear line on stderr, without a crash or a hang.
+// The tests also run under the sanitizers, whose reports change the exit code.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 struct Bad {
   const char* arguments;
   int code;
-  const char* expected;  ///< part of the last line on stderr
+  const char* expected;  ///< text that the last line on stderr must contain
 };
 
 const Bad usage[] = {
@@ -45,8 +45,8 @@ const Bad usage[] = {
     {"render -o a.png --reference-bits 8 --pipeline shells", 2, "add --pipeline reference"},
     {"render -o a.png --device 'no such device'", 2, "no such device"},
     {"check fly", 2, "fly"},
-    {"check --filter '('", 2, "--filter (: no regular expression"},
-    {"check --filter zebra", 2, "--filter zebra: no case has such a name"},
+    {"check --filter '('", 2, "--filter (: this is not a valid regular expression"},
+    {"check --filter zebra", 2, "--filter zebra: no case has a name that matches"},
     {"check --device 'no such device'", 2, "no such device"},
     {"scene --set fur.layers=\"'\na\n'\"", 2, "fur.layers"},
 };
@@ -167,7 +167,7 @@ TEST(BadInput, Meshes) {
   }
 }
 
-/// Good pictures of every kind, cut in half.
+/// Writes the first half of a valid PNG, TIFF and OpenEXR file, and the header of a JPEG file.
 void write_halves(const Folder& folder) {
   Picture noise{64, 64, {}};
   for (unsigned i = 0, state = 1; i < 64 * 64; ++i) {
@@ -181,7 +181,6 @@ void write_halves(const Folder& folder) {
     const std::string bytes = folder.read(name);
     folder.write(name, bytes.substr(0, bytes.size() / 2));
   }
-  // The first bytes of a JPEG file, and nothing behind its header.
   folder.write("half.jpg",
                std::string("\xff\xd8\xff\xe0\x00\x10JFIF\x00\x01\x01\x00\x00\x01\x00\x01\x00\x00", 20));
 }
@@ -191,7 +190,7 @@ TEST(BadInput, Images) {
   write_halves(folder);
   folder.write("text.png", "this is no picture\n");
   folder.write("text.gif", "this is no picture\n");
-  // A header that promises 2 000 000 x 2 000 000 pixels.
+  // The header of this file declares 2 000 000 x 2 000 000 pixels, but there are no pixels.
   folder.write(
       "huge.png",
       std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x1e\x84\x80\0\x1e\x84\x80\x08\x02\0\0\0\x1f\x4e\x5f\x5f",

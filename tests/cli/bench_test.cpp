@@ -1,4 +1,5 @@
-// pelage-bench on a small picture: every kernel has a time and its counters, in Google Benchmark's own JSON.
+// Runs pelage-bench on a small picture. The JSON of Google Benchmark must contain a time and counters of
+// every kernel.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -6,7 +7,7 @@
 
 #include "tests/cli/shell.hpp"
 
-#ifdef PELAGE_BENCH  // else there was no Google Benchmark to build it with
+#ifdef PELAGE_BENCH  // defined if Google Benchmark was found, so that pelage-bench was built
 
 namespace pelage::cli {
 namespace {

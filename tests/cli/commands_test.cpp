@@ -1,4 +1,4 @@
-// The commands do what they say, on good input.
+// Tests the commands of pelage with valid input.
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
@@ -42,7 +42,7 @@ TEST(Commands, ThePrintedSceneReadsBackToItself) {
   EXPECT_NE(second.out.find("\nlayers = 16 "), std::string::npos);
 }
 
-/// A dataset of floats (converted from whatever it is) and its shape.
+/// An HDF5 dataset, converted to floats, with its shape and units.
 struct Dataset {
   std::vector<hsize_t> shape;
   std::vector<float> values;
@@ -103,7 +103,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   const Dataset offset = read(file, "layer/offset");
   EXPECT_EQ(offset.shape, (Shape{4, vertices, 3}));
 
-  // Tips stay on their springs' half ball and have left their rest: gravity pulls.
+  // Every tip is at most the strand's length away from its root, and gravity has moved some tips.
   const Dataset root = read(file, "strand/root"), rest = read(file, "strand/rest"),
                 tip = read(file, "strand/tip");
   float moved = 0;
@@ -114,8 +114,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   }
   EXPECT_GT(moved, 0.005f);
 
-  // The uppermost layer is where the tips are: at the area-weighted mean of the triangles around a surface
-  // point (there is no curl here). Vertices that share a point have its bits.
+  // Without curl, the offset of the uppermost layer at a surface point is the area-weighted mean of the tips'
+  // offsets of the triangles around the point. Copies of a surface point have bitwise equal positions.
   std::map<std::array<float, 3>, std::array<double, 4>> mean;
   const auto point = [&](std::size_t v) {
     return std::array{position.values[3 * v], position.values[3 * v + 1], position.values[3 * v + 2]};
@@ -144,7 +144,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
     }
   }
 
-  // The camera sees the model: all vertices in front of it, their mean near the picture's middle.
+  // All vertices are in front of the camera, and their mean is near the centre of the picture.
   const Dataset view = read(file, "camera/view"), projection = read(file, "camera/projection");
   double x = 0, y = 0;
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -165,7 +165,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   EXPECT_LT(std::abs(x), 4);
   EXPECT_LT(std::abs(y), 4);
 
-  // The image is the one that was written beside it.
+  // The dataset equals the picture that the same command wrote.
   const Dataset image = read(file, "image");
   EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
   const Picture picture = read_picture(folder.path() / "image.exr");
@@ -234,7 +234,7 @@ TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
   const Folder folder;
   std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
                         std::filesystem::copy_options::recursive);
-  // Droplets that leave half their wetness.
+  // The planted mistake halves the wetness of droplets.
   std::string text = folder.read("kernels/wet/equations.clh");
   const std::string right = ": drop.wetness;";
   const auto place = text.find(right);

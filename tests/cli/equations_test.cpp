@@ -1,4 +1,4 @@
-// docs/equations.md against the kernels' comments and the tests' names.
+// Compares docs/equations.md with the comments of the kernels and the names of the tests.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An equation and the function that is it.
+/// An equation and the function that computes it.
 using Line = std::pair<std::string, std::string>;
 
 std::string text_of(const fs::path& path) {
@@ -35,7 +35,7 @@ std::vector<std::string> all(const std::string& text, const std::regex& pattern)
 
 const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
-/// The numbered equations that the comment right above a function names.
+/// Returns the functions of `source` with the numbered equations that the comment above each function names.
 std::set<Line> anchors_of(const std::string& source) {
   static const std::regex function(R"(^(?:static inline|INLINE) [\w ]+[ *](\w+)\()");
   std::set<Line> anchors;
@@ -49,7 +49,7 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      comment.clear();  // one comment may stand above two functions of a line each
+      comment.clear();  // a comment may belong to two functions of one line each
     }
   }
   return anchors;

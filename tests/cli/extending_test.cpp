@@ -1,4 +1,4 @@
-// docs/extending.md, run block by block as its reader would.
+// Runs the commands of docs/extending.md block by block, as a reader would.
 #include <gtest/gtest.h>
 
 #include <fstream>

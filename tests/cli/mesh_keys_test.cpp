@@ -1,4 +1,4 @@
-// What a scene says of its mesh reaches the picture, and what is wrong with the mesh reaches the user and the
+// The scene's keys about the mesh change the picture. Defects of the mesh are reported on stderr and in the
 // rows.
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 namespace pelage::cli {
 namespace {
 
-// A tetrahedron all of whose faces lie over one another in its own UV map.
+// A tetrahedron whose four faces cover the same triangle of its UV map.
 const char* const overlapping =
     "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nvt 0.1 0.1\nvt 0.9 0.1\nvt 0.1 0.9\n"
     "f 1/1 3/2 2/3\nf 1/1 2/2 4/3\nf 1/1 4/2 3/3\nf 2/1 3/2 4/3\n";

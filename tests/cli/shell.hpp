@@ -1,4 +1,4 @@
-// Runs the built binary as a user's shell would.
+// Runs the pelage binary of this build in a shell, in a temporary folder.
 #pragma once
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@ struct Outcome {
   std::string out, err;
 };
 
-/// A folder of its own that goes with the object.
+/// A new temporary folder. The destructor deletes it.
 class Folder {
  public:
   Folder() {
@@ -43,11 +43,11 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// `arguments` in the shell's syntax; `environment` as assignments before the command. Runs inside the
-/// folder.
+/// Runs pelage inside the folder for at most 300 s. `arguments` has the syntax of the shell; `environment`
+/// contains assignments such as "A=1 B=2".
 inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
                       const std::string& binary = PELAGE_BINARY) {
-  // Leaks of the OpenCL libraries are not ours to report; errors of memory still are.
+  // Leaks inside the OpenCL libraries are ignored; other memory errors are still reported.
   const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
                               environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
   const int status = std::system(command.c_str());

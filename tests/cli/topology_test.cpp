@@ -1,4 +1,4 @@
-// pelage topology prints what the paper counts.
+// Tests that pelage topology prints the paper's numbers of masses and springs.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@
 namespace pelage::cli {
 namespace {
 
-/// "name masses springs" of the row of that name; empty when there is none.
+/// Returns "MASSES SPRINGS" of the row `name`; "" if there is no such row.
 std::string row_of(const std::string& text, const std::string& name) {
   std::smatch found;
   const std::regex row("(^|\n)" + name + " +([0-9]+) +([0-9]+) ");
@@ -31,7 +31,7 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
-  // The paper's own counts stand beside ours, and nowhere else.
+  // The paper's counts are printed only for models and topologies that the paper counts.
   const auto ends_with = [&](const std::string& name, const std::string& end) {
     return std::regex_search(elephant.out, std::regex("\n" + name + " [^\n]* " + end + "\n"));
   };
@@ -47,7 +47,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// Every spring of the four topologies is drawn once, every triangle once a panel.
+// The drawing contains every spring of the four topologies once, and every triangle once per panel.
 TEST(TopologyCommand, DrawsWhatItCounts) {
   const Folder folder;
   const Outcome outcome = pelage(folder, "topology banisch-grass --draw grass.svg --length 0.4");

@@ -1,4 +1,4 @@
-// pelage tune on a real device, with one configuration that is wrong on purpose and another that cannot run.
+// Tests pelage tune on a device with a configuration that computes a wrong picture and one that cannot run.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"
@@ -25,8 +25,8 @@ TEST(Tune, DryRunPrintsTheAxesAndStoresNothing) {
 TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   const Folder folder;
   fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels", fs::copy_options::recursive);
-  // Tiles 8 pixels wide stop at the first half-opaque fragment: quick, and another picture. 7 is no tile's
-  // height.
+  // With TILE_W = 8 a pixel is wrongly treated as opaque at a transmittance of 0.9, which is fast but changes
+  // the picture. TILE_H = 7 is not a valid height of a tile.
   std::string params = folder.read("kernels/rasterize/params.h");
   const auto stop = params.find("#define OPAQUE ");
   ASSERT_NE(stop, std::string::npos);
@@ -44,7 +44,7 @@ TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
       << tuned.out;
   EXPECT_NE(tuned.out.find("rasterize\tshipped\tstored"), std::string::npos) << tuned.out;
   EXPECT_EQ(folder.read("t.toml").find("TILE_W ="), std::string::npos);
-  // What was stored is what run takes.
+  // pelage run accepts the stored file.
   const Outcome dry = pelage(folder, "run silva2010-table1 --tuning t.toml --dry-run");
   EXPECT_EQ(dry.code, 0) << dry.err;
 }

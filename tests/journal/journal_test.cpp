@@ -45,9 +45,9 @@ TEST(RowLine, ComesBackAsItWent) {
   EXPECT_EQ(nlohmann::json::parse(line)["axes"]["layers"], 16);
 }
 
-// Rows recorded before there were CPU times.
+// Rows of earlier versions have no CPU times.
 TEST(RowLine, CpuTimesMayBeMissing) {
-  const std::string body =  // up to the checksum, which is of all that stands before it
+  const std::string body =  // the row up to its checksum
       R"({"schema":1,"run_id":"r","experiment":"e","case":"c","variant":"v","axes":{},"overrides":{},"device":"d",)"
       R"("repeat":0,"status":"ok","reason":"","check":[],"samples":{"frame":{"event_ms":[],"wall_ms":[1.5]}},)"
       R"("metrics":{},"build_ms":0.0,"first_launch_ms":0.0,"tuning":{},"image_hash":"","provenance":{})";
@@ -138,7 +138,8 @@ TEST(Journal, AKeyStandsOnce) {
   {
     Journal journal(file, Journal::Mode::fresh);
     journal.append(sample_row("a"));
-    EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("already holds"), std::string::npos);
+    EXPECT_NE(refusal([&] { journal.append(sample_row("a")); }).find("already contains the row"),
+              std::string::npos);
     Row repeat = sample_row("a"), changed = sample_row("a");
     repeat.repeat = 1;
     changed.overrides["fur.length"] = "0.1";
@@ -165,7 +166,8 @@ TEST(Journal, ReadersPassOverATornTail) {
   EXPECT_FALSE(refusal([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
 }
 
-// System calls that fail on demand. Plain functions need statics; each test sets what it needs.
+// These system calls fail as the tests set them up. They are plain functions, so their settings are global
+// variables.
 int g_interrupts = 0;
 std::size_t g_short = 0;
 int g_fail_write_after = -1;
@@ -240,7 +242,7 @@ TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   EXPECT_FALSE(refusal([&] { journal.append(sample_row("b")); }).empty());
 }
 
-// The real thing: a file-size limit makes the kernel write part of a row and then refuse.
+// With a limit on the file size, the operating system writes a part of the row and then reports an error.
 TEST(Journal, ARealLimitOnTheFile) {
   const Folder folder;
   const fs::path file = folder.path / "j.jsonl";

@@ -1,5 +1,5 @@
-// The published schema (docs/row.schema.json) holds every row the harness writes, and refuses what no row may
-// be.
+// Tests that the schema docs/row.schema.json accepts every row that the harness writes and rejects invalid
+// rows.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lines of `journal` that the schema refuses, as python3-jsonschema sees it.
+/// Returns the number of lines of `journal` that python3-jsonschema rejects by the schema.
 int refused_lines(const fs::path& journal, const fs::path& folder) {
   const std::string script = R"(
 import json, sys
@@ -53,7 +53,7 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
   EXPECT_EQ(refused_lines(file, folder.path), 0);
 }
 
-// Rows that earlier revisions wrote: other phases, no CPU times, and studies that draw nothing.
+// Earlier revisions wrote these rows. Some have other phases, no CPU times, or no picture.
 TEST(Schema, HoldsTheRowsOfResults) {
   const test::Folder folder;
   int journals = 0;
@@ -77,7 +77,7 @@ TEST(Schema, RefusesWhatNoRowMayBe) {
   std::string text;
   text += with([](auto& j) { j.erase("image_hash"); });
   text += with([](auto& j) { j["status"] = "fine"; });
-  text += with([](auto& j) { j["status"] = "failed-check"; });  // with samples: a time would be published
+  text += with([](auto& j) { j["status"] = "failed-check"; });  // a failed row must not have samples
   text += with([](auto& j) { j["check"] = nlohmann::ordered_json::array(); });
   text += with([](auto& j) { j["samples"].erase("frame"); });
   text += with([](auto& j) { j["speed"] = 1; });

@@ -34,7 +34,7 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
   ASSERT_EQ(cells.size(), 32u);
   const Cell& torus = named(cells, "torus-16-800x600");
   EXPECT_EQ(torus.processes.size(), 2u);
-  // Two processes that disagree by a factor of two: the interval must reach both.
+  // The times of the two processes differ by a factor of two, and the interval must contain both.
   EXPECT_GT(torus.interval_ms.high / torus.interval_ms.low, 1.9);
 }
 

@@ -1,4 +1,5 @@
-// The paper's sentences on Figures 9 to 11 against made-up times: true ones, false ones, and too few.
+// Tests the paper's statements on Figures 9 to 11 with synthetic times for which they hold, fail, or are not
+// measured.
 #include "harness/report/claims.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// The row of one cell: frames of `frame` ms, `simulate` ms of them simulation.
+/// Returns the row of one cell with frame times of `frame` ms and simulation times of `simulate` ms.
 FoundRow cell(const std::string& model, const std::string& topology, const std::string& solver, double frame,
               double simulate) {
   FoundRow found;
@@ -47,7 +48,7 @@ TEST(Claims, HoldWhereTheTimesAreThePapers) {
   EXPECT_EQ(found, std::vector<Held>(6, Held::yes));
 }
 
-// Each false in one cell: that claim fails, and says where.
+// In each planted row one claim is false in one cell. Only this claim fails, and its text names the cell.
 TEST(Claims, FailWhereOneCellSpeaksAgainstThem) {
   struct Planted {
     std::size_t claim;

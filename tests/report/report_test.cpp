@@ -64,7 +64,7 @@ TEST(PaperTable, HasThePapersShape) {
 
 TEST(PaperTable, AsText) {
   const std::string text = text_of(paper_tables(cells_of(table1_rows()), note).at(0));
-  // (9360 + 480000) * 16 / 1e6 ms are 127.7 fps, 0.478 of the paper's 267.
+  // The frame time (9360 + 480000) * 16 / 1e6 ms gives 127.7 fps, which is 0.478 times the paper's 267 fps.
   EXPECT_NE(text.find("torus             9360           128      267    0.478"), std::string::npos) << text;
   EXPECT_NE(text.find("< 1"), std::string::npos);
   EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);
@@ -114,7 +114,7 @@ TEST(PaperTable, AsLatex) {
                            "a pig \\& 100\\% so", "$<$ 1"})
     EXPECT_NE(tex.find(part), std::string::npos) << part;
   EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
-  // Every line of the body has one cell per column: 2 + 2 sizes x 3.
+  // Each row has 8 columns: 2 for the model, and 3 for each of 2 sizes.
   for (const std::string& line : lines_of(tex)) {
     if (!line.starts_with("torus")) continue;
     EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
@@ -126,7 +126,8 @@ TEST(Csv, Quotes) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
 }
 
-/// Python's csv module is the judge: the same columns in every line, and the numbers that went in.
+/// Python's csv module reads the files. Every line has the same columns, and the numbers are those of the
+/// rows.
 TEST(Csv, PythonReadsIt) {
   const Folder folder;
   auto rows = table1_rows();
@@ -159,7 +160,7 @@ assert [r["median_ms"] for r in phases if r["status"] == "error"] == [""]
 TEST(Report, WritesEverythingItPromises) {
   const Folder folder;
   auto rows = table1_rows();
-  // A picture for one model, where a run would have left it.
+  // pelage run would write the picture of this case to the same place.
   const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
   fs::create_directories(journal.parent_path() / "images");
   std::ofstream(journal.parent_path() / "images" / "torus-64-800x600.png") << "png";
@@ -188,7 +189,7 @@ TEST(Report, WritesEverythingItPromises) {
   }
 }
 
-/// A report without matplotlib is a report without plots, and says so.
+/// The bibliography contains the paper of every shipped experiment.
 TEST(Report, EveryExperimentsPaperCanBeCited) {
   std::vector<FoundRow> rows;
   for (const auto& file : experiment_files()) {

@@ -1,4 +1,4 @@
-// The table of ratios to the paper's own pipeline, from rows with times of our own making.
+// Tests the table of time ratios to the paper's own pipeline with rows of synthetic times.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,9 @@
 namespace pelage {
 namespace {
 
-/// Every case of rivals.toml: ours 10 ms (curly) or 8 (plain); OpenGL's four times that on the torus, else
-/// nine times ours when curly, six when plain.
+/// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. The
+/// time of OpenGL is 4 times ours on the torus; on other models it is 9 times ours with curls and 6 times for
+/// plain shells.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
   for (FoundRow& found : rows) {

@@ -1,4 +1,4 @@
-// The table and the plot of where the time goes, and those of how it grows.
+// Tests the table and the plot of the roofline report.
 #include "harness/report/roofline.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 const Ceilings ceilings{"a device, \"quoted\"", 40, 200};
 
 std::vector<FrameWork> one_frame() {
-  // 1 MB and 10 M operations in 0.5 ms: 2 GB/s and 20 GFLOP/s at 10 operations a byte, under a roof of 200.
+  // The first kernel has 1 MB and 1e7 operations in 0.5 ms: 2 GB/s, 20 GFLOP/s and 10 operations per byte.
+  // The ceilings allow 200 GFLOP/s at this intensity.
   return {{"torus-16",
            9360,
            2.0,

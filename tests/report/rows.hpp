@@ -1,4 +1,4 @@
-// Rows of Table 1 with times of our own making.
+// Rows of Table 1 with synthetic times, for tests of the report.
 #pragma once
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 namespace pelage::test {
 
-/// A row without samples for every case of a shipped experiment's preset, in its journal's name.
+/// Returns one row without samples for every case of a shipped experiment and preset.
 inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std::string& preset,
                                        const std::string& device = "test device") {
   const Experiment e =
@@ -29,9 +29,8 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
   return rows;
 }
 
-/// All 32 cells. A frame of F triangles, N layers and a picture of P pixels takes (F N / 1e6 + P N / 1e6) ms,
-/// within
-/// +-1%.
+/// Returns one row for each of the 32 cells. With F triangles, N layers and P pixels, the 21 frame times are
+/// spread by +-1% around factor (F + P) N / 1e6 ms.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

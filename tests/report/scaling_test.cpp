@@ -1,4 +1,5 @@
-// Scaling: what doubling the layers costs, and a fit that finds the costs that a table was made with.
+// Tests the report's text on the cost of more layers, and that the fit of plots/scaling.py finds the costs of
+// a synthetic table.
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// 1 ms a frame, 40 ns a triangle, 2 ns per triangle and layer, 10 ns per pixel and layer, within 1%.
+/// Returns cells whose frame times are a sum of 1 ms per frame, 40 ns per triangle, 2 ns per triangle and
+/// layer, and 10 ns per pixel and layer, changed by up to 1%.
 std::vector<Cell> cells() {
   std::vector<Cell> result;
   int i = 0;
@@ -72,7 +74,8 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
   EXPECT_NE(in_turns_csv(shown).find("device,bunny,0,64,800x600,200,1.8,1.7,1.9,3.2,3.1,3.4"),
             std::string::npos)
       << in_turns_csv(shown);
-  EXPECT_NE(in_turns_text(shown).find("At most 1.80 times for twice and 3.20 times for four times"),
+  EXPECT_NE(in_turns_text(shown).find(
+                "Twice the layers take at most 1.80 times the time; four times the layers take at most 3.20"),
             std::string::npos)
       << in_turns_text(shown);
   EXPECT_TRUE(in_turns_text({}).empty());
@@ -88,15 +91,15 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   two[3].median_ms = 70;
   const std::string text = scaling_text(two);
   EXPECT_NE(text.find("1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Doubling the layers costs at most 2.11 times (wanted: at most 2.05)"),
-            std::string::npos)
+  EXPECT_NE(text.find("Twice the layers take at most 2.11 times the time (limit: 2.05)"), std::string::npos)
       << text;
-  EXPECT_NE(text.find("64 layers cost at most 4.00 times 16 (wanted: at most 3.3)"), std::string::npos)
+  EXPECT_NE(text.find("64 layers take at most 4.00 times the time of 16 layers (limit: 3.3)"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
 
-/// One cell of a model of 9360 triangles at 800x600.
+/// Returns one cell of a model of 9360 triangles at 800x600 with the time `ms`.
 Cell timed(const std::string& host, int layers, double ms) {
   Cell c = cells().at(1);
   c.host = host;
@@ -107,7 +110,7 @@ Cell timed(const std::string& host, int layers, double ms) {
 
 TEST(Scaling, ComparesSixtyFourLayersWithSixteenOnly) {
   const std::string text = scaling_text({timed("h", 8, 6), timed("h", 16, 10), timed("h", 64, 30)});
-  EXPECT_NE(text.find("64 layers cost at most 3.00 times 16"), std::string::npos) << text;
+  EXPECT_NE(text.find("64 layers take at most 3.00 times the time of 16 layers"), std::string::npos) << text;
 }
 
 TEST(Scaling, ComparesCellsOfOneHostOnly) {
@@ -115,7 +118,7 @@ TEST(Scaling, ComparesCellsOfOneHostOnly) {
       {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
   EXPECT_NE(text.find("10.00 ->     18.00 ms, 1.80 times"), std::string::npos) << text;
   EXPECT_NE(text.find("20.00 ->     38.00 ms, 1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Doubling the layers costs at most 1.90 times"), std::string::npos) << text;
+  EXPECT_NE(text.find("Twice the layers take at most 1.90 times the time"), std::string::npos) << text;
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
@@ -133,7 +136,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
   EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
   EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
-  // No size, and no number of layers, is left out of the fit whole.
+  // The fit uses some cases of every picture size and every number of layers.
   for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
     int left_out = 0;
     for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {
@@ -143,7 +146,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
   EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
-  // Too few cases are said to be too few, not fitted.
+  // With too few cases the program reports an error and fits nothing.
   std::vector<Cell> few = cells();
   few.resize(6);
   std::ofstream(folder / "few.csv") << scaling_csv(few);

@@ -1,4 +1,4 @@
-// The table that answers which topology costs what, from rows with times of our own making.
+// Tests the table of the cost of each topology with rows of synthetic times.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-/// The whole sweep: a frame takes 10 ms plus its simulation, which takes the topology's place in the file in
-/// ms.
+/// Returns one row for every case of topology-table1.toml. A frame takes 10 ms plus its simulation, which
+/// takes 0 to 4 ms depending on the topology.
 std::vector<FoundRow> sweep_rows() {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/topology-table1.toml");
@@ -73,7 +73,7 @@ TEST(TopologyTable, IsNoneOfThePapersTablesAndTellsWhatHasNoTime) {
   rows[0].row.samples.clear();
   const TopologyTable table = topology_tables(rows)[0];
   EXPECT_NE(text_of(table).find("diverged"), std::string::npos);
-  EXPECT_FALSE(table.rows.front().entries[1]->ratio);  // there is nothing to compare with
+  EXPECT_FALSE(table.rows.front().entries[1]->ratio);  // the first topology of the row has no time
   rows[0].row.overrides["fur.length"] = "0.1";
   EXPECT_FALSE(topology_tables(rows)[0].rows.front().entries[0]);
 }

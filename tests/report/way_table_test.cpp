@@ -1,4 +1,4 @@
-// The table of ways to draw the same picture, from rows with times of our own making.
+// Tests the table of variants that draw the same picture with rows of synthetic times.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,8 @@
 namespace pelage {
 namespace {
 
-/// Every case of rival-options.toml, 10 ms a layer; "byte" takes half of it, "volume" fails.
+/// Returns a row for every case of rival-options.toml. The variant "byte" takes 5 ms per layer, "volume"
+/// fails its check, and all others take 10 ms per layer.
 std::vector<FoundRow> option_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rival-options", "quick");
   for (FoundRow& found : rows) {

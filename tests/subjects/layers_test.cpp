@@ -1,5 +1,5 @@
-// Layers in turns: the ratios are those of the rounds, and a picture of fewer layers that fails its check
-// fails the row.
+// Tests the subject that also draws half and a quarter of the layers. Its ratios are medians over the rounds.
+// If a picture with fewer layers fails its check, the row fails.
 #include <gtest/gtest.h>
 
 #include "harness/subjects/fewer_layers.hpp"
@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-/// A frame takes its layers in ms; the pictures of `bad` layers fail.
+/// Makes subjects whose frames take 1 ms per layer. Pictures with `bad` layers fail their check.
 MakeSubject as_many_ms_as_layers(int bad) {
   return [bad](const Case& which) -> std::unique_ptr<Subject> {
     const int layers = std::stoi(which.settings.at("fur.layers"));
@@ -28,7 +28,7 @@ TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {
   const Row row = row_of(64);
   EXPECT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("half").wall_ms.size(), row.samples.at("frame").wall_ms.size());
-  // Each of at most ten fake frames takes 0.001 ms more than the one before.
+  // Each of the at most ten synthetic frames takes 0.001 ms longer than the frame before.
   EXPECT_NEAR(row.metrics.at("half_ratio").value, 2, 2 * 0.01 / 32);
   EXPECT_NEAR(row.metrics.at("quarter_ratio").value, 4, 4 * 0.01 / 16);
   EXPECT_LE(row.metrics.at("half_ratio").low, row.metrics.at("half_ratio").value);
@@ -46,7 +46,7 @@ TEST(Layers, ThatFailTheirCheckFailTheRow) {
 TEST(Layers, MustBeAMultipleOfFour) {
   const Row row = row_of(6);
   EXPECT_NE(row.status, Status::ok);
-  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer draws half and a quarter of them"),
+  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer also draws a half and a quarter"),
             std::string::npos)
       << row.reason;
 }

@@ -1,4 +1,4 @@
-// Rivals in the harness: duels, and the experiments that ask for them.
+// Tests the subject that times two pipelines alternately, and the experiments that use it.
 #include "harness/subjects/opengl.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// Draws a grey square in 10 ms, 11 ms, 12 ms ... times `factor`.
+/// Draws a grey square. The frames take 10 ms, 11 ms, 12 ms, ... times `factor`.
 class Grey : public Subject {
  public:
   Grey(double factor, float grey, std::string* order) : factor_(factor), grey_(grey), order_(order) {}
@@ -56,7 +56,7 @@ Row fought(float rivals_grey, std::string* order) {
 TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
   std::string order;
   const Row row = fought(0.5f, &order);
-  EXPECT_EQ(order, "orororororororor");  // cold, warm-up, six rounds
+  EXPECT_EQ(order, "orororororororor");  // one cold round, one round of warm-up and six samples
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("frame").wall_ms, (std::vector<double>{12, 13, 14, 15, 16, 17}));
   EXPECT_EQ(row.samples.at("opengl").wall_ms, (std::vector<double>{96, 104, 112, 120, 128, 136}));
@@ -72,7 +72,7 @@ TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
 
 TEST(Duel, AnotherPictureHasNoTime) {
   std::string order;
-  const Row row = fought(0.498f, &order);  // 54 dB
+  const Row row = fought(0.498f, &order);  // differs by 54 dB
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_NE(row.reason.find("psnr against opengl is 53.97"), std::string::npos) << row.reason;
   EXPECT_TRUE(row.samples.empty());
@@ -85,11 +85,11 @@ TEST(Pipelines, AnUnknownOneIsUnsupported) {
     subjects_on(cl::choose_device(""), {}, {}, {})(which);
     ADD_FAILURE() << "a subject was made";
   } catch (const Unsupported& refusal) {
-    EXPECT_STREQ(refusal.what(), "no pipeline 'no-such-pipeline' in this build");
+    EXPECT_STREQ(refusal.what(), "this build has no pipeline 'no-such-pipeline'");
   }
 }
 
-// Every pipeline that a shipped experiment names is in the table.
+// The table of pipelines contains every pipeline that a shipped experiment names.
 TEST(Pipelines, OfTheExperimentsAreThere) {
   std::set<std::string> known;
   for (const Pipeline& pipeline : pipelines()) EXPECT_TRUE(known.insert(std::string(pipeline.name)).second);
@@ -105,7 +105,7 @@ TEST(Pipelines, OfTheExperimentsAreThere) {
   EXPECT_GE(named.size(), 5u);
 }
 
-// In every cell the rivals meet on Table 1's own scene.
+// The experiments with the baseline draw exactly the scenes of Table 1.
 TEST(Rivals, MeetOnTheSceneOfTable1) {
   const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
   const Experiment table = read_experiment(folder / "silva2010-table1.toml");

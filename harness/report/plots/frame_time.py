@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Frame time against triangles, per layer count and picture size, log-log, with the paper's own figures.
+"""Draws the frame time against triangles, per layer count and picture size, beside the paper's times (log-log).
 
 usage: frame_time.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 MARKERS = ["o", "s", "^", "D"]
 
@@ -54,14 +54,14 @@ def main(table, outputs):
                     x, y, yerr=error, color=colour, marker=marker, markersize=5, linewidth=1.4, capsize=2)
             paper = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] != "<"]
             if paper:
-                # A whole number of frames per second represents all values that round to it.
+                # A published whole number of frames per second represents all values that round to it: the error bars.
                 y = [1000 / float(r["paper_fps"]) for r in paper]
                 error = [[m - 1000 / (number(r["paper_fps_high"]) or 1000 / m) for m, r in zip(y, paper)],
                          [1000 / (number(r["paper_fps_low"]) or 1000 / m) - m for m, r in zip(y, paper)]]
                 drawn["paper, " + size.replace("x", " × ")] = axis.errorbar(
                     [float(r["triangles"]) for r in paper], y, yerr=error, color=colour, marker=marker,
                     markersize=5, markerfacecolor="white", linewidth=0.9, linestyle="--", capsize=2)
-            # "< 1 fps" is a bound: the frame took longer than this.
+            # A published "< 1 fps" gives only a lower bound of the frame time, drawn as an arrow.
             bounds = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] == "<"]
             for r in bounds:
                 bound = 1000 / float(r["paper_fps"])

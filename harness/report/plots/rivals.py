@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Ratio of the times of the paper's OpenGL pipeline and ours, per model, layers and size.
+"""Draws the time of the paper's OpenGL pipeline divided by ours, per model, number of layers and picture size.
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#0072B2", "#D55E00", "#56B4E9", "#E69F00"]
 MARKERS = ["o", "s", "^", "D"]
 

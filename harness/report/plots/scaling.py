@@ -1,17 +1,17 @@
 #!/usr/bin/env python3
-"""Frame time against layers, pixels and triangles: a model fitted to the smaller cases, tested on the cases left out.
+"""Draws the frame time against layers, pixels and triangles. Fits a model to a part of the cases and tests it on the rest.
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
 TABLE.csv is the table beside this file in a report. The program writes the fit beside the first output, as .txt.
-The model is a sum of costs, none of them negative:
+The model is this sum of costs with coefficients that are not negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
-fitted by least squares of relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit leaves out a
-third of the smaller cases, spread so that each number of triangles, layers and pixels is in both parts, and all larger cases:
-more than 64 layers, more pixels than 1680 x 1050, or more than a million triangles. The program needs only matplotlib and
-numpy.
+The fit minimizes the squared relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit
+leaves out a third of the smaller cases and all larger cases. Larger cases have more than 64 layers, more pixels than
+1680 x 1050, or more than a million triangles. The omitted third is chosen so that each number of triangles, layers and
+pixels occurs both in the fit and in the test. The program needs only matplotlib and numpy.
 """
 import csv
 import os
@@ -24,7 +24,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 COLOURS = {"pixels": ["#0072B2", "#D55E00", "#009E73", "#CC79A7"], "layers": ["#56B4E9", "#E69F00", "#882255", "#000000"]}
-MARKERS = ["o", "^"]  # of the fewest triangles, of the most
+MARKERS = ["o", "^"]  # markers of the cases with the fewest and the most triangles
 TERMS = [("frame", "ms", 1), ("triangle", "ns", 1e6), ("triangle and layer", "ns", 1e6), ("pixel", "ns", 1e6),
          ("pixel and layer", "ns", 1e6)]
 
@@ -35,7 +35,7 @@ def features(case):
 
 
 def fitted(cases):
-    """Non-negative least squares of relative errors. Drops the most negative term until no term is negative."""
+    """Returns the coefficients of the fit. Removes the term with the most negative coefficient until none is negative."""
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:
@@ -99,7 +99,7 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """One panel against x: a colour for each value of `by` among all cases, a marker for the number of triangles."""
+    """Draws one panel with the abscissa x. Colours distinguish the values of `by`, markers the numbers of triangles."""
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:

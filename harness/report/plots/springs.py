@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Charts of the mass-spring experiments. The experiment named in the table selects the chart.
+"""Draws the charts of the mass-spring experiments. The experiment's name in the table selects the chart.
 
 usage: springs.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 MARKERS = ["o", "s", "^", "D"]
 TOPOLOGIES = ["sticks", "prisms", "separable-sticks", "separable-prisms"]
@@ -61,7 +61,7 @@ def legend(figure, axes):
 
 
 def frames(rows):
-    """Rows of whole frames by the wall clock."""
+    """Returns the ok rows with wall times of whole frames."""
     return [r for r in rows if r["phase"] == "frame" and r["clock"] == "wall" and r["status"] == "ok"]
 
 
@@ -104,7 +104,7 @@ def work_precision(rows):
             x, y = [float(r["median_ms"]) for r in line], [value(r, "metric.error_rms") for r in line]
             axis.plot(x, y, label=s, **style(s, SOLVERS))
             for r, a, b in zip(line, x, y):
-                if s == "rk4" and r in (line[0], line[-1]):  # the steps are the same for all
+                if s == "rk4" and r in (line[0], line[-1]):  # all solvers have the same steps
                     axis.annotate(f"{value(r, 'metric.step_ms'):.3g} ms", (a, b), xytext=(4, 4),
                                   textcoords="offset points", fontsize=6.5, color="0.35")
         axis.set_xscale("log")

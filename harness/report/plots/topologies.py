@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cost of each mass-spring topology: simulation and whole frame against triangles, log-log, per layers and size.
+"""Draws simulation and frame times of each mass-spring topology against triangles, logarithmic, per layers and size.
 
 usage: topologies.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -13,7 +13,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, which colour-blind readers can distinguish; different markers for print in grey.
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#000000", "#0072B2", "#D55E00", "#56B4E9", "#E69F00"]
 MARKERS = ["o", "s", "^", "D", "v"]
 
