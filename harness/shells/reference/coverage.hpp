@@ -52,7 +52,7 @@ class Raster {
   Raster(const std::array<Snapped, 3>& corners, int width, int height);
   bool empty() const { return area_ == 0; }
   bool faces_eye() const { return area_ < 0; }  ///< corners are counter-clockwise in the picture
-  Edges edges(int i, int j) const;               ///< edge functions at the centre of pixel (i, j)
+  Edges edges(int i, int j) const;              ///< edge functions at the centre of pixel (i, j)
   /// Returns the pixels of `window` in the triangle's bounding box. The width or the height may be 0.
   Window box(const Window& window) const;
 
