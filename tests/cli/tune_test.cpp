@@ -19,7 +19,7 @@ TEST(Tune, DryRunPrintsTheAxesAndStoresNothing) {
   EXPECT_FALSE(fs::exists(folder.path() / "pelage-tuning"));
   const Outcome bad = pelage(folder, "tune raster");
   EXPECT_EQ(bad.code, 2);
-  EXPECT_NE(bad.err.find("those that have: rasterize"), std::string::npos) << bad.err;
+  EXPECT_NE(bad.err.find("the stages with tuning axes are rasterize"), std::string::npos) << bad.err;
 }
 
 TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
