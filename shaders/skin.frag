@@ -6,15 +6,19 @@ layout(binding = 2) uniform sampler2D mask;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  vec3 nu = lit_normal(unit(normal), view());
+  vec3 outwards = unit(normal), e = view(), nu = lit_normal(outwards, e);
   float light = AMBIENT + INTENSITY_0 * lambert(dot(nu, LIGHT_0));
 #if LIGHTS > 1
   light += INTENSITY_1 * lambert(dot(nu, LIGHT_1));
 #endif
 #ifdef WET_MODEL
-  float gamma = (1.0 - OCCLUSION) * (1.0 - DARKENING * textureLod(mask, uv, 0.0).w);
+  float shadow = 1.0 - OCCLUSION, wet = 1.0 - DARKENING * textureLod(mask, uv, 0.0).w;
 #else
-  float gamma = (SHADOW - 1.0) / SHADOW;
+  float shadow = (SHADOW - 1.0) / SHADOW, wet = 1.0;
 #endif
+#ifdef TWO_SIDED
+  if (dot(outwards, e) > 0.0) shadow = 1.0;  // no fur shadows the back of the surface
+#endif
+  float gamma = shadow * wet;
   colour = vec4(gamma * light * textureLod(coat, uv, 0.0).rgb * SKIN_COLOUR, 1.0);
 }

@@ -18,7 +18,7 @@ enum class Mutant {
   layer_missing,       ///< layer N/2 is not drawn
   height_without_one,  ///< h = n/N instead of (1+n)/N
   triangles_reversed,  ///< triangles are drawn in reverse order in each layer
-  front_faces_culled,   ///< layers omit triangles for which Raster::faces_eye() is true
+  front_faces_culled,  ///< layers omit triangles for which Raster::faces_eye() is true
   uv_swapped,          ///< u and v are swapped in every texture lookup of a fragment
   mask_bilinear,       ///< the wetness mask is sampled bilinearly
   droplets_reversed,   ///< Algorithm 1 applies the droplets from last to first

@@ -176,12 +176,14 @@ class Painter {
     tile.base[at] = sample.inverse_w;
     const glm::dvec2 where = uv(face, sample);
     const glm::dvec3 eye = view(sample);
-    const glm::dvec3 normal = lit_normal(input_.scene.shading, unit(bend(face, sample).a), eye);
+    const ShadingScene& shading = input_.scene.shading;
+    const glm::dvec3 outwards = unit(bend(face, sample).a), normal = lit_normal(shading, outwards, eye);
+    // No fur shadows the back: it is as bright as the tips, h = 1.
     const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
                             normal,
                             normal,
                             eye,
-                            0.0,
+                            shows_back(shading, outwards, eye) ? 1.0 : 0.0,
                             mask_.nearest(where).wetness};
     tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
   }

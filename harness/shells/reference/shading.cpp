@@ -53,8 +53,12 @@ double wet_shadow(const ShadingScene& shading, double h, double rho) {
 
 }  // namespace
 
+bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view) {
+  return shading.sides == "two" && glm::dot(normal, view) > 0.0;
+}
+
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view) {
-  return shading.sides == "two" && glm::dot(normal, view) > 0.0 ? -normal : normal;
+  return shows_back(shading, normal, view) ? -normal : normal;
 }
 
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& f) {
@@ -92,7 +96,7 @@ glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
   const ShadingModel& model = shading_model(shading.model);
   if (model.plain) return plain_colour(shading, f);
   const double shadow =
-      model.surface_light ? wet_shadow(shading, 0.0, f.wetness) : curling_shadow(shading, 0.0);
+      model.surface_light ? wet_shadow(shading, f.height, f.wetness) : curling_shadow(shading, f.height);
   return shadow * lambert(shading, f);
 }
 

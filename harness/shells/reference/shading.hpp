@@ -17,8 +17,12 @@ struct Fragment {
   double wetness = 0;  ///< rho
 };
 
-/// Returns the normal that light reaches. With `shading.sides` "two" a normal that faces away from the eye is reversed.
-/// `view` points from the eye to the surface.
+/// Whether the back of the surface is seen and receives light: with `shading.sides` "two", if the normal
+/// faces away from the eye. `view` points from the eye to the surface.
+bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
+
+/// Returns the normal that light reaches. With `shading.sides` "two" a normal that faces away from the eye is
+/// reversed. `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
 /// Returns the colour of S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
