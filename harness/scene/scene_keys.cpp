@@ -17,6 +17,16 @@ std::vector<std::string_view> shading_names() {
   return names;
 }
 
+std::string_view shading_help() {
+  static const std::string text = [] {
+    std::string list = "lighting model; ";
+    for (const ShadingModel& model : shading_models())
+      list += fmt::format("{}\"{}\": {}", &model == &shading_models().front() ? "" : ", ", model.name, model.what);
+    return list;
+  }();
+  return text;
+}
+
 /// Silva's strands and the spring topologies.
 std::vector<std::string_view> topology_names() {
   std::vector<std::string_view> names = springs::kind_names();
@@ -137,7 +147,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.spread", &poke.spread, "N", -1000, 1000, "additional force on each of these tops away from the line through the centre along dynamics.poke.along; it parts the fur"},
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "direction of the line of dynamics.poke.spread"},
 
-      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "lighting model: S Eq. 6, W Eq. 2-5, or Banisch and Wuethrich's surface colour, self-shadow and Lambert's law", .choices = shading_names()},
+      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = shading_help(), .choices = shading_names()},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, the self-shadow of the curling model"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, the colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p, the exponent of the highlight"},

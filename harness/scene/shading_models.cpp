@@ -8,9 +8,9 @@ namespace pelage {
 namespace {
 
 constexpr ShadingModel models[] = {
-    {"curling", "S Eq. 6", false, false},
-    {"wet", "W Eq. 2-5", true, false},
-    {"lambert", "Banisch and Wuethrich: surface colour, self-shadow and Lambert's law", true, true},
+    {"curling", "S Eq. 6", false, false, true},
+    {"wet", "W Eq. 2-5", true, false, true},
+    {"lambert", "Lambert's law with self-shadow (Banisch and Wuethrich 2006)", true, true, false},
 };
 
 }  // namespace

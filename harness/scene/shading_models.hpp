@@ -6,9 +6,8 @@
 
 namespace pelage {
 
-/// Other code tests the properties of a model, never its name. To add a model, add a row to
-/// shading_models.cpp and its colour to kernels/rasterize/shading/fragment.clh and
-/// harness/shells/reference/shading.cpp.
+/// Other code tests the properties of a model, never its name. docs/code.md lists what to change to add a
+/// model.
 struct ShadingModel {
   std::string_view name;  ///< value of the scene key shading.model
   std::string_view what;  ///< equations of the model
@@ -18,6 +17,7 @@ struct ShadingModel {
   /// True: the model consists of Lambert's law and the self-shadow; it has no highlight, no wrapped light and
   /// no wet darkening.
   bool plain;
+  bool in_opengl;  ///< the OpenGL baseline draws the model
 };
 
 std::span<const ShadingModel> shading_models();

@@ -42,7 +42,7 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (has_springs(input.scene.dynamics))
     throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl supports only silva",
                                  input.scene.dynamics.topology));
-  if (shading_model(input.scene.shading.model).plain)
+  if (!shading_model(input.scene.shading.model).in_opengl)
     throw InputError(fmt::format("shading.model = {}: --pipeline opengl supports only curling and wet",
                                  input.scene.shading.model));
   if (input.scene.fur.substeps > 1)

@@ -8,7 +8,6 @@
 #include <glm/vec4.hpp>
 
 #include "harness/error.hpp"
-#include "harness/scene/shading_models.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -204,20 +203,15 @@ class Painter {
     });
     if (!(fur.coverage > 0.0)) return;
 
-    const ShadingModel& model = shading_model(scene.shading.model);
-    const bool wet = model.surface_light && !model.plain;
     const glm::dvec3 along =
-        wet ? wet_tangent(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d)
-            : unit(step);
+        strand_direction(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d);
     const Fragment fragment{sample_coat(input_.coat, where + clump.d) * fur.shade,
                             along,
                             lit_normal(scene.shading, normal, eye),
                             eye,
                             layer_height(layer_, scene.fur.layers, options_.mutant),
                             clump.wetness};
-    const glm::dvec3 colour = wet           ? wet_colour(scene.shading, fragment)
-                              : model.plain ? plain_colour(scene.shading, fragment)
-                                            : curling_colour(scene.shading, fragment);
+    const glm::dvec3 colour = fur_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
   }
 

@@ -92,6 +92,12 @@ glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& f) {
   return (darkest + (1.0 - darkest) * f.height) * light * f.colour;
 }
 
+glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& f) {
+  const ShadingModel& model = shading_model(shading.model);
+  if (model.plain) return plain_colour(shading, f);
+  return model.surface_light ? wet_colour(shading, f) : curling_colour(shading, f);
+}
+
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
   const ShadingModel& model = shading_model(shading.model);
   if (model.plain) return plain_colour(shading, f);
@@ -104,6 +110,12 @@ glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, cons
                        const glm::dvec3& b, const glm::dvec2& delta_d) {
   const double sigma = shading.tangent == "drawn" ? -1.0 : 1.0;
   return unit(sigma * (delta_d.x * t + delta_d.y * b) + bend);
+}
+
+glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
+                            const glm::dvec3& b, const glm::dvec2& delta_d) {
+  const ShadingModel& model = shading_model(shading.model);
+  return model.surface_light && !model.plain ? wet_tangent(shading, bend, t, b, delta_d) : unit(bend);
 }
 
 }  // namespace pelage::reference

@@ -35,6 +35,9 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 /// linearly from 1 - sigma_occ at the base surface to 1 at the tips.
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 
+/// Returns the colour of a fragment of a layer by the scene's model of shading.
+glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
+
 /// Returns the colour of the base surface (docs/frame.md, section 7). The curling and the wet model use the
 /// wet model's diffuse term, with their own darkening at h = 0. The model "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
@@ -43,5 +46,11 @@ glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 /// layer, in R. t and b are dX/du and dX/dv. delta_d is the clump's step over the layer, in UV.
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                        const glm::dvec3& b, const glm::dvec2& delta_d);
+
+/// Returns the unit direction of the strand at a fragment of a layer, which the scene's model of shading
+/// uses: wet_tangent() for the wet model, the direction of `bend` for the others. Arguments as for
+/// wet_tangent().
+glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
+                            const glm::dvec3& b, const glm::dvec2& delta_d);
 
 }  // namespace pelage::reference

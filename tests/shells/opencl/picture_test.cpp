@@ -35,7 +35,8 @@ INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
                          testing::Values(Case{"torus", 16, "curling"}, Case{"torus", 64, "curling"},
                                          Case{"torus", 16, "wet"}, Case{"torus", 64, "wet"},
                                          Case{"bunny", 16, "curling"}, Case{"bunny", 64, "curling"},
-                                         Case{"bunny", 16, "wet"}, Case{"bunny", 64, "wet"}),
+                                         Case{"bunny", 16, "wet"}, Case{"bunny", 64, "wet"},
+                                         Case{"torus", 16, "lambert"}),
                          [](const auto& given) {
                            return std::string(given.param.model) + "_" + std::to_string(given.param.layers) +
                                   "_" + given.param.shading;
