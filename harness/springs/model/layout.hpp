@@ -18,7 +18,7 @@ namespace pelage::springs {
 /// springs.
 struct Layout {
   int corners = 1;  ///< slices per block: 3 (one per triangle corner) on separable prisms, else 1
-  int slices = 0;   ///< number of slices: a multiple of 3 (separable prisms), 4 (sticks) or 1
+  int slices = 0;   ///< number of slices, padded to a multiple of 3 (separable prisms) or 4 (sticks)
   std::vector<std::uint32_t> place;  ///< for each stick, its index in the kernels' order
   /// Constants of the stick at each place, in SITE_COLUMNS columns: base in R, unit normal, cosine and sine
   /// of the gust's phase at the base.
