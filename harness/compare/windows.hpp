@@ -10,13 +10,13 @@
 
 namespace pelage {
 
-/// Number of windows required by the check, and the side of a window in pixels. All windows contain or touch
-/// fur.
+/// Number of windows required by the check, and the side of a window in pixels. Every window contains fur or
+/// is next to a grid cell that contains fur.
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
-/// Comparison of the timed picture with the double-precision reference in kCheckWindows windows at the fur.
-/// If the windows fail, the whole picture is compared, and this comparison decides.
+/// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the
+/// windows fail, the whole picture is compared, and this comparison decides.
 struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;  ///< the comparison that decided

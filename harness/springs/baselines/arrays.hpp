@@ -33,10 +33,9 @@ struct Course {
 /// Functions that run the loops, one per kind of topology. All are compiled with the same compiler flags.
 template <class T>
 struct Loops {
-  void (*sticks)(const Arrays<T>&, const Course&);  ///< all four solvers
-  void (*triangles)(const Arrays<T>&,
-                    const Course&);                 ///< separable prisms; all solvers except backward Euler
-  void (*prisms)(const Arrays<T>&, const Course&);  ///< shared prisms; all solvers except backward Euler
+  void (*sticks)(const Arrays<T>&, const Course&);     ///< all four solvers
+  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms; not backward Euler
+  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms; not backward Euler
 };
 
 /// Returns the loops compiled with -O3 only. The argument's type selects the number type; its value is

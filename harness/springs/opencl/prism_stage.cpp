@@ -214,9 +214,9 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
-  // A convergence test waits for the queue. Therefore the first iterations run without a test. Their number
-  // is two less than the number of iterations in the previous step, because convergence may have needed up to
-  // two iterations fewer. After them, a test follows every two iterations.
+  // A convergence test waits for the queue. Therefore the first iterations of a step run without a test.
+  // Their number is the number of iterations of the previous step minus two. After them, a test follows every
+  // two iterations.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)
     for (int i = 0; i < 2; ++i) iterate();
