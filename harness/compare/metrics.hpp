@@ -13,7 +13,7 @@ namespace pelage {
 /// values.
 struct Agreement {
   double psnr = 0;  ///< PSNR of red, green and blue in dB with peak 1; 200 if the pictures are equal
-  double psnr_without_flips = 0;  ///< PSNR over the pixels that are not flipped; 0 if every pixel is
+  double psnr_without_flips = 0;  ///< PSNR over the pixels that are not flipped; 0 if all pixels are flipped
   /// 99.9th percentile of the pixels' differences. The difference of a pixel is the largest absolute
   /// difference of its four channels.
   double p999 = 0;

@@ -50,8 +50,7 @@ inline constexpr double prisms_rms = 1e-3, prisms_p99 = 1e-2;
 /// Limit for the distance between the reference and the kernels' source compiled as C++ in double precision.
 /// That code still reads gravity, wind and normals as floats.
 inline constexpr double float_records = 1e-6;
-/// Limit for baselines that compute in double precision. Their states are converted to floats for the
-/// comparison.
+/// Limit for baselines that compute in double precision. Their states are set and read as floats.
 inline constexpr double double_baseline = 2e-5;
 
 /// Limit of the root mean square error of a run against the exact solution. A run with an error above two fur
