@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// Returns the share of the picture's rows that contain fur, 0..1.
+/// Returns the share of the picture's pixel rows that contain fur, 0..1.
 double model_height(const Picture& picture);
 
 /// Returns the area of the triangles whose mask texel is wet, as a share of the mesh's area, 0..1. `mask` has

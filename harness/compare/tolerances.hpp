@@ -6,37 +6,39 @@ namespace pelage::tolerance {
 
 // Tolerances of pictures. Channels are 0..1, and only fur pixels count (harness/compare/metrics.hpp).
 
-/// Least PSNR against the reference, dB. With rounding to floats as the only difference, the test scenes
-/// reach 70 dB or more. Every planted error of reference::Mutant gives less than 60 dB.
+/// Smallest accepted PSNR against the reference, in dB. With rounding to floats as the only difference, the
+/// test scenes reach 70 dB or more. Every planted error of reference::Mutant gives less than 60 dB.
 inline constexpr double picture_psnr = 60.0;
 /// A pixel is flipped if one of its channels differs by more than this: two steps of an 8-bit display.
 /// Rounding alone changes a channel by less than one step. A larger difference means that the pixel sampled
 /// another texel or is covered by another triangle.
 inline constexpr double flip = 2.0 / 255.0;
-/// Largest share of flipped pixels among the fur pixels. Comparisons decide which texel of the wetness mask a
-/// pixel samples and which triangles cover the pixel. At borders, rounding can change these decisions. This
-/// happens to about 1 pixel in 10^4.
+/// Largest accepted share of flipped pixels among the fur pixels. Comparisons decide which texel of the
+/// wetness mask a pixel samples and which triangles cover the pixel. At borders, rounding can change these
+/// decisions. This happens to about 1 pixel in 10^4.
 inline constexpr double flip_share = 1e-3;
-/// Least PSNR of the OpenGL baseline against the reference, dB. OpenGL drivers filter textures with different
-/// arithmetic, so p99.9 and flips of the baseline are not checked.
+/// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers filter textures
+/// with different arithmetic, so p99.9 and flips of the baseline are not checked.
 inline constexpr double other_filter_psnr = 55.0;
-/// Largest difference of a channel between the pictures of two rasterizer mappings (tile, workgroup, pixel)
-/// on one device. Mappings add the same terms in different orders. The limit is one step of an 8-bit display.
+/// Largest accepted difference of a channel between the pictures of two rasterizer mappings (tile, workgroup,
+/// pixel) on one device. Mappings add the same terms in different orders. The limit is one step of an 8-bit
+/// display.
 inline constexpr double mapping_difference = 1.0 / 255.0;
-/// Largest difference of a channel in pictures that have too few pixels for a percentile, such as 1 x 1.
+/// Largest accepted difference of a channel in pictures that have too few pixels for a percentile, such as 1
+/// x 1.
 inline constexpr double few_pixels_difference = 4.0 / 255.0;
 
 // Tolerances of the tips of Silva's strands, as fractions of the strand's length.
 
-/// Limit for every tip. S Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface of the ball
-/// one substep earlier than in doubles and then loses its outward speed. This happens to a few of 10^5
-/// strands. It moves the tip by less than a hundredth of a pixel in the pictures of the check.
+/// Limit for the error of every tip. S Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface
+/// of the ball one substep earlier than in doubles and then loses its outward speed. This happens to a few of
+/// 10^5 strands. The error moves the tip by less than a hundredth of a pixel in the pictures of the check.
 inline constexpr double worst_tip = 1e-3;
-/// Limit for 99.9% of the tips.
+/// Limit for the errors of 99.9% of the tips.
 inline constexpr double usual_tip = 1e-5;
 
-/// Limit for every value of a texel of the wetness mask, in UV units and in units of wetness. Adjacent texels
-/// of the default mask are 4e-3 apart in UV.
+/// Limit for the error of every value of a texel of the wetness mask, in UV units and in units of wetness.
+/// Adjacent texels of the default mask are 4e-3 apart in UV.
 inline constexpr double mask_texel = 1e-5;
 
 // Tolerances of the top masses of mass-spring topologies, as fractions of the fur's length.

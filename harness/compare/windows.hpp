@@ -23,8 +23,8 @@ struct WindowCheck {
   Agreement sample;     ///< the comparison in the windows
   Check windows;        ///< the first of `checks`: whether there were enough windows
 };
-/// Compares `timed`, the picture after `frames` frames. `seed` selects the windows. `sticks` are the offsets
-/// (R) of the timed frame's sticks; empty for Silva's strands.
+/// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
+/// the windows. `sticks` are the offsets (R) of the timed frame's sticks; empty for Silva's strands.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 

@@ -71,7 +71,7 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
              "vectors from the roots to the rest positions of the tips; their length is L0");
   file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
-             "cosine and sine of the gust's phase at the root");
+             "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
@@ -221,7 +221,8 @@ void write_camera(Hdf5File& file, const Camera& camera) {
   for (const glm::vec4& row : {camera.row_x, camera.row_y, camera.row_w})
     rows.insert(rows.end(), {row.x, row.y, row.z, row.w});
   file.write("camera/rows", {3, 4}, rows, "pixels R, pixels R, R",
-             "row_x, row_y and row_w; their dot products with (p, 1) are X, Y and w");
+             "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
+             "X, Y and w");
   file.write("camera/eye", {3}, numbers({camera.eye}), "R", "position of the eye");
   file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
              "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "

@@ -64,7 +64,7 @@ struct SubjectContext {
 
 /// An entry in the table of pipelines that an experiment can time (harness/subjects/pipelines.cpp).
 struct Pipeline {
-  std::string_view name;  ///< name as written in an experiment's variants
+  std::string_view name;  ///< name in the variants of an experiment file
   std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);
 };
 

@@ -1,5 +1,6 @@
 // This macro renames the namespace Eigen in this file. The file is compiled with -march=native. Without the
-// new name the linker could use its template instances in other files, whose code must run on any processor.
+// new name the linker could use this file's template instances in other files, whose code must run on any
+// processor.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 

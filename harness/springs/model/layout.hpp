@@ -11,13 +11,12 @@
 namespace pelage::springs {
 
 /// Sticks and springs of a topology in the order of the kernels. The place of a stick is its index in this
-/// order. Places without a stick are padded with upright sticks at the origin that have no springs to other
-/// sticks. Sticks keep the order of the topology, with two exceptions. On separable prisms, three consecutive
-/// slices hold the three corners of 16 triangles. On shared (not separable) prisms, the sticks of each window
-/// of 256 are sorted by their number of springs, so that the sticks of a slice have similar numbers of
-/// springs.
+/// order. Unused places hold padding: upright sticks at the origin that have no springs to other sticks.
+/// Sticks keep the order of the topology, with two exceptions. On separable prisms, three consecutive slices
+/// hold the three corners of 16 triangles. On shared (not separable) prisms, the sticks of each window of 256
+/// are sorted by their number of springs, so that the sticks of a slice have similar numbers of springs.
 struct Layout {
-  int corners = 1;  ///< slices per block: 3 (one per triangle corner) on separable prisms, else 1
+  int corners = 1;  ///< slices that belong together: 3 on separable prisms (one per corner), else 1
   int slices = 0;   ///< number of slices, padded to a multiple of 3 (separable prisms) or 4 (sticks)
   std::vector<std::uint32_t> place;  ///< for each stick, its index in the kernels' order
   /// Constants of the stick at each place, in SITE_COLUMNS columns: base in R, unit normal, cosine and sine

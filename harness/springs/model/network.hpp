@@ -48,7 +48,7 @@ struct SpringNetwork {
 SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
 
 /// Returns the index of the first triangle of `mesh` that the ray from `origin` (in R) along `direction`
-/// hits. A triangle is hit from both sides. Returns nothing if the ray hits no triangle.
+/// hits. Both sides of a triangle can be hit. Returns nothing if the ray hits no triangle.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction);
 
 /// Returns one force in newtons per stick: `force` for the three sticks at the corners of triangle `face`,

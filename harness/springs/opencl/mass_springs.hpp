@@ -14,7 +14,7 @@ namespace pelage::springs {
 struct Diverged : std::runtime_error {
   Diverged(long step_number, std::size_t mass_number, const Dynamics& dynamics);
   long step;         ///< number (from 0) of the first step after which a mass was out of bounds or not finite
-  std::size_t mass;  ///< index of that mass; the lowest index if there are several
+  std::size_t mass;  ///< index of this mass; the lowest index if several masses diverged
 };
 
 struct MassSpringOptions {
@@ -83,7 +83,7 @@ class MassSprings {
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< number of steps done or enqueued
-  float length() const;       ///< length of the fur, R
+  float length() const;       ///< length of the fur in R
   std::size_t bytes() const;  ///< bytes of device memory in use, without the tables that memory() excludes
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels

@@ -19,7 +19,7 @@ struct Buffers {
   cl::Buffer<float> sites, push, offset, speed;
   /// For each place (stick or padding), the number of the first step after which its mass was out of bounds.
   cl::Buffer<std::int32_t> diverged_at;
-  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of diverged_at
+  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
 };
 
 /// Returns the build options that set LANES and TURNING. `turning`: whether the object rotates.
@@ -36,7 +36,7 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
 std::size_t group_size(int lanes, std::size_t wanted);
 
 /// Advances sticks, separable sticks and separable prisms. One launch computes all substeps of all sticks. If
-/// `whole` is set, a single work-item computes the launch.
+/// `whole` is set, the launch has a single work-item.
 class BlockStage {
  public:
   BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,

@@ -22,9 +22,9 @@ struct Setting {
   long steps = 0;  ///< number of steps done before the initial state
 };
 
-/// These functions make the subjects described in docs/topology.md, section Studies, from the case's scene.
-/// They throw InputError if the scene's topology is not a mass-spring topology. The subjects throw
-/// OutOfBounds if a mass diverges.
+/// These functions make the subjects described in docs/topology.md, section Studies, from the scene of the
+/// case `which`. They throw InputError if the scene's topology is not a mass-spring topology. The subjects
+/// throw OutOfBounds if a mass diverges.
 std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which);
