@@ -4,14 +4,14 @@
 
 namespace pelage {
 
-/// Check::against of comparisons with the double-precision reference.
+/// Value of Check::against for comparisons with the double-precision reference.
 inline constexpr const char* against_reference = "reference";
 
-/// One comparison of the timed frame with a trusted result. It holds if `value` is within `limit`; `at_least`
-/// selects the direction.
+/// One comparison of the timed frame with a trusted result. The check holds if `value` is within `limit`.
+/// `at_least` selects whether `limit` is a lower or an upper limit.
 struct Check {
-  std::string against;  ///< trusted result: against_reference, ...
-  std::string metric;   ///< quantity compared: "psnr", "p99.9", ...
+  std::string against;  ///< name of the trusted result, such as against_reference
+  std::string metric;   ///< name of the compared quantity: "psnr", "p99.9", ...
   double value = 0;
   double limit = 0;
   bool at_least = true;  ///< true: value >= limit is required; false: value <= limit

@@ -10,12 +10,13 @@ struct Spread {
   double rms = 0, percentile_99 = 0, worst = 0;
 };
 /// Compares the positions `a` and `b` of the top masses, one per stick. `length` is the fur's length in the
-/// same unit. A distance that is not finite or above 1e9 counts as 1e9. Throws std::invalid_argument if the
-/// sizes differ or are 0.
+/// same unit. A distance counts as 1e9 if it is not finite or if it is above 1e9. Throws
+/// std::invalid_argument if the sizes differ or are 0.
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
 
-/// Returns the checks of a row. Shared prisms are checked against tolerance::prisms_rms and
-/// tolerance::prisms_p99, all other topologies against tolerance::stick_top for the worst top mass.
+/// Returns the checks of a spread. On shared prisms, rms is checked against tolerance::prisms_rms and the
+/// 99th percentile against tolerance::prisms_p99. On all other topologies, the worst distance is checked
+/// against tolerance::stick_top.
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
 
 }  // namespace pelage::springs

@@ -49,13 +49,13 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
                                  a.width, a.height, b.width, b.height));
   const std::vector<char> chosen = selected(a, windows);
   Agreement result;
-  // sums of squared differences: of all pixels, and of those that are not flipped
+  // Sums of squared differences: `squares` over all pixels, `kept` over the pixels that are not flipped.
   double squares = 0, kept = 0;
   std::vector<double> differences;
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
       const glm::vec4 &p = a.at(x, y), &q = b.at(x, y);
-      // This condition counts a pixel as fur if its alpha is NaN.
+      // NaN <= 0 is false, so a pixel whose alpha is NaN counts as fur.
       if (!chosen[std::size_t(y) * std::size_t(a.width) + std::size_t(x)] || (p.w <= 0.0f && q.w <= 0.0f))
         continue;
       double largest = distance(p.w, q.w), of_pixel = 0;
@@ -80,7 +80,7 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   if (differences.empty()) return result;
   result.psnr = decibels(squares, result.pixels);
   if (result.flips < result.pixels) result.psnr_without_flips = decibels(kept, result.pixels - result.flips);
-  // The rank is that of the smallest value that at least 99.9% of the pixels do not exceed.
+  // `rank` is the index of the smallest difference that at least 99.9% of the pixels do not exceed.
   const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
   std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
   result.p999 = differences[rank];
@@ -104,7 +104,8 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
                         std::min(side, picture.height)};
       if (touches_fur(picture, cell)) cells.push_back(cell);
     }
-  // A shuffle of our own, because std::shuffle gives different results in different standard libraries.
+  // This loop shuffles the cells. It replaces std::shuffle, which gives different results in different
+  // standard libraries.
   std::mt19937 random(seed);
   const std::size_t taken = std::min(count, cells.size());
   for (std::size_t i = 0; i < taken; ++i) std::swap(cells[i], cells[i + random() % (cells.size() - i)]);

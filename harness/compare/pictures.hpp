@@ -1,5 +1,5 @@
 // The checks of a picture: against the reference, against a picture with different texture filtering, and
-// against another mapping on the same device.
+// against a picture that another rasterizer mapping (tile, workgroup or pixel) drew on the same device.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace pelage {
 
-/// Returns the conditions of within() as one check each: fur pixels (at least one), psnr, p99.9, and the
+/// Returns one check per condition of within(): the number of fur pixels (at least one), psnr, p99.9, and the
 /// share of flipped pixels.
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement);
 
-/// Returns the checks of the OpenGL baseline: fur pixels (at least one), and psnr (at least
-/// tolerance::other_filter_psnr).
+/// Returns the checks of the OpenGL baseline's picture: the number of fur pixels (at least one), and psnr (at
+/// least tolerance::other_filter_psnr).
 std::vector<Check> other_filter_checks(const std::string& against, const Agreement& agreement);
 
-/// Returns the checks of two pictures of one device: no pixel is covered in only one of them, and no channel
-/// differs by more than tolerance::mapping_difference. Throws InputError if the sizes differ.
+/// Returns the checks of two pictures that different mappings drew on one device: no pixel is covered in only
+/// one of them, and no channel differs by more than tolerance::mapping_difference. Throws InputError if the
+/// sizes differ.
 std::vector<Check> mapping_checks(const std::string& against, const Picture& ours, const Picture& other);
 
 }  // namespace pelage

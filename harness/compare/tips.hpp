@@ -12,15 +12,15 @@ struct TipErrors {
   double p999 = 0;  ///< 99.9th percentile
   double worst = 0;
 };
-/// Compares two lists of tips (R, relative to their roots). `length` is the length of a strand, R. Throws
-/// std::invalid_argument if the sizes differ or are 0.
+/// Compares two lists of tips (positions relative to the roots, in R). `length` is the length of a strand in
+/// R. Throws std::invalid_argument if the sizes differ or are 0.
 TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
                      const std::vector<glm::vec3>& reference);
 
-/// Checks the largest error against tolerance::worst_tip.
+/// Checks TipErrors::worst against tolerance::worst_tip.
 Check check_worst_tip(const TipErrors& errors);
 
-/// Checks the 99.9th percentile against tolerance::usual_tip.
+/// Checks TipErrors::p999 against tolerance::usual_tip.
 Check check_usual_tip(const TipErrors& errors);
 
 }  // namespace pelage

@@ -10,21 +10,21 @@
 
 namespace pelage {
 
-/// Number of windows required by the check, and the side of a window in pixels. All windows contain or touch
-/// fur.
+/// Number of windows required by the check, and the side of a window in pixels. Every window contains fur or
+/// is next to a grid cell that contains fur.
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
-/// Comparison of the timed picture with the double-precision reference in kCheckWindows windows at the fur.
-/// If the windows fail, the whole picture is compared, and this comparison decides.
+/// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the
+/// windows fail, the whole picture is compared, and this comparison decides.
 struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;  ///< the comparison that decided
   Agreement sample;     ///< the comparison in the windows
   Check windows;        ///< the first of `checks`: whether there were enough windows
 };
-/// Compares `timed`, the picture after `frames` frames. `seed` selects the windows. `sticks` are the offsets
-/// (R) of the timed frame's sticks; empty for Silva's strands.
+/// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
+/// the windows. `sticks` are the offsets (R) of the timed frame's sticks; empty for Silva's strands.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 

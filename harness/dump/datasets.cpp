@@ -19,7 +19,8 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
   return out;
 }
 
-/// Returns the surface normals of docs/frame.md, section 3: the direction of A at each vertex.
+/// Returns the surface normal of each vertex (docs/frame.md, section 3): the direction of the vertex's stick
+/// at rest or, with Silva's strands, of the weighted mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<glm::vec3> normals(input.mesh->position.size());
@@ -41,7 +42,8 @@ std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
 /// Writes the camera as a view matrix and a projection matrix, for use by other programs.
 void write_matrices(Hdf5File& file, const Camera& camera) {
   // The first three rows of the view matrix are the directions right, down and forward. Rows 0 and 1 of the
-  // projection give w times the offset from the picture's centre in pixels. Row 3 gives w.
+  // projection matrix give w times the offset from the picture's centre in pixels. Row 3 gives w, the view
+  // depth.
   const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.ray));
   const glm::dvec3 right = glm::normalize(glm::dvec3(camera.ray_dx));
   const glm::dvec3 down = glm::normalize(glm::dvec3(camera.ray_dy));
@@ -53,11 +55,11 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   }
   view.insert(view.end(), {0, 0, 0, 1});
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
-  file.write(
-      "camera/view", {4, 4}, view, "R",
-      "row-major matrix; multiplied by (p, 1) it gives the distances right, down and forward of the eye");
+  file.write("camera/view", {4, 4}, view, "R",
+             "row-major matrix; its product with (p, 1) is the position of p to the right of, below and in "
+             "front of the eye");
   file.write("camera/projection", {4, 4}, projection, "pixels",
-             "row-major matrix; multiplied by the result of camera/view it gives (x w, y w, near, w), where "
+             "row-major matrix; its product with the result of camera/view is (x w, y w, near, w), where "
              "x and y are the distances in pixels right and down from the picture's centre");
 }
 
@@ -67,13 +69,13 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
              "unit normals n of the triangles");
   file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
-             "rest positions of the tips minus the roots, of length L0");
+             "vectors from the roots to the rest positions of the tips; their length is L0");
   file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
-             "cosine and sine of the gust's phase at the root");
+             "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
-             "strand (triangle) that each entry refers to");
+             "index of the strand, and of its triangle, of each entry");
   file.write("weight/value", {links}, std::span<const float>(strands.weight), "1",
              "weight of each entry: the triangle's share of the area around the surface point; the weights "
              "of a point sum to 1");
@@ -94,7 +96,7 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
   file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
              "positions of the vertices; a vertex on a UV seam occurs once per side");
   file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
-             "indices of the three vertices, counter-clockwise seen from outside");
+             "indices of each triangle's three vertices, counter-clockwise seen from outside");
   file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
   file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
              "index of the vertex's surface point; copies of one vertex have the same surface point");
@@ -109,7 +111,7 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
              "second axis of the curl at each surface point, unit length");
   file.write(
       "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
-      "texture coordinates where each surface point samples the wetness mask (those of its first vertex)");
+      "texture coordinates at which each surface point samples the wetness mask: those of its first vertex");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -128,7 +130,7 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write("strand/tip", {count, 3}, flat<float>(sum(root, output.tips)), "R",
              "positions of the tips in this frame");
   file.write("strand/offset", {count, 3}, flat<float>(output.tips), "R",
-             "positions of the tips minus the roots in this frame (q)");
+             "positions of the tips relative to the roots in this frame (q)");
   file.write("strand/velocity", {count, 3}, flat<float>(output.velocities), "R/s",
              "velocities of the tips in this frame");
   if (has_springs(input.scene.dynamics))
@@ -158,13 +160,15 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
   file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
              "surface point under the centre of each droplet");
-  file.write("droplet/reach", {drops}, column(reach), "R",
-             "largest distance between a droplet's surface point and that of a texel which it wets");
-  file.write("mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
-             "surface point under the centre of each texel; the axes are v and u");
   file.write(
-      "mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
-      "values (c_u, c_v, r, rho) of Algorithm 1 per texel, all 0 if the texel is dry; the axes are v and u");
+      "droplet/reach", {drops}, column(reach), "R",
+      "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
+  file.write(
+      "mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
+      "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");
+  file.write("mask", {side, side, 4}, flat<float>(output.mask), "UV, UV, UV, 1",
+             "wetness mask: clump centre (c_u, c_v), clump radius r and wetness rho of each texel, all 0 if "
+             "the texel is dry; the axes of the array are v and u");
 }
 
 void write_textures(Hdf5File& file, const FrameInput& input) {
@@ -172,15 +176,16 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
   const auto layers = static_cast<std::size_t>(fur.layers), coat = static_cast<std::size_t>(input.coat.size);
   for (std::size_t level = 0; level < fur.level.size(); ++level) {
     const std::size_t side = static_cast<std::size_t>(fur.size) >> level;
-    file.write(
-        level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
-        flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
-        "coverage of the fur, and factor that multiplies the coat's colour; the axes are layer, v and u");
+    file.write(level == 0 ? "fur" : fmt::format("fur_mip/{}", level), {layers, side, side, 2},
+               flat<std::uint8_t>(fur.level[level]), "1/255, 1/127.5",
+               "coverage of the fur, and factor that multiplies the coat's colour; the axes of the array are "
+               "layer, v and u");
   }
   file.write("fur_scale", {2}, std::array{input.fur_scale.x, input.fur_scale.y}, "1/UV",
              "number of repeats of the fur texture per unit of u and of v");
   file.write("colour", {coat, coat, 4}, flat<std::uint8_t>(input.coat.texel), "1/255",
-             "colours (R, G, B, unused) of the coat in gamma space; the axes are v and u");
+             "colours of the coat in gamma space (R, G, B and an unused channel); the axes of the array are "
+             "v and u");
 }
 
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -216,7 +221,8 @@ void write_camera(Hdf5File& file, const Camera& camera) {
   for (const glm::vec4& row : {camera.row_x, camera.row_y, camera.row_w})
     rows.insert(rows.end(), {row.x, row.y, row.z, row.w});
   file.write("camera/rows", {3, 4}, rows, "pixels R, pixels R, R",
-             "row_x, row_y and row_w; their dot products with (p, 1) are X, Y and w");
+             "row_x, row_y and row_w; their dot products with (p, 1) are the homogeneous pixel coordinates "
+             "X, Y and w");
   file.write("camera/eye", {3}, numbers({camera.eye}), "R", "position of the eye");
   file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
              "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "

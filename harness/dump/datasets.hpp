@@ -1,4 +1,5 @@
-// Writes the datasets of a dump, group by group. docs/frame.md, section 8, lists them.
+// Functions that write the datasets of a dump (an HDF5 file with the data of one frame), one function per
+// group of datasets. docs/frame.md, section 8, lists the datasets.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace pelage::dump {
 
-/// Returns vectors of floats, bytes or indices as one flat array without copying.
+/// Returns a view of an array of vectors as one flat array of their components, without copying.
 template <class Scalar, class Vector>
 std::span<const Scalar> flat(const std::vector<Vector>& values) {
   static_assert(sizeof(Vector) % sizeof(Scalar) == 0);
@@ -22,8 +23,8 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
 void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
 
-/// Writes the positions of the layers. The double-precision reference computes them from the scene's strands,
-/// or from the output's tips if a mass-spring topology moves the fur.
+/// Writes the offsets of the layers' vertices from the mesh. The double-precision reference computes them
+/// from the scene's strands, or from `output.tips` if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 
 }  // namespace pelage::dump

@@ -1,4 +1,5 @@
-// Measures CPU time: of this process during a frame, and of all other processes during a case.
+// Measures the CPU time of this process during a frame, and the CPU time of all other processes while one
+// case of an experiment is timed.
 #pragma once
 #include <functional>
 #include <optional>
@@ -8,18 +9,19 @@
 
 namespace pelage {
 
-/// Returns the CPU time that all threads of this process have used so far, ms. Work on a GPU is not included.
+/// Returns the CPU time that all threads of this process have used so far, in ms. Work on a GPU is not
+/// included.
 double process_cpu_ms();
 
-/// Wall time and CPU time of this process (process_cpu_ms()) for the same work, ms.
+/// Wall time of some work, and the CPU time of this process (process_cpu_ms()) for the same work, both in ms.
 struct Cost {
   double wall_ms = 0, cpu_ms = 0;
 };
 Cost cost_of(const std::function<void()>& work);
 
-/// CPU time of all CPUs since the machine started, s, from the first line of /proc/stat.
+/// CPU time of all CPUs in seconds since the machine started, from the first line of /proc/stat.
 struct MachineTime {
-  double busy_s = 0;   ///< user, system, interrupts, and time stolen by a hypervisor
+  double busy_s = 0;   ///< user code, system, interrupts, and time stolen by a hypervisor
   double total_s = 0;  ///< busy time plus idle time
 };
 
@@ -28,16 +30,17 @@ struct MachineTime {
 std::optional<MachineTime> machine_time(const std::string& line, double ticks);
 
 /// Returns the share (0 to 1) of the machine's CPU time between `before` and `after` that other processes
-/// used. `own_s` is the CPU time of this process, s. Returns nothing if the machine's counters did not
-/// change.
+/// used. `own_s` is the CPU time of this process in the same interval, in seconds. Returns nothing if the
+/// machine's counters did not change.
 std::optional<double> other_share(MachineTime before, MachineTime after, double own_s);
 
 /// Measures the CPU time of other processes since construction.
 class CpuWatch {
  public:
   CpuWatch();
-  /// Returns other_share() since construction. Returns nothing during the first 0.2 s, because ticks of 10 ms
-  /// are too coarse for shorter times, and if /proc/stat cannot be read.
+  /// Returns the share of CPU time that other processes have used since construction. Returns nothing if
+  /// /proc/stat cannot be read. Also returns nothing during the first 0.2 s, because ticks of 10 ms are too
+  /// coarse for such short times.
   std::optional<double> other_share() const;
 
  private:
@@ -45,11 +48,11 @@ class CpuWatch {
   double own_ms_;
 };
 
-/// a row's times are doubtful if other processes used more than this share
+/// A row's times are doubtful if other processes used more than this share of the machine's CPU time.
 inline constexpr double most_other_share = 0.1;
 
-/// Returns one line of text about the CPU time of other processes during this row's samples. Returns an empty
-/// string if their share is at most most_other_share or unknown.
+/// Returns a warning of one line if other processes used more than most_other_share of the machine's CPU time
+/// while the row was sampled. Returns an empty string otherwise, or if the share is unknown.
 std::string load_warning(const Row& row);
 
 }  // namespace pelage

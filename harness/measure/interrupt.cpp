@@ -8,8 +8,9 @@
 namespace pelage {
 namespace {
 
-// A signal handler can access only static variables. Drivers run their own threads, and any thread may
-// receive the signal, so masking signals in this thread would not suffice.
+// The signal handler receives only the signal number, so it reads all else from these static variables.
+// Masking the signals in this thread would not suffice, because drivers run their own threads and any thread
+// may receive a signal.
 std::atomic<int> holders{0};
 std::atomic<int> pending{0};
 const std::string* note = nullptr;

@@ -1,16 +1,16 @@
 // Handles SIGINT and SIGTERM: the program ends at once with status 130 or 143, but never while it writes a
-// row.
+// row of results.
 #pragma once
 #include <string>
 
 namespace pelage {
 
-/// From now on SIGINT and SIGTERM print `message` (how to resume) to stderr and end the process. Call it once
-/// per process.
+/// Installs a handler: SIGINT and SIGTERM print `message`, which explains how to resume, to stderr and end
+/// the process. Call it once per process.
 void end_on_interrupt(const std::string& message);
 
-/// Defers both signals while at least one object of this class exists. If a signal arrives meanwhile, the
-/// process ends when the last object is destroyed.
+/// Defers SIGINT and SIGTERM while at least one object of this class exists. If a signal arrives meanwhile,
+/// the process ends when the last object is destroyed.
 class HoldInterrupt {
  public:
   HoldInterrupt();

@@ -4,7 +4,7 @@
 
 namespace pelage {
 
-/// Returns the largest resident memory since the start or the last reset, bytes (VmHWM of Linux). Returns 0
+/// Returns the largest resident memory in bytes since the start or the last reset (VmHWM of Linux). Returns 0
 /// if it cannot be read.
 std::uint64_t peak_memory();
 

@@ -31,8 +31,9 @@ std::string picture_hash(const Picture& picture) {
       .hex();
 }
 
-/// Sets the status and the reason of a row that is ok so far. The row has diverged if the picture has values
-/// that are not finite. It fails if it has no check or if a check does not hold.
+/// Sets the status and the reason of a row of results. The status becomes `diverged` if the picture has
+/// values that are not finite, and `failed_check` if the row has no check or a check does not hold. Otherwise
+/// it stays `ok`.
 void judge(Row& row, const Picture& picture) {
   if (!finite(picture)) {
     row.status = Status::diverged;

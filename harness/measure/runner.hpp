@@ -1,4 +1,4 @@
-// Runs cases one after the other and appends one row per case to the journal.
+// Runs the cases of an experiment one after the other and appends one row of results per case to the journal.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -14,12 +14,12 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  /// Time limit of the run, s. No case starts after it. The samples of all remaining cases share the
-  /// remaining time.
+  /// Time limit of the run in seconds. No case starts after it. The sampling of a case takes at most the
+  /// remaining time divided by the number of remaining cases.
   double budget_s = std::numeric_limits<double>::infinity();
   std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
-  std::string image_suffix;           ///< added to the case's name, to distinguish devices
-  nlohmann::ordered_json provenance;  ///< provenance of the whole run; each case adds its own
+  std::string image_suffix;           ///< added to a picture's file name, to distinguish devices
+  nlohmann::ordered_json provenance;  ///< provenance of the whole run; each case adds entries
 };
 
 /// Functions that are called during a run. Each may be empty.
@@ -28,8 +28,8 @@ struct RunListener {
   std::function<void(std::size_t index, const Row&)> finished;
 };
 
-/// Number of cases by result. `kept` cases have a row in a resumed journal; `left` cases did not start within
-/// the time limit. `ok` includes unsupported cases.
+/// Number of cases by result. `kept` cases already have a row in the journal; `left` cases did not start
+/// within the time limit. `ok` includes unsupported cases.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
   bool bad_input = false;  ///< whether a row failed because of its input and not because of the device
@@ -39,8 +39,8 @@ struct RunSummary {
 std::string planned_key(const RunPlan& plan, const Case& which);
 
 /// Runs one case: prepares it, takes samples, reads the timed frame back and checks it. Errors of the case or
-/// the device do not throw; they set the status and the reason of the row. Only rows that are ok contain
-/// samples.
+/// of the device are not thrown; they set the status and the reason of the row. Only rows with the status
+/// `ok` contain samples.
 Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limits, const MakeSubject& make);
 
 /// Runs all cases that are not yet in the journal. Throws InputError if the journal cannot be written.

@@ -1,4 +1,4 @@
-// Times one case: warms up, then draws frames until the median is precise enough.
+// Times one case: warms up, then times frames until the median is precise enough or a limit is reached.
 #pragma once
 #include <functional>
 #include <map>
@@ -10,27 +10,27 @@
 
 namespace pelage {
 
-/// Times of one frame, ms. Event times are absent if the device's timer does not measure real time.
+/// Times of one frame in ms. Event times are absent if the device's timer does not measure real time.
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// Wall times of other work in this round, such as the frame of a baseline.
+  /// Wall times of other work that is timed together with this frame, such as a baseline's frame.
   std::map<std::string, double> phase_wall_ms = {};
-  /// CPU time of this process (harness/measure/cpu_use.hpp) during the same work as in wall_ms and
-  /// phase_wall_ms, if the subject measures it.
+  /// CPU times of this process (harness/measure/cpu_use.hpp) during the work of wall_ms and of phase_wall_ms.
+  /// They are absent if the subject does not measure them.
   std::optional<double> cpu_ms = {};
   std::map<std::string, double> phase_cpu_ms = {};
 };
 
 struct Sampling {
-  double first_launch_ms = 0;  ///< the first frame; drivers compile and upload during it
-  /// The entry "frame" holds wall and CPU times. The entry of each phase holds its event times.
+  double first_launch_ms = 0;  ///< time of the first frame, which includes compilation and uploads
+  /// The entry "frame" holds the times of whole frames. Each phase has an entry with the times of that phase.
   std::map<std::string, PhaseSamples> samples;
   bool converged = false;  ///< whether the requested precision was reached
 };
 
-/// Times frames by calling `frame` until `limits` are met. `seconds` is a monotonic clock, s; tests pass
-/// their own clock.
+/// Times frames by calling `frame` until `limits` are met. `seconds` returns the time of a monotonic clock in
+/// seconds; tests pass a simulated clock.
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);

@@ -14,13 +14,14 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median with
-/// `confidence`. Returns -1 if there is none.
+/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median with the
+/// probability `confidence`. x_(i) is the i-th smallest of n values. Returns -1 if there is no such r.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
   // The number of values below the median is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
-  // The interval misses the median at each end with probability P(X <= r).
+  // At each end, the interval misses the median with the probability P(X <= r), where X is the number of
+  // values below the median.
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);

@@ -1,5 +1,5 @@
-// Statistics of timings. Journals store raw samples; the report and the sampler compute these values from
-// them.
+// Statistics of timings. Journals store raw samples. The report and the sampler compute these statistics from
+// the samples.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -22,33 +22,35 @@ double median(std::span<const double> values);
 /// Fan).
 double quantile(std::span<const double> values, double q);
 
-/// Returns the interval between two order statistics that contains the median with at least `confidence`. It
-/// follows from the binomial distribution and assumes nothing about the shape of the noise. Fewer than six
-/// values have no 95% interval; then the whole range is returned.
+/// Returns an interval between two of the sorted values that contains the true median with at least the
+/// probability `confidence`. The ranks follow from the binomial distribution, for any distribution of the
+/// values. Fewer than six values have no 95% interval. If there is no interval, returns the whole range of
+/// the values.
 Interval median_interval(std::span<const double> values, double confidence = 0.95);
 
-/// Returns whether `count` values suffice for median_interval to have that confidence.
+/// Returns whether `count` values suffice for an interval of median_interval with this confidence.
 bool has_median_interval(std::size_t count, double confidence = 0.95);
 
-/// Returns a bootstrap interval of the median over processes and their samples. Samples of one process share
-/// its memory layout and clock, so processes are resampled first, and then the samples within each. For one
-/// process the result is that of median_interval.
+/// Returns a bootstrap interval of the median over all samples of several processes. `processes` holds the
+/// samples of each process. Samples of one process share memory layout and clock rate. Therefore the function
+/// resamples first the processes and then the samples within each drawn process. For one process it returns
+/// the result of median_interval.
 Interval nested_median_interval(std::span<const std::vector<double>> processes, std::uint64_t seed,
                                 double confidence = 0.95, int resamples = 2000);
 
-/// Returns half the width of the median's interval, divided by the median.
+/// Returns half the width of median_interval, divided by the median.
 double relative_half_width(std::span<const double> values, double confidence = 0.95);
 
 /// Returns the indices of values farther than 5 scaled median absolute deviations from the median. Outliers
 /// are reported but never removed.
 std::vector<std::size_t> outliers(std::span<const double> values);
 
-/// Returns the median of `values`, one per round, with its 95% interval (median_interval). Needs at least one
-/// value.
+/// Returns the median of `values` with its 95% interval (median_interval). There is one value per round of
+/// measurements. Needs at least one value.
 Metric median_metric(std::span<const double> values, const std::string& unit);
 
-/// Returns the median of the ratios a[i] / b[i] of all rounds i, with its 95% interval. Both need the same
-/// number of values.
+/// Returns the median of the ratios a[i] / b[i] of all rounds i, with its 95% interval. `a` and `b` need the
+/// same number of values.
 Metric median_ratio(std::span<const double> a, std::span<const double> b);
 
 }  // namespace pelage

@@ -35,18 +35,18 @@ class Subject {
  public:
   virtual ~Subject() = default;
   virtual FrameSample frame() = 0;  ///< runs and times the next frame
-  /// Returns the last frame's own buffer; does not draw it again. The picture is empty if the subject draws
-  /// nothing.
+  /// Reads the picture of the last frame back from its buffer; does not draw it again. The picture is empty
+  /// if the subject draws nothing.
   virtual Picture read() = 0;
-  /// Compares that picture with trusted results. The row is ok only if there is at least one check and all
-  /// checks hold.
+  /// Compares `timed`, the picture that read() returned, with trusted results. The row is ok only if there is
+  /// at least one check and all checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
-  /// Adds to the row: build_ms, tuning, metrics, the mesh, kernel and scene hashes in the provenance, and
-  /// values computed from row.samples, which are already set.
+  /// Adds build_ms, tuning and metrics to the row, and the hashes of mesh, kernels and scene to its
+  /// provenance. Metrics may be computed from row.samples, which is already filled.
   virtual void describe(Row& row) = 0;
 };
 
-/// Prepares a case. Throws DeviceError, Unsupported, InputError.
+/// Makes the subject of a case. Throws DeviceError, Unsupported or InputError.
 using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
 
 /// Data from which the subjects of one run are made.
@@ -54,17 +54,17 @@ struct SubjectContext {
   cl::Device device;
   Experiment experiment;
   std::map<std::string, int> tuning;                 ///< values of the kernels' tuning axes
-  std::function<void(const std::string&)> progress;  ///< receives messages about slow steps
+  std::function<void(const std::string&)> progress;  ///< receives progress messages of slow steps
   SceneMeshes meshes;
-  /// results that several cases share; the code that adds a result chooses its key
+  /// Results that several cases share. The code that adds a result chooses the result's key.
   std::map<std::string, std::any> shared;
 
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }
 };
 
-/// A row of the table of the pipelines that an experiment can time (harness/subjects/pipelines.cpp).
+/// An entry in the table of pipelines that an experiment can time (harness/subjects/pipelines.cpp).
 struct Pipeline {
-  std::string_view name;  ///< name as written in an experiment's variants
+  std::string_view name;  ///< name in the variants of an experiment file
   std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);
 };
 

@@ -127,7 +127,8 @@ TuningScene tuning_scene(const std::string& stage, const std::string& name, cons
   if (stage == "wet")
     return {name, [=](const Tuning& t) { return std::make_unique<Mask>(device, input, t); }};
   throw InputError(fmt::format(
-      "stage '{}' cannot be timed alone; the stages that can are rasterize, simulate and wet", stage));
+      "stage '{}' cannot be timed alone; the stages that can be timed alone are rasterize, simulate and wet",
+      stage));
 }
 
 }  // namespace pelage

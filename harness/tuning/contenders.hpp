@@ -1,4 +1,4 @@
-// Makes contenders for a tuning search from the stages of a frame.
+// Makes contenders (configurations of kernels that a tuning search times) from the stages of a frame.
 #pragma once
 #include "harness/cl/device.hpp"
 #include "harness/prepare/frame_input.hpp"
@@ -7,8 +7,8 @@
 namespace pelage {
 
 /// Returns a tuning scene that times one stage on `device`: "rasterize" (wall time of a whole frame),
-/// "simulate" (the strand simulation of a frame) or "wet" (Algorithm 1). `name` is the name of the scene.
-/// Throws InputError for other stages.
+/// "simulate" (the strand simulation of a frame) or "wet" (the wetness mask). `name` is the name of the
+/// scene. Throws InputError for other stages.
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
                          const std::shared_ptr<const FrameInput>& input);
 

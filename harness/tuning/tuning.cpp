@@ -95,7 +95,8 @@ std::vector<TuningAxis> tuning_axes(const std::string& stage) {
                                  fmt::join(stages, ", ")));
   const fs::path file = cl::kernel_folder() / stage / "tuning.toml";
   const toml::table table = parsed(file);
-  // toml++ sorts the keys. Axes are searched in the order of the file, so they are sorted by line.
+  // toml++ sorts the keys by name. The search needs the order of the file, so this code sorts the axes by
+  // line.
   std::vector<std::pair<toml::source_index, TuningAxis>> axes;
   for (const auto& [key, node] : table)
     axes.emplace_back(node.source().begin.line, axis_of(file, std::string(key.str()), node));
@@ -117,8 +118,8 @@ Tuning read_tuning(const fs::path& file) {
 
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note) {
-  // A block begins at its comment, or at its [stage] line if it has no comment. The block of `stage` is
-  // removed.
+  // The file has one block per stage. A block begins at its comment, or at its [stage] line if it has no
+  // comment. This loop keeps all blocks except that of `stage`.
   std::string kept, block;
   bool own = false, in_table = false;
   const auto close = [&] {

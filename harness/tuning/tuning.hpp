@@ -1,4 +1,5 @@
-// The tuning axes of the kernels, and files with the best values for one device.
+// The tuning axes of the kernels (parameters that affect only speed), and files with the best values for one
+// device.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -8,7 +9,7 @@
 
 namespace pelage {
 
-/// Values of tuning axes. An absent axis has its shipped value.
+/// Values of tuning axes by name. An axis that is absent has its shipped (default) value.
 using Tuning = std::map<std::string, int>;
 
 /// A parameter that changes a kernel's speed but not its results.
@@ -16,27 +17,29 @@ struct TuningAxis {
   std::string name;            ///< "TILE_W"
   std::string what;            ///< description, one line
   std::vector<int> values;     ///< candidate values, without the shipped value
-  std::optional<int> shipped;  ///< empty if it depends on the scene or the driver chooses it
+  std::optional<int> shipped;  ///< default; empty if the scene or the driver determines it
 };
 
 /// Returns the folders of kernels/ that contain a tuning.toml, sorted by name.
 std::vector<std::string> tunable_stages();
 
-/// Returns the axes of kernels/<stage>/tuning.toml, in the order of their lines. Throws InputError with file,
-/// line and the valid form. For a stage without axes, the error lists the stages that have axes.
+/// Returns the axes of kernels/<stage>/tuning.toml, in the order of the file. If the file is invalid, throws
+/// InputError with file, line and the valid form. If the stage has no axes, throws InputError with a list of
+/// the stages that have axes.
 std::vector<TuningAxis> tuning_axes(const std::string& stage);
 
-/// Reads a file of lines AXIS = whole number, at the top level or in tables named after folders of kernels/.
-/// The tables only group the axes. Throws InputError with file, line and key, also for an axis that does not
-/// exist.
+/// Reads a TOML file with lines of the form `AXIS = whole number`, at the top level or in tables named after
+/// folders of kernels/. The tables only group the axes. If a value is invalid or an axis does not exist,
+/// throws InputError with file, line and key.
 Tuning read_tuning(const std::filesystem::path& file);
 
-/// Returns the text of a tuning file in which `values` replace the values of `stage`; other stages are kept.
-/// `before` is the present text of the file, or empty. `note` becomes a comment of one or more lines.
+/// Returns the text of a tuning file in which `values` replace the values of `stage`. The values of other
+/// stages are kept. `before` is the present text of the file, or empty. `note` becomes a comment of one or
+/// more lines.
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note);
 
-/// Returns the values as text, such as "TILE_W=8 GROUP=2"; "shipped" if there are none.
+/// Returns the values as text, such as "TILE_W=8 GROUP=2", or "shipped" if `tuning` is empty.
 std::string text_of(const Tuning& tuning);
 
 }  // namespace pelage

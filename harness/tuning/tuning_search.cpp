@@ -12,8 +12,8 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Compares the candidates of a field with its first entry, on every scene. `trusted` holds the hashes of
-/// correct outputs of each scene.
+/// Compares a list of configurations with its first entry, on every scene. `trusted` holds, for each scene,
+/// the hashes of outputs that are known to be correct.
 class Contest {
  public:
   Contest(const std::vector<TuningScene>& scenes, std::vector<std::set<std::uint64_t>>& trusted)
@@ -24,7 +24,7 @@ class Contest {
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
-    // logarithms of the ratios: per configuration and round, summed over scenes
+    // Logarithms of the time ratios, per configuration and round, summed over the scenes.
     std::vector<std::vector<double>> logs(field.size(), std::vector<double>(std::size_t(rounds), 0.0));
     for (std::size_t s = 0; s < scenes_.size(); ++s) take_turns(s, rounds, result, logs);
     for (std::size_t i = 0; i < field.size(); ++i) {
@@ -95,8 +95,8 @@ Tuning with(Tuning tuning, const TuningAxis& axis, std::optional<int> value) {
   return tuning;
 }
 
-/// Returns the incumbent, followed by the configurations that differ from it in this axis only and have not
-/// been tried.
+/// Returns the incumbent, followed by the configurations that differ from the incumbent in this axis only and
+/// have not been tried.
 std::vector<Tuning> field_of(const Tuning& incumbent, const TuningAxis& axis, const std::set<Tuning>& known) {
   std::vector<Tuning> field{incumbent};
   std::vector<std::optional<int>> values{std::nullopt};

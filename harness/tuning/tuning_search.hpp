@@ -1,5 +1,5 @@
-// Searches the best tuning for a device. Candidates run in turns, and a candidate with wrong output cannot
-// win.
+// Searches for the fastest values of the tuning axes on a device. Candidates run alternately, and a candidate
+// with wrong output cannot win.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -16,10 +16,11 @@ namespace pelage {
 class Contender {
  public:
   virtual ~Contender() = default;
-  virtual double run_ms() = 0;              ///< runs the work once more and returns its time, ms
+  virtual double run_ms() = 0;              ///< runs the work once more and returns its time in ms
   virtual std::uint64_t output_hash() = 0;  ///< hash of the last run's output
-  virtual std::string kernel_hash() const { return {}; }  ///< hash of its programs
-  /// Compares the last output with the reference. Returns the fault in one line; empty if there is none.
+  virtual std::string kernel_hash() const { return {}; }  ///< hash of the OpenCL programs
+  /// Compares the last output with the reference. Returns the fault in one line, or an empty string if the
+  /// output is correct.
   virtual std::string fault() = 0;
 };
 
@@ -30,34 +31,37 @@ struct TuningScene {
   std::function<std::unique_ptr<Contender>(const Tuning&)> make;
 };
 
-/// A configuration and its result.
+/// A configuration of the kernels and the result of its timing.
 struct Candidate {
   Tuning tuning;
-  /// Its time divided by the incumbent's time: geometric mean over scenes, then median over rounds.
+  /// Time of this configuration divided by the time of the incumbent (the best configuration so far):
+  /// geometric mean over scenes, then median over rounds.
   double ratio = 0;
   Interval interval;  ///< 95% interval of the ratio over rounds
-  /// Why it cannot win: a failed check, or an error of the run. Empty if there is no fault.
+  /// Reason why the candidate cannot win: a failed check, or an error of the run. Empty if there is no fault.
   std::string fault;
-  bool wins = false;  ///< without fault, and the whole interval is below 1
+  bool wins = false;  ///< whether there is no fault and the whole interval is below 1
 };
 
 struct TuningSearch {
-  Tuning best;                   ///< faster than the shipped values, without fault; empty if there are none
+  Tuning best;                   ///< fastest values without fault; empty if the shipped values are fastest
   std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
-  /// The best configuration compared with the shipped one. Its tuning is empty if no candidate won.
+  /// Final comparison of the best configuration with the shipped configuration. The tuning is empty if no
+  /// candidate won.
   Candidate last;
   std::string fault;  ///< fault of the shipped configuration; if set, nothing was searched
 };
 
-/// Searches one axis after the other, in at most two passes. For each axis the incumbent and all other values
-/// run in turns for `rounds` rounds on each scene. The first incumbent is the shipped configuration. The
-/// fastest candidate that wins becomes the incumbent. One of many candidates may win by chance. Therefore, in
-/// the end the incumbent is compared with the shipped configuration once more, with twice the rounds, and is
-/// dropped unless it wins again.
+/// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best
+/// configuration so far; at first it is the shipped configuration. For each axis, the candidates are the
+/// configurations that differ from the incumbent in this axis only. The incumbent and the candidates run
+/// alternately on each scene, for `rounds` rounds. The fastest candidate that wins becomes the incumbent. One
+/// of many candidates may win by chance. Therefore the last incumbent is compared with the shipped
+/// configuration once more, with twice the rounds, and is dropped unless it wins again.
 ///
 /// The shipped configuration is checked against the reference. A candidate whose last output equals a checked
 /// output bit for bit has no fault; any other output is checked against the reference. `told` is called with
-/// each candidate.
+/// each candidate after its timing.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
 

@@ -1,5 +1,5 @@
-// Tests flipped pixels: they are counted, their share is limited, and the PSNR is reported with and without
-// them.
+// Tests flipped pixels (pixels that differ by more than tolerance::flip): they are counted, their share is
+// limited, and the PSNR is reported with and without them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ Picture furry(int width, int height) {
   return picture;
 }
 
-/// Changes every colour channel by `by`, similar to rounding errors.
+/// Adds `by` to red and blue and subtracts `by` from green, similar to rounding errors.
 Picture rounded(Picture picture, float by) {
   for (glm::vec4& pixel : picture.pixel) pixel += glm::vec4(by, -by, by, 0);
   return picture;
@@ -34,8 +34,8 @@ std::string broken(const Agreement& agreement) {
   return names;
 }
 
-// Flips one pixel of a picture of 160 x 100 pixels and checks the PSNR values. The check uses the PSNR of all
-// pixels.
+// Flips one pixel of a picture of 160 x 100 pixels and checks the PSNR values. The check uses the PSNR over
+// all pixels, so it fails if one pixel of a small picture changes much.
 TEST(Flips, OneOfASmallPicture) {
   const Picture reference = furry(160, 100);
   Picture ours = rounded(reference, 1e-5f);
@@ -57,7 +57,7 @@ TEST(Flips, OneOfASmallPicture) {
 }
 
 // At most one pixel in a thousand may be flipped. This limit accepts the same pictures as the limit of the
-// 99.9th percentile.
+// 99.9th percentile of the differences.
 TEST(Flips, AreTheRuleOfThePercentile) {
   for (const int pixels : {1, 2, 999, 1000, 1001, 1999, 2000, 2001, 15001, 16384, 100000}) {
     const Picture reference = furry(pixels, 1);
@@ -73,7 +73,8 @@ TEST(Flips, AreTheRuleOfThePercentile) {
   }
 }
 
-// A picture with too many flipped pixels fails, even if they change little and its PSNR is sufficient.
+// A picture with too many flipped pixels fails, even if these pixels change little and the picture's PSNR is
+// sufficient.
 TEST(Flips, TooManySmallOnesFail) {
   const Picture reference = furry(200, 100);
   Picture ours = rounded(reference, 1e-5f);

@@ -1,4 +1,5 @@
-// Tests a row's check: it compares windows of the picture and, if these fail, the whole picture.
+// Tests check_against_reference(), which compares windows of the picture and, if the windows fail, the whole
+// picture.
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"
@@ -20,7 +21,8 @@ struct Case {
   Window first;     // the first of the windows that `seed` selects
 };
 
-// Returns a case whose fur covers much of the picture, more than 64 windows can contain.
+// Returns a frame in which the fur covers more pixels than 64 windows can contain, with its reference
+// picture.
 const Case& torus() {
   static const Case made = [] {
     Scene scene;
@@ -49,7 +51,7 @@ Picture spoilt(int count, float by) {
   return p;
 }
 
-/// Returns the names of a row's checks.
+/// Returns the metrics of all checks, in order.
 std::string names_of(const WindowCheck& check) {
   std::string names;
   for (const Check& c : check.checks) names += c.metric + "; ";

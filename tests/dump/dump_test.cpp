@@ -20,11 +20,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A dataset as described in the document's table or found in a file.
+/// A dataset as described in the table of docs/frame.md or as found in a dump.
 struct Dataset {
-  std::string written;  ///< "always", "silva" or "topology"; empty for a dataset of a file
+  std::string written;  ///< "always", "silva" or "topology"; empty for a dataset of a dump
   std::string type, units, description;
-  std::vector<std::string> shape;  ///< numbers, or symbols of the document
+  std::vector<std::string> shape;  ///< numbers, or symbols of docs/frame.md such as V
 };
 using Datasets = std::map<std::string, Dataset>;
 
@@ -79,7 +79,7 @@ herr_t add_dataset(hid_t file, const char* name, const H5O_info_t* info, void* d
   return 0;
 }
 
-/// Returns the datasets of a dump of `input`, drawn by the reference.
+/// Writes a dump of the frame `input`, drawn by the reference, and returns its datasets.
 Datasets dumped(const FrameInput& input) {
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   if (!mkdtemp(folder.data())) std::abort();
@@ -104,7 +104,7 @@ FrameInput frame_of(const std::string& topology, const std::string& binding) {
   return synthetic::frame(scene, synthetic::torus(), 12, 8, 5);
 }
 
-/// Returns the name of the table's row that describes `dataset`.
+/// Returns the name under which the table of docs/frame.md describes `dataset`.
 std::string row_of(const std::string& dataset) {
   return dataset.starts_with("fur_mip/") ? "fur_mip/L" : dataset;
 }
@@ -168,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
                            return text;
                          });
 
-// The sections before the table may name only datasets of the table.
+// The sections of docs/frame.md before the table of datasets may name only datasets of this table.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
   std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -1,4 +1,4 @@
-// Tests the measurement of CPU time: of this process, and of other processes.
+// Tests the measurement of the CPU time of this process and of other processes.
 #include "harness/measure/cpu_use.hpp"
 
 #include <gtest/gtest.h>

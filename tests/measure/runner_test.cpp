@@ -191,8 +191,8 @@ TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
   EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
 }
 
-/// Runs fake cases in a child process and kills it after `kill_after_ms` unless that is negative. Returns the
-/// wait status of the child.
+/// Runs fake cases in a child process. Sends the signal `signal_number` to the child after `kill_after_ms`
+/// milliseconds unless that time is negative. Returns the wait status of the child.
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {
@@ -221,7 +221,7 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
   return status;
 }
 
-/// Returns a row's line without its times and dates.
+/// Returns the journal line of a row of results, without times and dates.
 std::string without_times(Row row) {
   for (const char* key : {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "check_s"})
     row.provenance.erase(key);

@@ -35,8 +35,8 @@ TEST(Statistics, OrderStatisticsOfTheTables) {
   }
 }
 
-// These ranks were computed by a sum of logarithms before Boost.Math was used. They must not change, so that
-// the intervals of recorded rows stay the same.
+// The expected ranks come from an earlier implementation without Boost.Math. They must not change, so that
+// the intervals of recorded results stay the same.
 TEST(Statistics, OrderStatisticsOfManyValues) {
   for (const auto& [n, low] : {std::pair{7, 1}, {25, 8}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}}) {
     std::vector<double> v(std::size_t(n), 0);
@@ -68,15 +68,15 @@ TEST(Statistics, IntervalHoldsTheMedianAsOftenAsItSays) {
     const Interval interval = median_interval(v);
     held += interval.low <= truth && truth <= interval.high;
   }
-  // For n = 25 the interval from the 8th to the 18th value has a confidence of 95.7%. The lower limit is
-  // three standard errors below this value.
+  // For n = 25 the interval from the 8th to the 18th value has a confidence of 95.7%. The lower limit of
+  // 94.7% is three standard errors below this value.
   EXPECT_GE(held, int(trials * 0.947));
   EXPECT_LE(held, int(trials * 0.970));
 }
 
 TEST(Statistics, ProcessesAreResampledFirst) {
-  // Two processes have a median of 10, and two have 20. Resampling only the samples would give a narrow
-  // interval. Resampling the processes must give a wide interval.
+  // Two processes have a median of 10, and two have a median of 20. Resampling only the samples would give a
+  // narrow interval. Resampling the processes must give a wide interval.
   std::vector<std::vector<double>> processes(4);
   for (int i = 0; i < 50; ++i)
     for (std::size_t p = 0; p < 4; ++p) processes[p].push_back((p % 2 ? 20 : 10) + 0.001 * i);

@@ -1,4 +1,5 @@
-// Tests the program itself with the smoke preset: sweeps that are killed, resumed or divided among processes.
+// Tests sweeps (runs of all cases of an experiment) by the program itself, with the smoke preset. Sweeps are
+// killed, resumed or divided among processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs pelage and discards its output. Kills it after `kill_after_s` seconds unless that is negative.
-/// Returns the wait status.
+/// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds unless that time is
+/// negative. Returns the wait status of the process.
 int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   words.insert(words.begin(), PELAGE_BINARY);
   const pid_t child = fork();
@@ -70,8 +71,7 @@ std::set<std::string> said(const std::string& folder) {
 struct Sweep : ::testing::Test {
   void SetUp() override {
     ASSERT_TRUE(fs::exists(PELAGE_BINARY)) << "the program is not built";
-    // The first run compiles kernels and creates textures. It keeps these steps out of the sweeps that are
-    // killed.
+    // The first run compiles kernels and creates textures, so that the later runs find them in the caches.
     ASSERT_EQ(pelage(run({"-o", (folder.path / "first").string()})), 0) << "the smoke sweep itself failed";
     const auto started = std::chrono::steady_clock::now();
     ASSERT_EQ(pelage(run({"-o", whole})), 0) << "the smoke sweep itself failed";
@@ -85,7 +85,8 @@ struct Sweep : ::testing::Test {
   }
   test::Folder folder;
   std::string whole = (folder.path / "whole").string();
-  /// Compares row by row and prints only rows that differ, because a row is long.
+  /// Compares the rows of `results` with the expected rows. Prints only rows that differ, because a row is
+  /// long.
   void expect_same(const std::string& results) const {
     const std::set<std::string> lines = said(results);
     EXPECT_EQ(lines.size(), expected.size());
@@ -102,7 +103,8 @@ TEST_F(Sweep, KilledAtTwentyMomentsAndResumedGivesTheSameRows) {
   while (kills < 20) {
     const std::string out = (folder.path / ("killed" + std::to_string(sweeps++))).string();
     fs::create_directories(out);
-    // Kills the program at random moments. Each run resumes the one before, and the last run is not killed.
+    // Kills the program at random moments. Each run resumes the run before it, and the last run is not
+    // killed.
     for (int i = 0; i < 10; ++i)
       kills += WIFSIGNALED(pelage(run({"--resume", out}), 0.4 * whole_s * double(random() % 1000) / 1000));
     ASSERT_EQ(pelage(run({"--resume", out})), 0);
@@ -120,7 +122,7 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
     journals += entry.path().string().ends_with("-of-3.jsonl");
   EXPECT_EQ(journals, 3);
 
-  // Without --resume, an existing row is an error; with --resume, it is kept.
+  // Without --resume, an existing row of results is an error. With --resume, the row is kept.
   EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
   expect_same(whole);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);

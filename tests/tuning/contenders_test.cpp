@@ -1,4 +1,5 @@
-// Tests that a contender with wrong output has a fault, for every stage.
+// Tests that a contender (a configuration of kernels that a tuning search times) reports a fault if its
+// output is wrong.
 #include "harness/tuning/contenders.hpp"
 
 #include <gtest/gtest.h>
@@ -17,8 +18,8 @@ std::shared_ptr<const FrameInput> small() {
       synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
 }
 
-/// Returns the fault of a stage's contender after one run; empty if there is none. In the kernel source
-/// `file`, `text` is replaced by `replacement` before the run.
+/// Returns the fault of a stage's contender after one run, or an empty string if there is no fault. Before
+/// the run, the function replaces `text` by `replacement` in a copy of the kernel source `file`.
 std::string fault_of(const std::string& stage, const std::string& file = {}, const std::string& text = {},
                      const std::string& replacement = {}) {
   const fs::path original = cl::kernel_folder();
@@ -49,7 +50,8 @@ TEST(Contenders, HaveNoFaultAsTheyAre) {
   EXPECT_EQ(fault_of("wet"), "");
 }
 
-// The planted error moves the first 16 of about 1500 strands by more than 1e-5 of a strand's length.
+// The test plants an error in a kernel, which adds 1e-3 R to the tips of the first 16 of about 1500 strands.
+// This error is larger than tolerance::usual_tip.
 TEST(Contenders, MayMoveNoStrandElsewhere) {
   EXPECT_NE(fault_of("simulate", "simulate/simulate.cl", "  store_column3(a.tip, state, TIP_X",
                      "  if (block * LANES < 16) a.tip.x += 1e-3f;\n"

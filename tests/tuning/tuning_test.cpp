@@ -10,7 +10,8 @@
 namespace pelage {
 namespace {
 
-/// The time and the output of a configuration. With `noise`, times alternate around `ms`.
+/// The simulated time and output of a configuration. Times alternate between ms * (1 + noise) and ms * (1 -
+/// noise).
 struct Behaviour {
   double ms = 10;
   std::uint64_t output = 1;
@@ -85,7 +86,7 @@ TEST(TuningSearch, WhatIsNotSurelyFasterDoesNotWin) {
 
 TEST(TuningSearch, AWinnerByChanceIsDroppedInTheLastDuel) {
   int made = 0;
-  // The candidate is fast in its first comparison with the incumbent, and slow in the last one.
+  // The candidate is fast in its first comparison with the incumbent, and slow in the final comparison.
   const TuningSearch found = search(
       [&made](const Tuning& t) {
         return t.empty() ? Behaviour{} : Behaviour{.ms = ++made <= 2 ? 5.0 : 11.0};

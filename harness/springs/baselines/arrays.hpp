@@ -5,22 +5,24 @@
 
 namespace pelage::springs {
 
-/// Pointers to the arrays of a system; the struct owns no memory. The loops use no library types. They are
-/// compiled with special flags, and library functions compiled with these flags must not be linked into the
-/// rest of the program.
+/// Pointers to the arrays of a system; the struct owns no memory. The loops are compiled with special flags.
+/// They use no types of the standard library, because the linker could then use library functions compiled
+/// with these flags in the rest of the program.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
   const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
-  /// Shared prisms: the two sticks and the rest length of each edge. Separable prisms: rest lengths only;
-  /// rest[c F + f] belongs to side c of triangle f, and corner c of triangle f is stick c F + f.
+  /// On shared prisms: indices of the two sticks and the rest length (R) of each edge. On separable prisms
+  /// with F triangles only the rest lengths are set: rest[c * F + f] belongs to side c of triangle f, and
+  /// stick c * F + f stands on corner c of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
-  T *q[3]{}, *v[3]{};          ///< the state: top mass relative to its base (R), velocity (R/s)
-  T *force[3]{}, *work[12]{};  ///< shared prisms only: the forces, and the work arrays of RK4
+  T *q[3]{}, *v[3]{};          ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
+  T *force[3]{}, *work[12]{};  ///< only on shared prisms: forces, and work arrays of RK4
 };
 
-/// The time steps of one call. moments[2 i] is the environment at the start of step i.
+/// The time steps of one call. moments[2 * i] holds wind, gravity and the object's motion at the start of
+/// step i.
 struct Course {
   Solver solver = default_solver;
   TopologyParams params{};
@@ -28,18 +30,20 @@ struct Course {
   int steps = 0;
 };
 
-/// The loops as compiled with one set of compiler flags, one function per kind of topology.
+/// Functions that run the loops, one per kind of topology. All are compiled with the same compiler flags.
 template <class T>
 struct Loops {
   void (*sticks)(const Arrays<T>&, const Course&);     ///< all four solvers
-  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms, explicit solvers only
-  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms, explicit solvers only
+  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms; not backward Euler
+  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms; not backward Euler
 };
 
-/// The loops compiled with -O3 only. The argument selects the number type.
+/// Returns the loops compiled with -O3 only. The argument's type selects the number type; its value is
+/// ignored.
 Loops<float> plain_loops(float);
 Loops<double> plain_loops(double);
-/// The loops compiled with -O3 -march=native -ffast-math. The argument selects the number type.
+/// Returns the loops compiled with -O3 -march=native -ffast-math. The argument's type selects the number
+/// type; its value is ignored.
 Loops<float> fast_loops(float);
 Loops<double> fast_loops(double);
 /// Returns whether this processor supports the vector instructions (AVX2, AVX-512F) that fast_loops uses.

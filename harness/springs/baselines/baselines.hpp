@@ -1,5 +1,5 @@
-// The baselines of the OpenCL solvers: serial C++ of the same schemes, and Eigen. Both solve the same systems
-// from the same states.
+// The baselines of the OpenCL solvers: serial C++ loops with the same integration schemes, and solvers of the
+// library Eigen. They solve the same systems from the same initial states.
 #pragma once
 #include <glm/vec3.hpp>
 #include <memory>
@@ -21,11 +21,11 @@ class SolverRival {
  public:
   virtual ~SolverRival() = default;
   virtual void set(const Motions& state) = 0;
-  /// Advances the state by `steps` steps. moments[2 i] is the environment at the start of step i (see
-  /// springs::moments).
+  /// Advances the state by `steps` steps. moments[2 * i] holds wind, gravity and the object's motion at the
+  /// start of step i (see springs::moments).
   virtual void advance(const std::vector<Moment>& moments, int steps) = 0;
   virtual Motions state() const = 0;
-  virtual long iterations() const { return 0; }  ///< conjugate gradient iterations since construction
+  virtual long iterations() const { return 0; }  ///< number of conjugate gradient iterations so far
 };
 
 /// A baseline and its name: "serial-o3", "serial-fast", "serial-o3-double", "eigen-llt-double-2" (two
@@ -36,13 +36,14 @@ struct NamedRival {
 };
 
 /// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
-/// factorization takes seconds and gigabytes on large systems, so it is included only below `most_direct`
-/// sticks. Baselines compiled for the build machine's processor are omitted if this processor lacks its
-/// instructions.
+/// factorization takes seconds and gigabytes on large systems, so it is included only for fewer than
+/// `most_direct` sticks. Baselines compiled for the build machine's processor are omitted if this processor
+/// lacks its instructions.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 
-/// Returns the serial loops in double precision. Backward Euler on prisms is not supported.
+/// Returns the serial C++ baseline in double precision. It does not support backward Euler on shared or
+/// separable prisms.
 std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics);
 
 }  // namespace pelage::springs

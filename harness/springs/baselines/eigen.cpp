@@ -1,5 +1,6 @@
-// Renames the namespace Eigen in this file. The file is compiled for this processor only, and the linker must
-// not use its template instances in place of the portable ones of other files.
+// This macro renames the namespace Eigen in this file. The file is compiled with -march=native. Without the
+// new name the linker could use this file's template instances in other files, whose code must run on any
+// processor.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 
@@ -163,8 +164,8 @@ class Blocks : public Base<T> {
   }
 };
 
-// Solves the whole system as one sparse matrix. The sparsity pattern is computed once. A step fills the block
-// rows independently of each other, so that threads can share the work.
+// Solves the equations of all sticks as one sparse system. The sparsity pattern is computed once. Each step
+// fills the rows of 3 x 3 blocks independently of each other, so threads can fill them in parallel.
 template <class T, class Solver>
 class Whole : public Base<T> {
  public:
@@ -201,7 +202,7 @@ class Whole : public Base<T> {
     s.setTolerance(T(0));
   };
 
-  // Computes the block columns of each block row, in ascending order, and the edge of each block (-1 for the
+  // Lists the 3 x 3 blocks of each block row by ascending column, with the edge of each block (-1 for the
   // diagonal block). Writes the sparsity pattern to the matrix.
   void lay_out() {
     for (int e = 0; e < this->edges_; ++e)

@@ -8,15 +8,15 @@
 namespace pelage::springs {
 
 enum class EigenWay {
-  blocks,              ///< separable prisms only: Matrix<T, 9, 9> and LLT per triangle
-  ldlt,                ///< SimplicialLDLT; the pattern is analysed once
-  gradients_diagonal,  ///< ConjugateGradient over RowMajor, Lower | Upper, with DiagonalPreconditioner
+  blocks,              ///< only on separable prisms: one Matrix<T, 9, 9> with LLT per triangle
+  ldlt,                ///< SimplicialLDLT; the sparsity pattern is analysed once
+  gradients_diagonal,  ///< ConjugateGradient (RowMajor, Lower | Upper) with DiagonalPreconditioner
   gradients_block,     ///< ConjugateGradient, preconditioned by the inverses of the 3 x 3 diagonal blocks
   gradients_cholesky   ///< ConjugateGradient, preconditioned by IncompleteCholesky
 };
 
-/// A system and its state. The state arrays hold three values per stick, in the order of the topology's
-/// sticks.
+/// A solver of one mass-spring system, and the state of the system. The state arrays hold three values per
+/// stick, in the order of the topology's sticks.
 template <class T>
 class EigenSolver {
  public:
@@ -24,13 +24,15 @@ class EigenSolver {
   virtual T* q() = 0;
   virtual T* v() = 0;
   virtual void forget() = 0;  ///< resets the initial guess of conjugate gradients to 0
-  /// Advances the state by one step. `end` is the environment at the end of the step.
+  /// Advances the state by one step. `end` holds wind, gravity and the object's motion at the end of the
+  /// step.
   virtual void step(const TopologyParams& params, const Moment& end) = 0;
-  virtual long iterations() const = 0;  ///< conjugate gradient iterations since construction
+  virtual long iterations() const = 0;  ///< number of conjugate gradient iterations so far
 };
 
-/// A system as plain arrays. Per stick: root (3 values), normal (3), cosine and sine of the gust's phase (2).
-/// Per edge: its two sticks and its rest length (R).
+/// A mass-spring system as plain arrays. Each stick has a root (3 values), a normal (3 values), and the
+/// cosine and sine of the gust's phase (2 values). Each edge has the indices of its two sticks (`ends`) and a
+/// rest length in R.
 template <class T>
 struct EigenSystem {
   int sticks = 0, edges = 0;
@@ -38,8 +40,8 @@ struct EigenSystem {
   const int* ends = nullptr;
 };
 
-/// Returns a solver with a copy of the system. It uses `threads` OpenMP threads. Conjugate gradients stop
-/// when |r| / |b| is at most `residual`.
+/// Returns a solver that holds a copy of the system and uses `threads` OpenMP threads. Conjugate gradients
+/// stop when |r| / |b| is at most `residual`.
 std::unique_ptr<EigenSolver<float>> eigen_solver(const EigenSystem<float>& system, EigenWay way, int threads,
                                                  double residual);
 std::unique_ptr<EigenSolver<double>> eigen_solver(const EigenSystem<double>& system, EigenWay way,

@@ -99,7 +99,8 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
           b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
 }
 
-// A stick's own part of the equations of backward Euler: block dv = load.
+// The terms of one stick in the equations of backward Euler: block * dv = load, where dv is the change of the
+// top mass's velocity.
 template <class T>
 struct Row {
   Symmetric<T> block;
@@ -118,8 +119,9 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// The part of an edge in the equations of backward Euler. The matrix even I + along s s^T is added to the
-// diagonal blocks of both ends and subtracted from the blocks that couple them. `drawn` is h^2 J dv.
+// The terms of one edge in the equations of backward Euler. The matrix even * I + along * s s^T is added to
+// the diagonal blocks of both ends and subtracted from the two blocks that couple the ends. `drawn` is h^2 K
+// dv, with the time step h, the edge's stiffness matrix K, and the velocity difference dv of the ends.
 template <class T>
 struct Coupling {
   V<T> s, drawn;
@@ -133,7 +135,7 @@ PELAGE_INLINE Coupling<T> coupling_of(const Constants<T>& p, V<T> d, V<T> dv, T 
   return {a.s, even * dv + (stiff * dot(a.s, dv)) * a.s, even, stiff + p.step * p.edge_damping};
 }
 
-// Solves m x = b by the Cholesky factorization of a 3 x 3 matrix.
+// Solves m x = b for a symmetric 3 x 3 matrix m by its LDL^T factorization.
 template <class T>
 PELAGE_INLINE V<T> solved(const Symmetric<T>& m, V<T> b) {
   const T over_x = T(1) / m.xx, yx = m.xy * over_x, zx = m.xz * over_x;

@@ -1,6 +1,6 @@
 // The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). The loops over sticks
-// and over triangles compute all steps for one tile before the next tile, so that a tile's state stays in the
-// first-level cache.
+// and over triangles run all steps for one tile of 256 sticks or triangles before they start the next tile,
+// so that the tile's state stays in the first-level cache.
 
 constexpr int tile = 256;
 
@@ -27,7 +27,8 @@ PELAGE_INLINE Place<T> place(const Arrays<T>& a, int i) {
   return {at(a.root, i), at(a.normal, i), a.phase_cos[i], a.phase_sin[i]};
 }
 
-// The tops of one independent system: N = 1 for a stick, N = 3 for the corners of a separable triangle.
+// State of the top masses of one independent system: N = 1 for a single stick, N = 3 for the three sticks of
+// a separable prism.
 template <class T, int N>
 struct Block {
   V<T> q[N], v[N];
@@ -128,7 +129,8 @@ void through_blocks(const Arrays<T>& given, const Course& course) {
   }
 }
 
-// Shared prisms: computes the spring forces of one tile of edges, then adds them to the forces of both ends.
+// Computes all forces on shared prisms. For each tile of edges, it computes the spring forces and then adds
+// them to the forces on both ends of the edges.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& given, const Constants<T>& constants, const Moment& moment, T* const qs[3],
                 T* const vs[3]) {

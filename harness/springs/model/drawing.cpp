@@ -14,12 +14,13 @@ namespace pelage::springs {
 namespace {
 
 constexpr double panel = 360, margin = 16, title = 26;  // pixels
-// A separable corner is moved by this part of the way to its triangle's centre.
+// In separable topologies each corner of a triangle is moved towards the triangle's centre by this fraction
+// of its distance from the centre.
 constexpr double pulled_in = 0.16;
 // Masses are drawn as dots only if the topology has at most this many sticks.
 constexpr std::size_t most_dots = 300;
 
-// The axes of the drawing plane (right, up), and the direction from the mesh to the eye.
+// Unit vectors: the direction from the mesh to the eye, and the right and up axes of the drawing plane.
 const glm::dvec3 towards = glm::normalize(glm::dvec3(0.35, 0.45, 1.0));
 const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towards));
 const glm::dvec3 up = glm::cross(towards, right);
@@ -111,7 +112,7 @@ class Panel {
   }
 
   const SpringNetwork& topology_;
-  std::vector<glm::dvec3> place_;  // positions of the masses: x right, y up, z towards the eye
+  std::vector<glm::dvec3> place_;  // view positions of the masses: x points right, y up, z towards the eye
   glm::dvec3 low_{std::numeric_limits<double>::max()}, high_{std::numeric_limits<double>::lowest()};
   double scale_ = 1;
   std::vector<Item> items_;

@@ -1,4 +1,4 @@
-// Draws the topologies over a mesh, like Figures 3 to 5 of Banisch and Wuethrich 2006.
+// Draws the four mass-spring topologies over a mesh, like Figures 3 to 5 of Banisch and Wuethrich 2006.
 #pragma once
 #include <string>
 
@@ -6,15 +6,15 @@
 
 namespace pelage::springs {
 
-/// Largest number of triangles that drawing_of accepts. More triangles are too small to distinguish on a
-/// page.
+/// Largest number of triangles that drawing_of accepts. In larger meshes the triangles are too small to
+/// distinguish on a page.
 inline constexpr std::size_t most_drawn = 20000;
 
 /// Returns an SVG with one panel per topology (four panels). Each panel shows the surface of `mesh` from the
 /// front and slightly from above, the sticks in one colour and the springs between top masses in another.
-/// Parts behind the surface are hidden. In separable topologies each triangle's masses are moved towards its
-/// centre, so that gaps between triangles are visible (Figure 5b). `length` is the rest length of the sticks
-/// in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
+/// Sticks and springs behind the surface are hidden. In separable topologies each triangle's masses are moved
+/// towards the triangle's centre, so that gaps between triangles are visible (Figure 5b). `length` is the
+/// rest length of the sticks in R, above 0. Throws InputError if the mesh has more than most_drawn triangles.
 std::string drawing_of(const Mesh& mesh, float length);
 
 }  // namespace pelage::springs

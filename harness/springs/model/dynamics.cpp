@@ -39,8 +39,8 @@ void direction(const char* what, glm::vec3 v) {
     throw InputError(fmt::format("{}: (0, 0, 0); a direction must not be the zero vector", what));
 }
 
-// Rotates v by -angle (rad) about the unit axis, by Rodrigues' formula. This transforms a vector from the
-// world frame to the frame of the rotated object.
+// Rotates v by -angle (rad) about the unit vector `axis`, by Rodrigues' formula. This transforms a vector
+// from the world frame to the frame of the rotated object.
 glm::dvec3 seen_turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
   return v * std::cos(angle) - glm::cross(axis, v) * std::sin(angle) +
          axis * glm::dot(axis, v) * (1 - std::cos(angle));
@@ -73,31 +73,31 @@ Moment moment(const Dynamics& d, double time) {
 }  // namespace
 
 void check(const Dynamics& d) {
-  above_0("time step, s", d.step);
-  above_0("mass, kg", d.mass);
-  not_negative("stiffness of the sticks, N/m", d.stiffness);
-  not_negative("damping of the sticks, N s/m", d.damping);
-  not_negative("stiffness of the springs between tops, N/m", d.edge_stiffness);
-  not_negative("damping of the springs between tops, N s/m", d.edge_damping);
-  not_negative("drag coefficient, N s/m", d.drag);
-  not_negative("weight of the return force, N", d.return_weight);
+  above_0("time step (s)", d.step);
+  above_0("mass (kg)", d.mass);
+  not_negative("stiffness of the sticks (N/m)", d.stiffness);
+  not_negative("damping of the sticks (N s/m)", d.damping);
+  not_negative("stiffness of the springs between tops (N/m)", d.edge_stiffness);
+  not_negative("damping of the springs between tops (N s/m)", d.edge_damping);
+  not_negative("drag coefficient (N s/m)", d.drag);
+  not_negative("weight of the return force (N)", d.return_weight);
   above_0("residual of conjugate gradients", d.residual);
   if (d.most_iterations < 1)
     throw InputError(
         fmt::format("limit of conjugate gradient iterations: {}; it must be at least 1", d.most_iterations));
-  finite("gravity, m/s^2", d.gravity);
+  finite("gravity (m/s^2)", d.gravity);
   direction("direction of the wind", d.wind.direction);
-  finite("speed of the wind, m/s", d.wind.speed);
+  finite("speed of the wind (m/s)", d.wind.speed);
   finite("gust of the wind (fraction of its speed)", d.wind.gust);
-  not_negative("frequency of the gusts, Hz", d.wind.frequency);
-  above_0("wavelength of the gusts, R", d.wind.wavelength);
-  finite("velocity of the object, R/s", d.motion.velocity);
-  finite("shake of the object (amplitude), R", d.motion.shake);
-  not_negative("frequency of the object's shake, Hz", d.motion.shake_frequency);
+  not_negative("frequency of the gusts (Hz)", d.wind.frequency);
+  above_0("wavelength of the gusts (R)", d.wind.wavelength);
+  finite("velocity of the object (R/s)", d.motion.velocity);
+  finite("shake of the object (amplitude in R)", d.motion.shake);
+  not_negative("frequency of the object's shake (Hz)", d.motion.shake_frequency);
   direction("rotation axis of the object", d.motion.axis);
-  finite("spin of the object (angular velocity), rad/s", d.motion.spin);
-  finite("swing of the object (amplitude), rad", d.motion.swing);
-  not_negative("frequency of the object's swing, Hz", d.motion.swing_frequency);
+  finite("spin of the object (angular velocity in rad/s)", d.motion.spin);
+  finite("swing of the object (amplitude in rad)", d.motion.swing);
+  not_negative("frequency of the object's swing (Hz)", d.motion.swing_frequency);
 }
 
 bool turns(const Dynamics& d) {

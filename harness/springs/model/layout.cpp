@@ -27,7 +27,8 @@ std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
   return found;
 }
 
-// Returns the place of each stick after sorting by descending degree within each window.
+// Sorts the sticks of each window of 256 by descending number of neighbours. Returns the index of each stick
+// in the sorted order.
 std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour>>& around) {
   std::vector<std::uint32_t> order(around.size()), place(around.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -109,20 +110,24 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // `columns` is the number of floats per place: sites, push, offset and speed. `values` is the number of
-  // other 4-byte values, such as the steps in which masses diverged.
+  // `columns` is the number of floats per place (a stick or padding), at first those of the buffers sites,
+  // push, offset and speed. `values` is the number of other 4-byte values, such as the steps in which masses
+  // diverged.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  columns += 1 + 4;  // rows of four floats: 1 float more per speed, 4 per tip
+  // Speeds and tips are stored in rows of four floats: 1 more float per speed, and 4 floats per tip.
+  columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    columns += 8 + 6 + 12;  // x and d; r and A d; diagonal blocks of A and their inverses
+    // Conjugate gradients on A x = b: x and direction d (8 floats), residual r and A d (6 floats), and the
+    // diagonal blocks of A and their inverses (12 floats).
+    columns += 8 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tips and speeds after the step
     if (solver.multistage())
-      columns += 8 + 9;  // tips and speeds of a second stage; stage offsets, weighted sums
+      columns += 8 + 9;  // tips and speeds of a second stage (8); stage offsets and weighted sums (9)
   }
   return 4 * (columns * layout.places() + values);
 }

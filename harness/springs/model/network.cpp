@@ -14,7 +14,7 @@
 namespace pelage::springs {
 namespace {
 
-using Corners = std::vector<glm::uvec3>;  // the three sticks of each triangle
+using Corners = std::vector<glm::uvec3>;  // indices of the three sticks of each triangle
 
 // Returns the undirected edges of the triangles in ascending order, each edge once.
 std::vector<glm::uvec2> unique_edges(const Corners& corners) {
@@ -92,7 +92,8 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
   return topology;
 }
 
-// A scene casts one ray. To build the tree of harness/mesh/search.hpp takes 50 times as long as this loop.
+// This function tests every triangle, because a scene casts only one ray. Building the search tree of
+// harness/mesh/search.hpp would take 50 times as long.
 std::optional<std::size_t> hit(const Mesh& mesh, glm::dvec3 origin, glm::dvec3 direction) {
   std::optional<std::size_t> found;
   double nearest = std::numeric_limits<double>::infinity();

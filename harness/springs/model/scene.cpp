@@ -9,8 +9,8 @@
 namespace pelage::springs {
 namespace {
 
-// Target of a poke: a point (R), and the triangle that the ray hits. If the scene has no ray, `triangle` is
-// the number of triangles.
+// Target of a poke (a local force on the fur): a point in R, and the index of the triangle that the poke's
+// ray hits. If the scene has no ray, `triangle` is the number of triangles, which is not a valid index.
 struct Aim {
   glm::dvec3 point;
   std::size_t triangle;

@@ -9,15 +9,16 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics. The wind's speed is strength / drag, so that it pushes a mass at rest with
-/// the scene's `strength`, the same force as on Silva's strand.
+/// Converts the scene's dynamics. The wind's speed is strength / drag. With this speed, the wind exerts the
+/// scene's force `strength` on a mass at rest, as it does on Silva's strands.
 Dynamics dynamics_of(const DynamicsScene& scene);
 
 /// Returns the scene's topology over its mesh: one stick per surface point, or one per triangle corner if
 /// separable.
 SpringNetwork topology_of(const FrameInput& input);
 
-/// Returns the scene's local force on each stick, N. The result is empty if the scene has no poke.
+/// Returns the local force of the scene's poke on each stick, in newtons. The result is empty if the scene
+/// has no poke.
 std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke);
 
 }  // namespace pelage::springs

@@ -14,9 +14,10 @@ std::string frame_kernel(const Solver& solver) {
   return name + "_frame";
 }
 
-// Returns the number of slices that a work-item computes at a time. An Euler step of a stick is a short chain
-// of dependent operations, so two slices at a time keep a vector unit busy. The other schemes would need too
-// many registers for two slices.
+// Returns the number of slices (16 sticks each) that a work-item computes at a time. An explicit or
+// semi-implicit Euler step of a stick is a short chain of dependent operations, so one slice alone does not
+// keep the vector unit busy and the work-item computes two. The other solvers would need too many registers
+// for two slices.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
   const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;
@@ -25,8 +26,8 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 }  // namespace
 
 // The limits below were measured with `pelage run topology-solvers` on the paper's models
-// (results/topology-notes.md). One work-item uses one core. To wake a second core takes some microseconds,
-// more than it saves on a small model.
+// (results/topology-notes.md). One work-item uses one core. Waking a second core takes some microseconds,
+// which is more than the second core saves on a small model.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
   // llvmpipe (platform rusticl) ends a loop of a work-item after 65535 iterations without an error.
   if (!device.cpu || device.platform == "rusticl") return false;
@@ -34,8 +35,8 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// On a CPU a work-item computes up to 64 slices, so that there are about 8 work-items per core. On a GPU a
-// work-item computes one stick or triangle.
+// On a CPU a work-item computes up to 64 slices of 16 sticks, so that there are about 8 work-items per core.
+// On a GPU a work-item computes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);
   if (lanes == 1) return 1;

@@ -43,10 +43,11 @@ struct MassSprings::State {
   std::optional<BlockStage> blocks;
   std::optional<PrismStage> prisms;
   long steps = 0;
-  long known_from = 0, known_to = 0;  // steps whose moments are on the device: known_from <= step < known_to
+  // The device holds wind, gravity and the object's motion for the steps known_from <= step < known_to.
+  long known_from = 0, known_to = 0;
 
-  // Uploads the moments of many steps at once, because a transfer costs as much as the launch of a small
-  // model.
+  // Uploads wind, gravity and the object's motion for many steps at once, because a transfer takes as long as
+  // a launch for a small model.
   void know_moments(const cl::Queue& queue, int substeps) {
     if (known_from <= steps && steps + substeps <= known_to) return;
     const int count = std::max(substeps, 512);
@@ -59,7 +60,8 @@ struct MassSprings::State {
     known_to = steps + count;
   }
 
-  // Returns one vector per stick from a buffer of three columns, or of rows of four floats if `rows` is set.
+  // Reads one vector per stick from a buffer on the device. The buffer has three columns, or rows of four
+  // floats if `rows` is set.
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
     const std::vector<float> value = buffer.read(queue);
     std::vector<glm::vec3> values;
@@ -198,7 +200,7 @@ void MassSprings::check(const cl::Queue& queue) const {
   std::size_t stick = 0;
   for (std::size_t i = 0; i < s.layout.place.size(); ++i)
     if (at[s.layout.place[i]] < step) step = at[s.layout.place[i]], stick = i;
-  if (step == never) return;  // only padding places after the last stick diverged
+  if (step == never) return;  // only padding sticks diverged
   throw Diverged(step, s.layout.place.size() + stick, s.dynamics);
 }
 

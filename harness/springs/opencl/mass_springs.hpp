@@ -1,4 +1,4 @@
-// Moves the masses of a topology on an OpenCL device.
+// Simulates a mass-spring topology on an OpenCL device.
 #pragma once
 #include <memory>
 #include <stdexcept>
@@ -14,15 +14,17 @@ namespace pelage::springs {
 struct Diverged : std::runtime_error {
   Diverged(long step_number, std::size_t mass_number, const Dynamics& dynamics);
   long step;         ///< number (from 0) of the first step after which a mass was out of bounds or not finite
-  std::size_t mass;  ///< index of that mass; the lowest index if there are several
+  std::size_t mass;  ///< index of this mass; the lowest index if several masses diverged
 };
 
 struct MassSpringOptions {
-  int lanes = 0;  ///< sticks or triangles per work-item at a time, 1 or 16; 0 selects the device's default
+  /// Number of sticks or triangles that a work-item computes at a time: 1 or 16. 0 selects the device's
+  /// default.
+  int lanes = 0;
   std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
-  int blocks_per_item = 0;  ///< slices per work-item; 0 selects the device's default
+  int blocks_per_item = 0;  ///< slices (16 sticks) per work-item; 0 selects the device's default
   /// Whether one work-item computes all steps of a launch for the whole model. On a CPU this is faster for
-  /// models so small that launches cost more than the steps.
+  /// models so small that the launches take longer than the steps.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
@@ -30,16 +32,16 @@ struct MassSpringOptions {
 /// sticks.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
-/// Statistics of conjugate gradients since construction; all 0 if no system was solved by them.
+/// Statistics of the solves by conjugate gradients since construction; all 0 if there was no such solve.
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
-  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve, as computed by the solver
+  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve; r is the solver's residual
 };
 
 class MassSprings {
  public:
-  /// Creates the system at rest. Throws InputError if check(dynamics) does.
+  /// Creates the system at rest. Throws InputError if check(dynamics) throws it.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
   ~MassSprings();
@@ -47,21 +49,23 @@ class MassSprings {
   MassSprings& operator=(MassSprings&&) noexcept;
 
   /// Sets the state of all top masses: per stick, the position relative to the base (R) and the velocity
-  /// (R/s). `steps` is the number of steps done before. Clears recorded divergence and the initial guess of
-  /// conjugate gradients. Throws InputError if a size is wrong or a value is not finite.
+  /// (R/s). `steps` is the number of steps done before. Clears the record of diverged masses, and sets the
+  /// initial guess of conjugate gradients to 0. Throws InputError if a size is wrong or a value is not
+  /// finite.
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
-  /// Sets the length of the next steps, s. The number of steps done does not change; set() can change it.
-  /// Throws InputError if check(dynamics) does.
+  /// Sets the time step of all later steps, in seconds. The number of steps done stays the same; set() can
+  /// change it. Throws InputError if check(dynamics) throws it.
   void retime(float step);
 
-  /// Sets local forces on the top masses, N, one per stick, in the object's frame; an empty vector removes
-  /// them. Throws InputError if the size is wrong or a force is not finite.
+  /// Sets local forces on the top masses, one per stick, in newtons, in the object's frame. An empty vector
+  /// removes all local forces. Throws InputError if the size is wrong or a force is not finite.
   void push(const cl::Queue& queue, const std::vector<glm::vec3>& force);
 
-  /// Enqueues `substeps` steps. It may wait for the upload of the moments, and for the queue if conjugate
-  /// gradients test their residual. Appends the event of every launch to `launches` unless it is null.
+  /// Enqueues `substeps` steps. The call may wait for the upload of wind and motion. It waits for the queue
+  /// whenever conjugate gradients test their residual. Appends the event of every launch to `launches` unless
+  /// `launches` is null.
   void enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches = nullptr);
 
   /// Waits for the queue. Throws Diverged if a mass diverged in a step enqueued so far.
@@ -70,16 +74,16 @@ class MassSprings {
   /// Calls enqueue() and then check().
   void advance(const cl::Queue& queue, int substeps);
 
-  /// Returns per stick the position of the top mass relative to its base, R.
+  /// Returns, for each stick, the position of the top mass relative to its base, in R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const;
-  /// Returns per stick the velocity of the top mass, R/s.
+  /// Returns, for each stick, the velocity of the top mass in R/s.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const;
-  /// These functions return the device buffer of the offsets, and per stick the index of its x in this
-  /// buffer. The y and z follow 16 and 32 floats later.
+  /// offset() returns the device buffer of the top masses' offsets. offset_columns() returns, for each stick,
+  /// the index of the x component in this buffer. y is stored 16 floats and z 32 floats after x.
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< number of steps done or enqueued
-  float length() const;       ///< length of the fur, R
+  float length() const;       ///< length of the fur in R
   std::size_t bytes() const;  ///< bytes of device memory in use, without the tables that memory() excludes
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels

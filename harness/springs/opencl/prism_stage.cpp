@@ -9,7 +9,7 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // indices of the kernels of gradients.cl
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // indices in kernels_ (implicit solver)
 enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // indices of the results that gradients_whole writes
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
@@ -39,7 +39,7 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Returns rows of four floats per place: root + q (R), and 0.
+// Returns one row of four floats per place: the position of the top mass (root + q, in R), and 0.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
   std::vector<float> found(4 * layout.places(), 0.0f);
   for (std::size_t place = 0; place < layout.places(); ++place)
@@ -166,8 +166,8 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // Stages 1 to 3 alternate between two pairs of tip and speed buffers. The tips and speeds at the start of
-  // the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
+  // Stages 1 to 3 read alternately from two pairs of tip and speed buffers. The tips and speeds at the start
+  // of the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {
@@ -192,7 +192,7 @@ bool PrismStage::converged(const cl::Queue& queue) {
   else
     read(0.0f);
   if (!std::isfinite(rr) || !std::isfinite(bb))
-    return true;  // the masses diverged; the kernel MOVE records this
+    return true;  // the masses diverged; gradients_move records this
   const bool done = rr <= residual_ * residual_ * bb;
   last_residual_ = bb > 0 ? std::sqrt(rr / bb) : 0;
   return done;
@@ -214,8 +214,8 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
-  // A convergence test waits for the queue. Thus the first iterations run without a test: as many as the
-  // previous step needed, minus the two that its last test may have added. After them, a test follows every
+  // A convergence test waits for the queue. Therefore the first iterations of a step run without a test.
+  // Their number is the number of iterations of the previous step minus two. After them, a test follows every
   // two iterations.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)

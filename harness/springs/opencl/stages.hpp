@@ -1,5 +1,5 @@
-// The parts of MassSprings: the buffers that all solvers share, and one class per group of solvers that
-// enqueues its launches.
+// The parts of MassSprings: the buffers that all solvers share, and two classes that enqueue kernels.
+// PrismStage handles shared prisms, BlockStage all other topologies.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,29 +13,30 @@ namespace pelage::springs {
 /// Buffers that all solvers share. The float buffers are stored slice by slice in columns (see places.clh).
 /// On shared prisms `speed` is stored in rows of four floats instead.
 struct Buffers {
-  /// The environment at each half step. A launch reads from index params.first_moment on.
+  /// Wind, gravity and the object's motion at each half step. A launch reads the entries from index
+  /// params.first_moment on.
   cl::Buffer<Moment> moments;
   cl::Buffer<float> sites, push, offset, speed;
-  /// Per place, the number of the first step after which the mass diverged.
+  /// For each place (stick or padding), the number of the first step after which its mass was out of bounds.
   cl::Buffer<std::int32_t> diverged_at;
-  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of diverged_at
+  cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
 };
 
 /// Returns the build options that set LANES and TURNING. `turning`: whether the object rotates.
 std::string build_options(int lanes, bool turning);
 
-/// Returns the number of units per work-item. A unit is LANES sticks of a slice, so a slice has 16 / LANES
-/// units. `units` is the number of units of the model. `wanted` is the number of slices per work-item, or 0
-/// for the device's default.
+/// Returns the number of units per work-item. A unit is `lanes` sticks of a slice. A slice has 16 sticks and
+/// therefore 16 / lanes units. `units` is the number of units of the whole model. `wanted` is the desired
+/// number of slices per work-item, or 0 for the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
 /// Returns the work-group size: `wanted` if it is above 0, else 64 for one lane (GPU) and 1 for 16 lanes
-/// (CPU). On a CPU a work-item is a long loop, so groups of 1 suffice. One size for all launches also saves
-/// time, because CPU drivers compile a kernel anew for each work-group size.
+/// (CPU). On a CPU a work-item runs a long loop, so one work-item per work-group suffices. The same size for
+/// all launches also saves time, because CPU drivers compile a kernel anew for each work-group size.
 std::size_t group_size(int lanes, std::size_t wanted);
 
-/// Advances sticks, separable sticks and separable prisms. One launch computes all substeps of all blocks. If
-/// `whole` is set, one work-item computes them.
+/// Advances sticks, separable sticks and separable prisms. One launch computes all substeps of all sticks. If
+/// `whole` is set, the launch has a single work-item.
 class BlockStage {
  public:
   BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
@@ -63,7 +64,7 @@ class PrismStage {
   /// Sets the offsets, in columns as in Layout::offset. Updates the tips and resets the initial guess of
   /// conjugate gradients.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
-  /// Enqueues params.substeps steps. Waits for the queue if conjugate gradients test their residual.
+  /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
                std::vector<cl::Event>* launches);
   const LinearSolves& solves() const { return solves_; }
@@ -96,11 +97,13 @@ class PrismStage {
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  cl::Buffer<float> tip_, other_tip_, other_speed_;  // rows of four floats
-  // These are used by rk4 only. The first two hold rows of four floats.
+  cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per place
+  // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
-  // Conjugate gradients on A x = b: diagonal blocks of A, their inverses, couplings; x (rows of four), r, d
-  // (rows of four), A d and later z.
+  // Buffers of conjugate gradients on A x = b, in the order of their declaration: the 3 x 3 diagonal blocks
+  // of A, their inverses, the coupling of each spring, the solution x, the residual r, the direction d, and
+  // the product A d. The last buffer later holds z, the preconditioned residual. x and d have rows of four
+  // floats.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // results of gradients_whole

@@ -13,7 +13,8 @@ namespace {
 
 using Vectors = std::vector<glm::dvec3>;
 
-// The object's motion X = T + R r, and its first two time derivatives.
+// The object's motion X = T + R r, which moves the object's point r to X. `shift` is the translation T and
+// `turn` the rotation R; _1 and _2 mark their first and second time derivatives.
 struct Pose {
   glm::dvec3 shift, shift_1, shift_2;
   glm::dmat3 turn, turn_1, turn_2;
@@ -26,7 +27,8 @@ Pose pose(const Motion& m, double t) {
   const double angle = double(m.spin) * t + double(m.swing) * std::sin(b * t);
   const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
   const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
-  // Rodrigues' formula: R = cos I + sin [n] + (1 - cos) n n^T. The derivatives by time follow from those
+  // Rodrigues' formula for the angle a and the axis n: R = cos(a) I + sin(a) [n] + (1 - cos(a)) n n^T, where
+  // [n] is the cross-product matrix of n. The chain rule gives the time derivatives of R from its derivatives
   // by the angle.
   const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
   const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
@@ -56,8 +58,7 @@ Spring spring(const System& system, const State& state, std::size_t number) {
           double(stick ? d.stiffness : d.edge_stiffness), double(stick ? d.damping : d.edge_damping)};
 }
 
-// Returns gravity, wind, drag and the inertial forces of the object's motion on one mass, N, in the object's
-// frame.
+// Returns the sum of weight, wind, drag and inertial forces on one mass, in newtons, in the object's frame.
 glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 root, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
@@ -80,7 +81,7 @@ State moved(const State& from, double h, const Vectors& position_rate, const Vec
   return to;
 }
 
-// Returns M^-1 F. The masses on the skin are fixed and have no acceleration.
+// Returns the acceleration F / m of every mass. The masses on the skin are fixed and have no acceleration.
 Vectors accelerations(const System& system, const State& state, double time) {
   Vectors a = forces(system, state, time);
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -119,10 +120,11 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// The equations of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), where f is the force at
-// the new time and the old state. J omits the parts that would make the matrix indefinite: the transverse
-// part of compressed springs, and the asymmetric part of Eq. 5. D holds the damping of the springs and the
-// drag.
+// The equations of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), where M holds the masses,
+// h is the time step, v the velocity, dv its change, and f the force at the new time and the old state. J is
+// the derivative of the force by the positions. It omits the parts that would make the matrix indefinite: the
+// transverse part of compressed springs, and the asymmetric part of B Eq. 5. D, the derivative of the force
+// by the velocities, holds the damping of the springs and the drag.
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;
@@ -143,7 +145,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   for (std::size_t i = 0; i < sticks; ++i) {
     const std::size_t top = topology.top(i);
     add(i, i, glm::dmat3(double(system.dynamics.mass) + h * double(system.dynamics.drag)));
-    const Spring s = spring(system, y, i);  // s.along is the vector s of Eq. 3
+    const Spring s = spring(system, y, i);  // s.along is the vector s of B Eq. 3
     const glm::dvec3 n(topology.normal[i]);
     const double cosine = glm::dot(n, s.along);
     const glm::dvec3 lean = n - cosine * s.along;

@@ -1,5 +1,6 @@
-// The double-precision reference of Banisch and Wuethrich 2006: it follows the paper mass by mass and spring
-// by spring and shares no code with the kernels. The results of the kernels are compared with it.
+// The double-precision reference for the mass-spring solvers of Banisch and Wuethrich 2006. It computes each
+// mass and each spring separately, as in the paper, and shares no code with the kernels. Checks compare the
+// kernels' results with it.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -14,34 +15,35 @@ struct State {
   std::vector<glm::dvec3> position, velocity;
 };
 
-/// A topology and the forces on it.
+/// A topology, its dynamics, and the local forces on it.
 struct System {
   const SpringNetwork& topology;
   const Dynamics& dynamics;
-  /// Local force on each stick's top mass, N, in the object's frame; empty if there is none.
+  /// Local force on each stick's top mass, in newtons, in the object's frame; empty if there are no local
+  /// forces.
   std::vector<glm::dvec3> push = {};
 };
 
 /// Returns the rest state: every stick points along its normal, and all velocities are 0.
 State rest(const SpringNetwork& topology);
 
-/// Returns the force F(t, p, v) of Eq. 1 on every mass, N, at `time` (s). It includes the forces on the fixed
-/// masses.
+/// Returns the force F(t, p, v) of B Eq. 1 on every mass, in newtons, at `time` in seconds. The result
+/// includes the forces on the fixed masses.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
 
-/// Returns the state after one more step dt of the solver in `system.dynamics`. `number` counts the steps
-/// done before.
+/// Returns the state after one more time step of the solver in `system.dynamics`. `number` is the number of
+/// earlier steps.
 State step(const System& system, const State& state, long number);
 
-/// Returns |b - A x| / |b| of the equations A x = b of backward Euler, where x is `change`, the change of the
-/// top masses' velocities (R/s) in the step after `number` steps.
+/// Returns the relative residual |b - A x| / |b| of the equations A x = b of one backward Euler step. x is
+/// `change`: the change of the top masses' velocities (R/s) in the step that follows `number` earlier steps.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
-/// Returns the kinetic energy plus the potential energy of the springs, J. It excludes the potentials of
-/// gravity and of Eq. 5.
+/// Returns the kinetic energy plus the potential energy of the springs, in joules. The sum excludes the
+/// potential energies of gravity and of the return force (B Eq. 5).
 double energy(const System& system, const State& state);
 
-/// Returns the position of each top mass relative to its base, R: the kernels' q.
+/// Returns the position of each top mass relative to its base, in R. The kernels call it q.
 std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference

@@ -1,5 +1,5 @@
-// The motion of a topology's sticks in double precision. The device's sticks are compared with it, and
-// pictures of the reference are drawn with it.
+// Computes the motion of sticks with the double-precision reference. Checks compare the device's sticks with
+// the result, and the reference uses the result to draw its pictures.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -9,18 +9,18 @@
 
 namespace pelage::springs {
 
-/// Returns the position of each top mass relative to its base, R, `frames` frames after rest, as computed by
-/// reference.hpp.
+/// Returns the position of each top mass relative to its base, in R, after `frames` frames that start from
+/// rest. The functions of reference.hpp compute it.
 std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames);
 
-/// The state of some sticks, `frames` frames after rest.
+/// State of a selection of sticks after some frames that start from rest.
 struct SomeSticks {
   std::vector<std::uint32_t> stick;  ///< indices of the sticks, ascending
-  std::vector<glm::dvec3> offset;    ///< per stick: the top mass relative to its base, R
-  std::vector<glm::dvec3> velocity;  ///< per stick: the velocity of the top mass, R/s, in the object's frame
+  std::vector<glm::dvec3> offset;    ///< per stick: the top mass relative to its base, in R
+  std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
 };
-/// Computes about `count` sticks, evenly spaced by index. On shared prisms each stick depends on its
-/// neighbours, so all sticks are computed, regardless of `count`.
+/// Computes the state of about `count` sticks with evenly spaced indices. On shared prisms each stick depends
+/// on its neighbours, so the function computes all sticks and ignores `count`.
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
 
 }  // namespace pelage::springs

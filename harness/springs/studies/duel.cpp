@@ -13,7 +13,7 @@ namespace pelage::springs {
 namespace {
 
 // Backward Euler is compared with the double-precision reference up to this number of sticks. For larger
-// models its sparse factorization is too slow.
+// models the reference's sparse factorization is too slow.
 constexpr std::size_t most_factored = 20000;
 
 class Duel : public Subject {
@@ -56,8 +56,8 @@ class Duel : public Subject {
       sample.phase_wall_ms[name] = theirs.wall_ms;
       sample.phase_cpu_ms[name] = theirs.cpu_ms;
       processor_[i].push_back(theirs.cpu_ms);
-      // OpenMP threads keep spinning for a while after their work. The pause keeps this out of the next
-      // measurement.
+      // OpenMP threads use CPU time for a while after their work, because they wait in a loop. The pause
+      // keeps this CPU time out of the next measurement.
       if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return sample;
@@ -170,9 +170,9 @@ class Duel : public Subject {
   cl::Program measure_;
   cl::Kernel nothing_;
   std::array<cl::Buffer<float>, 7> nowhere_;
-  std::vector<double> enqueue_;  // wall time in ms of empty launches, including those of warm-up frames
+  std::vector<double> enqueue_;  // wall times of empty launches in ms, warm-up frames included
   std::vector<NamedRival> rivals_;
-  // CPU times in ms: one list per baseline, and a last list for the device.
+  // CPU times in ms: one list per baseline, followed by one list for the device.
   std::vector<std::vector<double>> processor_;
 };
 

@@ -25,7 +25,8 @@ Motions rest(const SpringNetwork& topology) {
   return state;
 }
 
-// Simulates `seconds` in launches of 1/60 s. Calls `after` with the simulated time (s) after each launch.
+// Simulates `seconds` of motion in launches that cover 1/60 s each. Calls `after` with the simulated time in
+// seconds after each launch.
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
               const std::function<void(double)>& after = {}) {
   const long steps = std::max(1L, std::lround(seconds / double(dynamics.step)));
@@ -39,7 +40,7 @@ void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynam
   queue.finish();
 }
 
-// Base class of the studies: each frame is one whole measurement.
+// Base class of the studies. Each call of frame() makes one whole measurement.
 class Study : public Subject {
  public:
   Study(const cl::Device& device, Setting setting) : queue_(device), setting_(std::move(setting)) {}
@@ -263,7 +264,7 @@ std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case&
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
   const Scene scene = scene_with_springs(context, which);
   Setting setting = setting_of(context, scene);
-  Scene any = scene;  // cases that differ only in step and solver have the same exact state
+  Scene any = scene;  // cases that differ only in time step and solver have the same exact state
   any.dynamics.step = 1;
   any.dynamics.substeps = 1;
   any.dynamics.solver = highest_order.name;

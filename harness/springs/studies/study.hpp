@@ -1,5 +1,5 @@
-// Subjects of experiments on the solvers of the mass-spring topologies. They draw no picture. Their results
-// are compared with the baselines, or with runs of finer steps.
+// Subjects (timed objects) of experiments on the mass-spring solvers. They draw no picture. Their results are
+// compared with the baselines or with runs that have shorter time steps.
 #pragma once
 #include <functional>
 #include <map>
@@ -13,8 +13,8 @@
 
 namespace pelage::springs {
 
-/// The system of a case and its initial state: the state after `time` seconds of the scene's dynamics,
-/// computed by the device.
+/// The mass-spring system of one case of an experiment. `start` is its initial state, which the device
+/// computes by simulating the scene's `dynamics.time` seconds from rest.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
@@ -22,33 +22,33 @@ struct Setting {
   long steps = 0;  ///< number of steps done before the initial state
 };
 
-/// These functions make the subjects described in docs/topology.md, section Studies, from the case's scene.
-/// They throw InputError if the scene's topology is not a mass-spring topology. The subjects throw
-/// OutOfBounds if a mass diverges.
+/// These functions make the subjects described in docs/topology.md, section Studies, from the scene of the
+/// case `which`. They throw InputError if the scene's topology is not a mass-spring topology. The subjects
+/// throw OutOfBounds if a mass diverges.
 std::unique_ptr<Subject> make_solver(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_against_baselines(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_limit(SubjectContext& context, const Case& which);
 std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case& which);
 
-/// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, by every
-/// baseline. All runs start from the setting's state and follow one after the other.
+/// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, with every
+/// baseline. All runs start from `setting.start` and run one after the other.
 std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
 
-/// Makes a subject that times one simulated second from rest. Its error is the distance from `exact`, the
-/// state after this second.
+/// Makes a subject that times one simulated second from rest. Its error metrics are the distances of the top
+/// masses from `exact`, the exact state after this second.
 std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting, const Motions& exact);
 
 /// Returns the state after one second from rest, computed in double precision by RK4 with steps of `step`
 /// seconds.
 Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
-/// Makes a subject that finds the longest step for which every stick stays shorter than twice its length
-/// during two seconds from rest. The metric is "longest_step_ms".
+/// Makes a subject that finds the longest time step with which every stick stays shorter than twice its rest
+/// length during two simulated seconds from rest. The metric is "longest_step_ms".
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
-/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses over
-/// time as metrics "energy_uJ_at_<s>".
+/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses as one
+/// metric per simulated time in seconds, "energy_uJ_at_<seconds>".
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting);
 
 }  // namespace pelage::springs

@@ -1,5 +1,5 @@
-// Tests that every baseline solves the same equations as the reference. Otherwise its times could not be
-// compared with others.
+// Tests that every baseline solves the same equations as the reference. Otherwise the times of the baseline
+// would not be comparable with other times.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -33,7 +33,7 @@ double largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm
 }
 
 // Tests objects at rest and rotating objects, with meshes of 4, 16 and 320 triangles. 320 triangles are more
-// than one tile of triangles or of separable sticks.
+// than the 256 triangles or sticks of one tile of the serial loops.
 TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
   for (const bool turning : {false, true})
     for (const Mesh& mesh : {square(1), square(2), sphere(2)}) {

@@ -1,5 +1,5 @@
-// Compares the arrays of build() with the counts that follow from V, E and F, and with the numbers in the
-// paper.
+// Compares the array sizes of build() with the counts that follow from the numbers of vertices, edges and
+// faces, and with the numbers in the paper.
 #include "harness/springs/model/network.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,8 @@ TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
   const Mesh mesh = cut_in_two(sphere(1));
   const SpringNetwork points = build(Kind::prisms, mesh, length, Vertices::points),
                       copies = build(Kind::prisms, mesh, length, Vertices::copies);
-  // Returns the tops that can be reached over springs from one top.
+  // Returns the number of top masses that springs connect, directly or indirectly, with the first spring's
+  // top mass.
   const auto reached = [](const SpringNetwork& topology) {
     std::set<std::uint32_t> seen{topology.edges()[0].x};
     for (std::size_t before = 0; before != seen.size();) {
@@ -123,13 +124,14 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_EQ(apart.least, 3);
   EXPECT_EQ(apart.most, 3);
   const Degrees whole = degrees(build(Kind::prisms, mesh, length));
-  EXPECT_EQ(whole.least, 1 + 3);  // a corner of the square: two sides and a diagonal
-  EXPECT_EQ(whole.most, 1 + 8);   // the centre of the square: four sides and four diagonals
+  EXPECT_EQ(whole.least, 1 + 3);  // a corner: its stick, two sides and a diagonal
+  EXPECT_EQ(whole.most, 1 + 8);   // the centre: its stick, four sides and four diagonals
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 
 TEST(Hit, TakesTheTriangleThatTheRayMeetsAndNoneBesideIt) {
-  // The near triangle covers half of the unit square. The far triangle has four times its area.
+  // The near triangle covers half of the unit square. The far triangle has four times the area of the near
+  // triangle.
   const Mesh mesh = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 1}, {0, 2, 1}},
                                   {{3, 4, 5}, {0, 1, 2}});
   const auto from = [&](double x, double y) { return hit(mesh, {x, y, -1}, {0, 0, 1}); };

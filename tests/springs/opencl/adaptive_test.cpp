@@ -1,5 +1,5 @@
-// Tests adaptive steps: the result is close to the fine solution, stiff springs get many steps, and a system
-// at rest gets few.
+// Tests adaptive steps: the result is close to the fine solution, stiff springs need many steps, and a system
+// at rest needs few steps.
 #include "harness/springs/opencl/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -73,8 +73,8 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
   EXPECT_EQ(last(still(Solver::explicit_euler)), 2);
 }
 
-// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, the number of steps grows. If only one
-// moves, it does not grow.
+// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, the number of steps grows. If only one of
+// 162 moves, the number does not grow.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
   const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);

@@ -1,5 +1,5 @@
-// Tests on a device: results do not depend on the division of the work, pokes act locally, and divergence is
-// reported.
+// Tests on a device: results do not depend on how the work is divided into launches and work-items, local
+// forces (pokes) act locally, and divergence is reported.
 #include "tests/springs/support/device.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,8 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
   }
 }
 
-// Moments are uploaded for 512 steps at once, so 600 launches of one step read beyond the first upload.
+// MassSprings uploads wind and motion for 512 steps at once, so 600 launches of one step need a second
+// upload.
 TEST(TopologyDevice, SixHundredLaunchesOfAStepAreOneOfSixHundred) {
   for (const Kind kind : {Kind::sticks, Kind::prisms}) {
     const SpringNetwork topology = build(kind, square(1), fur_length);
@@ -78,8 +79,8 @@ TEST(TopologyDevice, SixHundredLaunchesOfAStepAreOneOfSixHundred) {
   }
 }
 
-// One work-item for the whole model gives the same bits as launches of many work-items. The exception is
-// conjugate gradients, which add sums in another order and test the residual more often.
+// One work-item for the whole model gives the same bits as launches of many work-items. Conjugate gradients
+// are an exception: one work-item adds the sums in another order and tests the residual more often.
 TEST(TopologyDevice, OneWorkItemForTheWholeModelDoesWhatManyDo) {
   using Whole = MassSpringOptions::Whole;
   const Mesh mesh = sphere(2);
@@ -119,8 +120,9 @@ TEST(TopologyDevice, OneWorkItemSolvesToTheResidualToo) {
   EXPECT_GE(30 * one.solves().most_iterations, one.solves().iterations);
 }
 
-// A state that is read back and set again with its step number continues with the same bits. The exception is
-// conjugate gradients, which restart from 0 and agree only up to their residual.
+// If a state is read back and set again with its step number, the simulation continues with the same bits.
+// Conjugate gradients are an exception: they restart with the initial guess 0, so the results agree only up
+// to the residual.
 TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
   const Mesh mesh = sphere(2);
   for (const Kind kind : kinds)
@@ -213,7 +215,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
   for (const Kind kind : kinds) {
     const SpringNetwork topology = build(kind, sphere(1), fur_length);
     Dynamics d = lively(Solver::explicit_euler);
-    d.stiffness = 1e5f;  // with this damping, steps are stable only below dt = 2 c / k = 0.4 us
+    d.stiffness = 1e5f;  // stable only for time steps below 2 * damping / stiffness = 0.4 us
     MassSprings springs(queue(), topology, d);
     try {
       for (int i = 0; i < 100; ++i) springs.advance(queue(), 10);
@@ -226,7 +228,7 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
       EXPECT_NE(text.find("mass " + std::to_string(said.mass)), std::string::npos) << text;
       EXPECT_NE(text.find("step " + std::to_string(said.step)), std::string::npos) << text;
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-      // The reported step is the first failing one: all steps before it succeed, and the next step fails.
+      // The reported step is the first step that fails: all earlier steps succeed, and this step fails.
       MassSprings again(queue(), topology, d);
       EXPECT_NO_THROW(again.advance(queue(), int(said.step)));
       EXPECT_THROW(again.advance(queue(), 1), Diverged);
@@ -259,12 +261,13 @@ TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
   }
 }
 
-// If a mass diverges, every solver ends and reports it. No solver loops forever.
+// If a mass diverges, every solver ends and reports the mass. No solver loops forever.
 TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)
     for (const Solver solver : solvers)
-      // 1e30 overflows the sums; 3e38 also overflows the equations of a single top mass.
+      // In floats, a force of 1e30 N overflows sums over the masses. A force of 3e38 N also overflows the
+      // equations of a single top mass.
       for (const float force : {1e30f, 3e38f})
         for (const Whole whole : {Whole::never, Whole::always}) {
           const SpringNetwork topology = build(kind, sphere(1), fur_length);
@@ -295,7 +298,7 @@ TEST(TopologyDevice, TakesTheMemoryThatIsForetold) {
     }
 }
 
-// An invalid value is rejected by an error of one line that names it.
+// For an invalid value, the error message is one line that names the value.
 TEST(TopologyDevice, RefusesAbsurdDynamics) {
   const float nan = std::numeric_limits<float>::quiet_NaN(),
               infinite = std::numeric_limits<float>::infinity();

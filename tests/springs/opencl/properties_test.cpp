@@ -1,5 +1,5 @@
-// Tests properties that do not need the reference's motion: orders of convergence, rest, energy, and limits
-// of Eq. 5.
+// Tests properties that do not need the reference's motion: orders of convergence, rest, energy, and the
+// effect of the return force (B Eq. 5).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,8 @@ std::string kind_name(const testing::TestParamInfo<Kind>& given) {
   return text;
 }
 
-// Computes the error at 0.0625 s against RK4 with 2048 steps, for decreasing dt. Each halving of dt must
-// divide the error by 2^order.
+// Computes the error after 0.0625 s against RK4 with 2048 steps, for two time steps. Halving the time step
+// must divide the error by 2^order, where `order` is the order of the solver.
 TEST_P(PropertiesOf, OrdersOfConvergence) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   const auto offsets_after = [&](Solver solver, int steps) {
@@ -65,8 +65,8 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   }
 }
 
-// Without Eq. 5, damping and drag the system is conservative. Semi-implicit Euler is symplectic and keeps the
-// energy within a band at all times.
+// Without the return force (B Eq. 5), damping and drag, the system is conservative. Semi-implicit Euler is
+// symplectic and keeps the energy within a band at all times.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -101,7 +101,7 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
 }
 
-// In the same conservative system backward Euler must never increase the energy.
+// Without the return force (B Eq. 5), damping and drag, backward Euler must never increase the energy.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -131,8 +131,8 @@ TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   EXPECT_LT(last, 0.5 * start);
 }
 
-// A stick is tilted and released. Eq. 5 returns it to its normal, and each swing is smaller than the one
-// before.
+// A stick is tilted and released. The return force (B Eq. 5) moves the stick back to its normal, and each
+// swing is smaller than the swing before.
 TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -156,15 +156,15 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  peaks.erase(peaks.begin() + 1);  // the second entry is 0: recording starts at the first crossing
+  peaks.erase(peaks.begin() + 1);  // this entry is 0, because recording starts at the first crossing
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
 }
 
-// The paper says: "Grass does therefore not flip to the wrong side". Here the force that pulls the fur
-// through the skin is smaller than w, so no top mass sinks below the plane of its root. Without Eq. 5 the top
-// masses hang down.
+// B says: "Grass does therefore not flip to the wrong side". In this test the force that pulls the fur
+// through the skin is smaller than the weight w of B Eq. 5, so no top mass sinks below the plane of its root.
+// Without the return force of B Eq. 5 the top masses hang down.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {

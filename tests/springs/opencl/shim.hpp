@@ -15,28 +15,30 @@ struct Memory {
   std::vector<double> sites, push, sides, rest;  ///< the float arrays of the layout, converted to double
   std::vector<double> offset, speed;  ///< stored in columns; on shared prisms speed is stored in rows of four
   std::vector<int> diverged_at, first;
-  /// shared prisms only, rows of four: root + q, and dv of the previous step
+  /// Only on shared prisms, in rows of four: the position of the top mass (root + q), and the change of its
+  /// velocity in the previous step.
   std::vector<double> tip, change;
 };
 
 using BlockKernel = void (*)(TopologyParams, const Moment*, const double*, const double*, const double*,
                              double*, double*, int*, int*);
-/// The kernels of blocks.cl, compiled for one kind of block.
+/// The kernels of blocks.cl, compiled for one kind of block: a stick or a triangle of three sticks.
 struct BlockKernels {
   BlockKernel explicit_euler, backward_euler, semi_implicit_euler, rk4;
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
 
-/// Runs all work-items of one launch, which computes all blocks.
+/// Runs the kernel of `solver` for all work-items of one launch, which compute all sticks or triangles.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
-/// Computes substep number `substep` of a launch on shared prisms. The second function uses backward Euler
-/// with conjugate gradients until |r| <= `residual` |b|, and returns the number of iterations.
+/// Both functions compute substep number `substep` of a launch on shared prisms. gradients_substep uses
+/// backward Euler. It iterates conjugate gradients until |r| <= `residual` |b|, and returns the number of
+/// iterations.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
-/// Computes all substeps of memory.params as one work-item. Returns the number of conjugate gradient
-/// iterations (0 for explicit solvers).
+/// Both functions compute memory.params.substeps substeps on shared prisms in a single work-item. They return
+/// the number of conjugate gradient iterations (0 for explicit solvers).
 int prisms_whole(Solver solver, Memory& memory);
 int gradients_whole(Memory& memory, double residual);
 

@@ -1,5 +1,6 @@
-// Compares every scheme on every topology with the independent reference. The kernels compiled in double
-// precision must agree to the rounding of their float inputs, and the device to 1e-4 of the fur's length.
+// Compares every solver on every topology with the independent reference. The kernels compiled in double
+// precision must agree with the reference up to the rounding of their float inputs. The device must agree
+// with the reference to 1e-4 of the fur's length.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -45,7 +46,7 @@ struct Steps : testing::TestWithParam<Case> {};
 TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
   const Dynamics dynamics = lively(GetParam().solver);
   const int steps = int(std::lround(1 / dynamics.step));
-  for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // 5, 13 and 42 points; 4, 16 and 80 triangles
+  for (const Mesh& mesh : {square(1), square(2), sphere(1)}) {  // with 5, 13 and 42 points
     const SpringNetwork topology = build(GetParam().kind, mesh, fur_length);
     reference::System system{topology, dynamics};
     system.push.assign(topology.sticks(), glm::dvec3(0));
@@ -96,7 +97,7 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b)
 }
 
 // Tests an irregular mesh of the paper's size. Compressed springs between tops may buckle in a direction that
-// depends on the last bit, so shared prisms are compared by rms and 99th percentile.
+// depends on rounding, so shared prisms are compared by rms and 99th percentile.
 TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind kind : {Kind::prisms, Kind::separable_prisms})
@@ -121,9 +122,9 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
     }
 }
 
-// Returns |b - A x| / |b|, computed in double precision, after one step from rest. `stiffness` is that of the
-// springs between tops, N/m. From rest, x equals the new velocities, so no rounding occurs between the solver
-// and this test.
+// Returns the relative residual |b - A x| / |b| of one backward Euler step from rest, computed in double
+// precision. `stiffness` is the stiffness of the springs between tops in N/m. The solution x is the change of
+// the velocities. From rest it equals the new velocities, so the test gets x without further rounding.
 double residual_left(const Mesh& mesh, float stiffness, float step, float asked, Whole whole) {
   const SpringNetwork topology = build(Kind::prisms, mesh, fur_length);
   Dynamics dynamics = lively(Solver::backward_euler);
@@ -148,7 +149,8 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
       EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, asked, whole), 1.05 * double(asked));
     EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
     // A residual of 1e-7 cannot be reached, because the positions of the top masses are floats with an error
-    // of 6e-8 R. The spring forces at rest, and hence b, have an error of k times that.
+    // of 6e-8 R. The spring forces at rest, and therefore b, have an error of the stiffness times this error
+    // of the positions.
     EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
   }
 }

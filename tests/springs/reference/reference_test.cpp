@@ -1,5 +1,5 @@
-// Tests the reference: its motion in the object's frame equals the motion in the world frame, and its schemes
-// agree with closed-form solutions.
+// Tests the reference: its motion in the object's frame equals the motion in the world frame, and its
+// integration schemes agree with closed-form solutions.
 #include "harness/springs/reference/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ Pose pose(const Motion& m, double t) {
 }
 
 // Integrates Newton's law in the world frame by RK4. The bases move with the object. The forces on the top
-// masses are springs, gravity, wind, drag and Eq. 5, without inertial forces.
+// masses are those of springs, gravity, wind, drag and B Eq. 5. The world frame has no inertial forces.
 std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, const Dynamics& d, double until,
                                              int steps) {
   const double h = until / steps, tau = 2 * std::numbers::pi;
@@ -122,7 +122,8 @@ TEST(ReferenceTopology, TheObjectsFrameIsTheWorldSeenFromIt) {
   }
 }
 
-// A stick that is stretched along its axis is the damped oscillator m x'' + c x' + k x = 0.
+// The extension x of a stick that is stretched along its axis is a damped oscillation: m x'' + c x' + k x =
+// 0, with the mass m, the damping c and the stiffness k.
 TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::rk4);
@@ -140,7 +141,8 @@ TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
   }
 }
 
-// For a stretched stick the linearised step is exact: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
+// For a stretched stick the linearised step of backward Euler is exact: (m + h c + h^2 k) dv = -h (k x + (c +
+// h k) v), with the extension x, its rate v, the mass m, the damping c, the stiffness k and the time step h.
 TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -175,7 +177,8 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
   EXPECT_LT(glm::length(sum), 1e-12 * size);
 }
 
-// Compares the spring forces with -dE/dp, computed by finite differences.
+// Compares the spring forces with the negative derivative of the energy by the positions, computed by finite
+// differences.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
   const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);

@@ -1,4 +1,4 @@
-// The device of the tests in this folder, and the distance between two lists of vectors.
+// The device of the tests in tests/springs, and the distance between two lists of vectors.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -15,8 +15,7 @@ inline const cl::Queue& queue() {
   return shared;
 }
 
-/// Returns the largest distance between entries of equal index. If an entry is not finite, returns a huge
-/// value.
+/// Returns the largest distance between entries of equal index. If an entry is not finite, returns 1e9.
 template <class A, class B>
 double largest_difference(const std::vector<A>& a, const std::vector<B>& b) {
   EXPECT_EQ(a.size(), b.size());

@@ -70,8 +70,8 @@ inline Mesh sphere(int halvings) {
   return mesh_of(std::move(points), std::move(triangles));
 }
 
-/// Returns the same surface cut along the plane x = 0, like a UV seam: points with triangles on both sides
-/// are duplicated.
+/// Returns the mesh `whole` with a cut along the plane x = 0, like a UV seam: points with triangles on both
+/// sides of the plane are duplicated.
 inline Mesh cut_in_two(const Mesh& whole) {
   Mesh mesh = whole;
   mesh.position.clear(), mesh.weld.clear(), mesh.uv.clear();
