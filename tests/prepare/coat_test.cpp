@@ -17,7 +17,8 @@ namespace pelage {
 namespace {
 
 std::size_t texel(int size, glm::vec2 uv) {
-  return std::size_t(int(uv.y * float(size)) * size + int(uv.x * float(size)));
+  const auto index = [&](float x) { return std::size_t(x * float(size)); };
+  return index(uv.y) * std::size_t(size) + index(uv.x);
 }
 
 TEST(SurfaceMap, KnowsThePointUnderEachTexel) {

@@ -354,7 +354,7 @@ TEST(FurStrands, RootsAreEvenlySpread) {
     ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1);
     ++count[int(p.y * 4) * 4 + int(p.x * 4)];
   }
-  for (const int c : count) EXPECT_NEAR(c, 5000 / 16, 25);
+  for (const int c : count) EXPECT_NEAR(c, 5000 / 16.0, 25);
 }
 
 }  // namespace
