@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// Other code tests the properties of a model, never its name. To add a model, add a row to
-/// shading_models.cpp and its colour to kernels/rasterize/shading/fragment.clh and
+/// Other code tests the properties of a shading model and never compares names. To add a model, add a row to
+/// shading_models.cpp, and add the computation of the colour to kernels/rasterize/shading/fragment.clh and
 /// harness/shells/reference/shading.cpp.
 struct ShadingModel {
   std::string_view name;  ///< value of the scene key shading.model
