@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-// Ten million triangles need about a quarter of this size.
+// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 constexpr std::uint64_t largest_file = std::uint64_t(1) << 30;
 constexpr std::size_t most_polygons = 10'000'000;
 
