@@ -197,7 +197,7 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts, const 
     Surface::Corners corners = parts[n].uv[next[n]++];
     for (glm::dvec2& p : corners) {
       p = (chart.place + chart.scale * (turned(p, chart.degrees) - chart.low)) / side;
-      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding errors may leave the square
+      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding may move p out of the square
     }
     result.uv.push_back(corners);
   }

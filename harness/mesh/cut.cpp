@@ -74,8 +74,8 @@ Graph make_graph(const Surface& surface) {
 using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
-// Returns a flag per edge: 1 if the edge is cut. First, every edge is cut unless the shortest-path
-// tree over the faces crosses it. Then edges with a free end are removed from the cut until none is left.
+// Returns a flag per edge: 1 if the edge is cut. First, all edges are cut except those that the shortest-path
+// tree over the faces crosses. Then cut edges with a free end are removed from the cut until there are none.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];

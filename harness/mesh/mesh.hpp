@@ -45,10 +45,10 @@ struct MeshOptions {
   double silent_s = 2;  ///< time in seconds before the first message about a stage of the preparation
 };
 
-/// Loads a model by its name in experiments/models.toml, a torus by the name "torus-AxB", or a mesh file
-/// (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage; the file names
-/// contain a hash of source and options. The same source and options give a bitwise identical mesh. Throws
-/// InputError with the reason if the name is unknown or the file is not a usable mesh.
+/// Loads a model by its name in experiments/models.toml, a torus of A x B quads by the name "torus-AxB", or a
+/// mesh file (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage; the file
+/// names contain a hash of source and options. The same source and options give a bitwise identical mesh.
+/// Throws InputError with the reason if the name is unknown or the file is not a usable mesh.
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options = {});
 
 }  // namespace pelage

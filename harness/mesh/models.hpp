@@ -19,7 +19,8 @@ struct Model {
   bool wrap = false;                   ///< true: wrap the surface by CGAL's alpha wrap first
   bool stand_in = false;
   std::string licence, footnote;
-  /// Numbers of masses and springs that B publishes for this model, by the name of the mass-spring topology.
+  /// Numbers of masses and springs that Banisch and Wuethrich 2006 publish for this model, for each
+  /// mass-spring topology.
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 

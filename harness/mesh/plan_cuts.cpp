@@ -15,8 +15,8 @@ namespace pelage {
 namespace {
 
 // Returns the cost of a UV map; a lower cost is better. The cost is the logarithm of the ratio of the 99% to
-// the 1% percentile of the area scale, plus 20 times the overlapping and flipped fractions. An overlap of 1%
-// has the same cost as a ratio that is 22% larger.
+// the 1% percentile of the area scale, plus 20 times the sum of the overlapping and the flipped fraction of
+// the map. An overlap of 1% increases the cost as much as a ratio that is 22% larger.
 double cost(const Surface& unfolded, const std::string& name) {
   const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();

@@ -58,8 +58,8 @@ void check_soup(const Soup& soup, const std::string& name) {
   for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
     for (const std::uint32_t index : soup.polygon[f]) {
       if (index >= soup.point.size())
-        throw InputError(
-            fmt::format("{}: face {} has a vertex out of range; there are {}", name, f, soup.point.size()));
+        throw InputError(fmt::format("{}: face {} has a vertex out of range; there are {} vertices", name, f,
+                                     soup.point.size()));
     }
   }
 }

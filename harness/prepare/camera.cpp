@@ -32,9 +32,9 @@ struct Stand {
 };
 
 /// Returns the eye from which all points lie between two rays of the slopes +`slope` and -`slope`, and each
-/// of the two rays touches a point. With the coordinates p across and q along the view axis, the first ray
-/// touches the point of greatest p - slope q, and the second ray touches the point of greatest -p - slope q.
-/// Every point is extended on both sides by `margin`, in R.
+/// of the two rays touches a point. Let p be the coordinate of a point across the view axis, and q its
+/// coordinate along the axis. The first ray touches the point of greatest p - slope q, and the second ray
+/// touches the point of greatest -p - slope q. Every point is extended on both sides by `margin`, in R.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;

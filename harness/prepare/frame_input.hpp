@@ -1,6 +1,6 @@
-// The input of a frame: all arrays from which every pipeline computes the frame. The host prepares them once.
-// They are floats, so the double-precision reference and the devices read the same values. docs/frame.md
-// defines each array.
+// The input of a frame: all arrays from which every pipeline computes the frame. The host prepares the arrays
+// once. Their values are single-precision floats, so the double-precision reference and the devices read the
+// same values. docs/frame.md defines each array.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -21,8 +21,9 @@ struct StrandSet {
   std::vector<glm::vec3> normal;  ///< unit normal of each triangle; p0 of S is root + L0 * normal
   std::vector<glm::vec3> anchor;  ///< tip at rest minus root, one vector of length L0 per triangle
   std::vector<glm::vec2> phase;   ///< (cos, sin) of the phase of the wind's gusts at each root
-  // A sparse matrix with one row per surface point, in compressed row storage. A row gives the point the mean
-  // of the strands of the triangles around it, weighted by the areas of these triangles.
+  // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
+  // computes, for each point, the mean over the strands of the triangles around the point, weighted by the
+  // areas of these triangles.
   /// Start of each row in `face` and `weight`; the last value is the size of both.
   std::vector<std::uint32_t> row;
   std::vector<std::uint32_t> face;  ///< triangle of each matrix element
@@ -36,8 +37,8 @@ struct CurlFrame {
   std::vector<glm::vec2> mask_uv;
 };
 
-/// The derivatives t = dX/du and b = dX/dv of the surface position X at each vertex, in R per unit of UV.
-/// They are the tangent and the bitangent of W Eq. 4 before its change of basis.
+/// The derivatives t = dX/du and b = dX/dv of the surface position X at each vertex, in R per unit of UV. W
+/// Eq. 4 uses t as the tangent and b as the bitangent.
 struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< one pair per vertex
 };

@@ -19,7 +19,8 @@ enum Stream : std::uint32_t {
   undercoat_traits
 };
 
-constexpr double lock_share = 0.4;  // fraction of the shade's variation that all hairs of a lock share
+// Fraction of the random shade variation that is equal for all hairs of a lock.
+constexpr double lock_share = 0.4;
 constexpr double undercoat_thinness = 0.8;  // ratio of an undercoat hair's radius to a guard hair's radius
 
 glm::dvec2 shortest(glm::dvec2 d) {

@@ -25,8 +25,8 @@ struct FurStrand {
 /// with the square.
 std::vector<FurStrand> grow_strands(const FurScene& fur);
 
-/// Returns the centre of the strand's cross-section at height h (0..1, fraction of L0). It may lie outside
-/// the unit square.
+/// Returns the centre of the strand's cross-section at height h (0..1, fraction of L0). The centre may lie
+/// outside the unit square.
 glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
 
 /// Returns the radius of the strand's cross-section at height h <= length. The radius r decreases from the

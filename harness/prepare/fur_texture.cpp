@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 constexpr int fine = 4;                  // number of sub-samples per texel and axis
-constexpr double shade_unit = 127.5;     // stored value of the shade 1
+constexpr double shade_unit = 127.5;     // stored byte value of the shade 1.0
 constexpr double reference_layers = 16;  // number of layers at which the stored coverage needs no correction
 
 /// One slice of the texture during its generation; coverage is 0..1.

@@ -40,12 +40,13 @@ struct FurScene {
   /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
   float bend_spread = 0.0f;  ///< greatest random deviation of c between blades, as a fraction of c
-  /// Tangent of the angle between view ray and strand. strand_radius() widens strands for rays of this angle.
+  /// Tangent of an angle between view ray and strand. strand_radius() widens strands so that a ray at this
+  /// angle does not pass between two slices of a strand.
   float sweep = 0.18f;
   float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
   float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
   float comb_noise = 0.0f;  ///< tilt in smoothly varying random directions, added to `comb`
-  glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< direction of the comb, projected onto the surface
+  glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   std::uint32_t seed = 1;
@@ -81,7 +82,7 @@ struct WetnessScene {
   float radius_spread = 0.3f;   ///< greatest random deviation, as a fraction of `radius`
   float wetness = 0.9f;         ///< mean wetness of random droplets
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
-  float spacing = 1.0f;         ///< least distance between centres of random droplets, in radii
+  float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
   /// Size of the wet areas of `patch_cover` in R; wetness fades at the areas' borders.
   float patch_size = 0.6f;

@@ -70,7 +70,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.shade", &fur.shade, "", 0, 1, "greatest random deviation of a hair's shade from 1"},
       {"fur.comb", &fur.comb, "", 0, 10, "tangent of the angle by which strands at rest tilt in the direction fur.comb_direction; 0: upright, as in the paper"},
       {"fur.comb_noise", &fur.comb_noise, "", 0, 10, "tilt of strands at rest in random directions that vary smoothly over the surface, added to fur.comb"},
-      {"fur.comb_direction", &fur.comb_direction, "direction", -1e6, 1e6, "direction of the comb, projected onto the surface"},
+      {"fur.comb_direction", &fur.comb_direction, "direction", -1e6, 1e6, "direction in which the fur is combed, projected onto the surface"},
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "value added to the mip level of the fur texture lookup"},
       {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "number of samples of the fur texture per fragment along the view ray within a layer; with few layers, more samples make curls smooth; 1: as in the paper", .power_of_two = true},
       {"fur.seed", &fur.seed, "", 0, most_seed, "random seed of the fur volume texture"},
@@ -137,7 +137,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.spread", &poke.spread, "N", -1000, 1000, "additional force on each of these top masses, directed away from an axis through the centre; it parts the fur"},
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "direction of the axis of dynamics.poke.spread"},
 
-      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "lighting model: \"curling\" is S Eq. 6, \"wet\" is W Eq. 2-5, \"lambert\" is the model of B: surface colour, self-shadow and Lambert's law", .choices = shading_names()},
+      {.name = "shading.model", .slot = &shading.model, .unit = "", .help = "lighting model: \"curling\" is S Eq. 6, \"wet\" is W Eq. 2-5, \"lambert\" is Banisch and Wuethrich's product of surface colour, self-shadow and Lambert's law", .choices = shading_names()},
       {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, the self-shadow of the curling model"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, the colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p, the exponent of the highlight"},

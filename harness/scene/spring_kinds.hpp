@@ -59,8 +59,10 @@ struct Solver {
 
   static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4;
 };
-inline constexpr Solver Solver::explicit_euler{"explicit-euler"};  ///< the first scheme of B
-/// The second scheme of B. A step solves one linearised system, as in Baraff and Witkin 1998.
+/// The first scheme of Banisch and Wuethrich 2006.
+inline constexpr Solver Solver::explicit_euler{"explicit-euler"};
+/// The second scheme of Banisch and Wuethrich 2006. A step solves one linearised system, as in Baraff and
+/// Witkin 1998.
 inline constexpr Solver Solver::backward_euler{"backward-euler", true, true};
 inline constexpr Solver Solver::semi_implicit_euler{"semi-implicit-euler", false, true};
 inline constexpr Solver Solver::rk4{"rk4", false, false, 4};

@@ -41,7 +41,7 @@ const std::vector<Bad> cases{
     {"obj_short_vertex", "a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n",
      ":2: found nothing, but a vertex needs three finite numbers"},
     {"obj_index_out_of_range", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
-     ":4: vertex 4 is out of range; there are 3"},
+     ":4: vertex 4 is out of range; there are 3 vertices"},
     {"obj_huge_index", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n",
      ":4: '99999999999999999999' is not a vertex; indices start at 1"},
     {"obj_index_zero", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n",
