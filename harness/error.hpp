@@ -1,11 +1,13 @@
-// Exceptions by cause. main() prints each as one line on stderr and returns an exit code.
+// The exceptions, one class per cause. main() prints the text of an exception on stderr and returns the exit
+// code of its class.
 #pragma once
 #include <stdexcept>
 #include <string>
 
 namespace pelage {
 
-/// Bad usage or input, exit code 2. The text names in one line the error, its place and the permitted values.
+/// Bad usage or input, exit code 2. The text is one line that names the error, its place and the permitted
+/// values.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -15,8 +17,8 @@ struct NoDeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A device refused a call, ran out of memory or could not build a kernel. During a run, the row of the
-/// current case records the error. Otherwise the exit code is 1.
+/// A device refused a call, ran out of memory or could not build a kernel. During `pelage run` the error is
+/// recorded in the result of the current case. In all other commands the exit code is 1.
 struct DeviceError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -37,9 +37,10 @@ std::string version() {
       "GPL-3.0-or-later\n"
       "To cite it, name the version and the revision: \"pelage: an OpenCL research benchmark harness for "
       "real-time "
-      "layered fur, version {}, revision {}\";\nCITATION.cff has the same for reference managers. Cite the "
-      "papers "
-      "whose systems you timed as well: the report's references.bib lists them.",
+      "layered fur, version {}, revision {}\";\nCITATION.cff contains this citation for reference managers. "
+      "Also cite "
+      "the papers "
+      "whose systems you timed; the report's references.bib lists them.",
       build.version, build.revision, build.dirty ? ", modified" : "", build.compiler, build.version,
       build.revision.substr(0, 12));
 }

@@ -9,10 +9,11 @@
 namespace pelage {
 
 std::string encode(const Mesh& mesh);
-/// Decodes the result of encode(). Empty if the bytes are incomplete, damaged or from another version.
+/// Decodes the result of encode(). Returns nothing if the bytes are incomplete, damaged or from another
+/// version.
 std::optional<Mesh> decode(std::string_view bytes);
 
-/// Reads a mesh from the cache. Empty if the file is missing or damaged.
+/// Reads a mesh from the cache. Returns nothing if the file is missing or damaged.
 std::optional<Mesh> read_cached(const std::filesystem::path& file);
 /// Writes a mesh to the cache. Returns false if the file cannot be written; the next run then prepares the
 /// mesh again.

@@ -113,7 +113,8 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
     kept.append(line.substr(0, line.find('#'))).push_back('\n');
   }
   if (largest > vertices)
-    fail(name, largest_line, fmt::format("vertex {} is out of range; there are {}", largest, vertices));
+    fail(name, largest_line,
+         fmt::format("vertex {} is out of range; there are {} vertices", largest, vertices));
   if (faces == 0) fail(name, 0, "no faces in it");
   return kept;
 }
@@ -194,8 +195,8 @@ void check_ply(std::string_view bytes, const std::string& name) {
   if (vertices <= 0 || faces <= 0) fail(name, 0, "no faces in it");
 }
 
-// Checks the vertices and the end of a text STL file, and the size of a binary STL file against its number of
-// triangles.
+// Checks the vertices and the end of a text STL file. Checks that a binary STL file is large enough for its
+// number of triangles.
 void check_stl(std::string_view bytes, const std::string& name) {
   const bool text = bytes.starts_with("solid") && bytes.find("facet") != std::string_view::npos;
   if (text) {

@@ -20,13 +20,13 @@ std::size_t count_of(const std::vector<std::uint32_t>& component) {
   return component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + std::size_t(1);
 }
 
-// Size, rotation and placement of a chart in the unit square.
+// Size, rotation and placement of a chart.
 struct Chart {
   double degrees = 0;   // rotation of the chart
-  glm::dvec2 low{0};    // lower corner of the rotated chart's box, before scaling
-  glm::dvec2 size{0};   // size of the rotated chart's box, after scaling, without margins
-  glm::dvec2 place{0};  // lower corner of the box in the packing
-  double scale = 1;     // factor from the chart's lengths to lengths on the surface
+  glm::dvec2 low{0};    // lower corner of the rotated chart's bounding box, before scaling
+  glm::dvec2 size{0};   // size of this bounding box after scaling, without margins
+  glm::dvec2 place{0};  // lower corner of the bounding box in the packing
+  double scale = 1;     // ratio of lengths on the surface to lengths in the chart
 };
 
 glm::dvec2 turned(glm::dvec2 p, double degrees) {
@@ -34,7 +34,8 @@ glm::dvec2 turned(glm::dvec2 p, double degrees) {
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-// Rotates a chart so that the area of its bounding box is least and the box is at least as wide as high.
+// Finds the rotation of a chart for which the bounding box is at least as wide as high and has the least
+// area.
 Chart measured(const Surface& part, const std::string& name) {
   double area = 0, uv_area = 0;
   for (std::size_t f = 0; f < part.triangle.size(); ++f) {
@@ -65,8 +66,8 @@ Chart measured(const Surface& part, const std::string& name) {
   return chart;
 }
 
-// Packs the charts in the given order into rows of at most `width`. Returns the side of the least square that
-// contains all rows. `gap` is the margin around a chart.
+// Packs the charts in the given order into rows of at most `width`. Returns the side of the smallest square
+// that contains all rows. `gap` is the margin around a chart.
 double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order, double width, double gap) {
   double x = 0, y = 0, shelf = 0, widest = 0;
   for (const std::size_t i : order) {
@@ -79,8 +80,9 @@ double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order,
   return std::max(widest, y + shelf);
 }
 
-// Packs the charts for many row widths and keeps the packing in the least square. Returns the square's side.
-// The margin is a fraction of the unknown side, so the packing is repeated until the side changes little.
+// Packs the charts for many row widths and keeps the packing that needs the smallest square. Returns the side
+// of this square. The margin is a fraction of the side, which is not known in advance, so the packing is
+// repeated until the side changes little.
 double pack(std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -195,7 +197,7 @@ Surface packed(const Surface& surface, const std::vector<Surface>& parts, const 
     Surface::Corners corners = parts[n].uv[next[n]++];
     for (glm::dvec2& p : corners) {
       p = (chart.place + chart.scale * (turned(p, chart.degrees) - chart.low)) / side;
-      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // removes rounding errors
+      p = glm::clamp(p, glm::dvec2(0), glm::dvec2(1));  // rounding may move p out of the square
     }
     result.uv.push_back(corners);
   }

@@ -24,7 +24,7 @@ struct Graph {
   std::vector<Edge> edge;
   std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face connects its corners k and k + 1
   std::vector<std::uint32_t> row,
-      at_point;  // at_point[row[p] .. row[p + 1]) are the edges at point p, ascending
+      at_point;  // the edges at point p are at_point[row[p]] .. at_point[row[p + 1] - 1], ascending
   std::span<const std::uint32_t> of_point(std::uint32_t p) const {
     return {at_point.data() + row[p], at_point.data() + row[p + 1]};
   }
@@ -69,13 +69,13 @@ Graph make_graph(const Surface& surface) {
   return graph;
 }
 
-// Pairs of distance and index, least distance first. Equal distances are ordered by index, so that the result
-// is deterministic.
+// A queue of pairs of distance and index, least distance first. Equal distances are ordered by index, so that
+// the result is deterministic.
 using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
-// Returns a flag per edge: 1 if the edge is cut. First, every edge is cut unless the shortest-path
-// tree over the faces crosses it. Then edges with a free end are removed from the cut until none is left.
+// Returns a flag per edge: 1 if the edge is cut. First, all edges are cut except those that the shortest-path
+// tree over the faces crosses. Then cut edges with a free end are removed from the cut until there are none.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];
@@ -124,11 +124,12 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
 
 struct Reach {
   std::vector<double> distance;
-  std::vector<std::uint32_t> via;  // per point, the last edge of the shortest path from a source
+  std::vector<std::uint32_t> via;  // last edge of the shortest path from a source to each point
   std::uint32_t farthest = 0;
 };
 
-// Dijkstra's algorithm from the sources over the edges. It stops when the shortest path to `until` is known.
+// Computes the shortest paths along the edges from the sources to all points by Dijkstra's algorithm. Stops
+// when the shortest path to the point `until` is known.
 Reach walk(const Graph& graph, const std::vector<std::uint32_t>& sources, std::uint32_t until = none) {
   Reach reach{std::vector<double>(graph.points(), far), std::vector<std::uint32_t>(graph.points(), none), 0};
   Queue queue;
@@ -171,7 +172,7 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
   std::vector<std::uint32_t> sources = points_of(graph, cut);
   for (const glm::dvec3& tip : plan.tips) {
     std::uint32_t p = nearest_point(surface, tip);
-    if (sources.empty()) {  // a sphere has an empty cut graph; the first tip is the start of its cuts
+    if (sources.empty()) {  // the cut graph of a sphere is empty; its cuts start at the first tip
       sources.push_back(p);
       continue;
     }
@@ -203,7 +204,8 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   const std::vector<char> cut = cut_as_planned(surface, graph, plan);
   Disk disk;
 
-  // Two corners of the same point on both sides of an uncut edge belong to the same copy.
+  // If two triangles share an uncut edge, their two corners at an end point of the edge belong to the same
+  // copy.
   std::vector<std::uint32_t> root(surface.triangle.size() * 3);
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](std::uint32_t c) {

@@ -9,12 +9,13 @@ namespace pelage {
 /// A surface that is cut open into one topological disk. A surface point on the cut has several copies, and
 /// every corner of a triangle refers to one copy.
 struct Disk {
-  std::vector<std::uint32_t> point;         ///< surface point of each copy
-  std::vector<Surface::Triangle> triangle;  ///< indices of copies; triangles in the surface's order
+  std::vector<std::uint32_t> point;  ///< surface point of each copy
+  /// Copies at the corners of each triangle of the surface, in the same order.
+  std::vector<Surface::Triangle> triangle;
 };
 
-/// Positions that determine the cuts. The cut graph is grown from the face nearest to `root`. Then a path
-/// from the cuts to each of the `tips` is added, in their order.
+/// Positions that determine the cuts. The cut graph is computed from the face nearest to `root`. Then a
+/// shortest path from the existing cuts to each point of `tips` is added, one tip after another.
 struct CutPlan {
   glm::dvec3 root{0};
   std::vector<glm::dvec3> tips;
@@ -25,12 +26,13 @@ struct CutPlan {
 /// Hart 2002, Seamster).
 Disk cut_open(const Surface& surface, const CutPlan& plan);
 
-/// The point of greatest distance along the edges of the surface from the cuts of `plan` and from the points
-/// of `avoid`, and this distance.
+/// A surface point and its distance to the nearest cut, along the edges of the surface.
 struct Tip {
   glm::dvec3 point{0};
   double distance = 0;
 };
+/// Returns the surface point that is farthest, along the edges, from the cuts of `plan` and from the points
+/// of `avoid`.
 Tip farthest_from_cut(const Surface& surface, const CutPlan& plan, const std::vector<glm::dvec3>& avoid);
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// A cache on disk. Each entry is a file with a checksum. Its name contains a hash of the data from which it
-// was computed.
+// A cache on disk. Each entry is a file with a checksum. The file name contains a hash of the data from which
+// the entry was computed.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -12,11 +12,11 @@
 
 namespace pelage {
 
-/// The folder of the cache: $XDG_CACHE_HOME/pelage, or ~/.cache/pelage if this variable is not set, or a
-/// folder in the system's temporary folder if HOME is not set either.
+/// Returns the folder of the cache: $XDG_CACHE_HOME/pelage, or ~/.cache/pelage if this variable is not set,
+/// or a folder in the system's temporary folder if HOME is not set either.
 std::filesystem::path cache_folder();
 
-/// Writes values to a byte string in the machine's own representation.
+/// Writes values to a byte string in the byte order of the machine.
 class Writer {
  public:
   template <class T>
@@ -39,7 +39,7 @@ class Writer {
   std::string out_;
 };
 
-/// Reads the values that a Writer wrote. Each function returns false if the bytes do not suffice.
+/// Reads the values that a Writer wrote. Each function returns false if too few bytes are left.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : rest_(bytes) {}
@@ -72,11 +72,12 @@ class Reader {
   std::string_view rest_;
 };
 
-/// The bytes that Writer::sealed() received with this title. Empty if the bytes are incomplete, damaged or
-/// have another title.
+/// Removes the title and the checksum that Writer::sealed() added, and returns the bytes between them.
+/// Returns nothing if the bytes are incomplete, damaged or have another title.
 std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title);
 
-/// The bytes of a file; empty if it cannot be read. Sets the file's time to now, for trim_cache().
+/// Returns the bytes of a file, or nothing if the file cannot be read. Sets the file's modification time to
+/// the current time, which trim_cache() evaluates.
 std::optional<std::string> read_cache_file(const std::filesystem::path& file);
 
 /// Writes a file under a temporary name and renames it, so that other processes never read an incomplete

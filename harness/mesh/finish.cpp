@@ -31,7 +31,8 @@ std::uint64_t morton(glm::dvec3 p) {
   return spread(p.x) | spread(p.y) << 1 | spread(p.z) << 2;
 }
 
-// The permutation that sorts `points` along the Morton curve; points with equal keys keep their order.
+// Returns the permutation that sorts `points` along the Morton curve; points with equal keys keep their
+// order.
 std::vector<std::uint32_t> morton_order(const std::vector<glm::dvec3>& points) {
   std::vector<std::uint64_t> key(points.size());
   std::transform(points.begin(), points.end(), key.begin(), morton);
@@ -74,8 +75,8 @@ Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
   return box;
 }
 
-// Rotates and scales a UV map into the unit square. The rotation maximizes its size; the margin is two texels
-// of a 256 x 256 mask.
+// Rotates and scales a UV map into the unit square. The rotation maximizes the size of the map. The margin is
+// two texels of a 256 x 256 mask.
 void fit_uv(std::vector<Surface::Corners>& uv) {
   double best = 0, least = std::numeric_limits<double>::max();
   for (double degrees = 0; degrees < 90; degrees += 2)
@@ -97,8 +98,8 @@ bool fits(const std::vector<Surface::Corners>& uv) {
   return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
 }
 
-// The mean length on the surface per unit of u and of v. Periodic maps have one value per axis, weighted by
-// UV area. Other maps have the value sqrt(surface area / UV area) for both axes.
+// Returns the mean length on the surface per unit of u and per unit of v. Periodic maps have one value per
+// axis, weighted by UV area. Other maps have the value sqrt(surface area / UV area) for both axes.
 glm::vec2 length_per_uv(const std::vector<glm::dvec3>& point, const Surface& surface,
                         const std::vector<Surface::Corners>& uv) {
   double area = 0, uv_area = 0;
@@ -198,8 +199,8 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.welded = std::uint32_t(point.size());
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 
-  // A copy is a pair of a surface point and a UV. Copies are numbered in the order of points, then of UV.
-  // First, the corners of the triangles are grouped by point.
+  // A vertex copy is a distinct pair of a surface point and a UV. Copies are sorted by surface point, then by
+  // UV. First, the corners of the triangles are grouped by point.
   const auto point_of = [&](std::uint32_t c) { return rank[surface.triangle[c / 3][c % 3]]; };
   const auto uv_of = [&](std::uint32_t c) { return glm::vec2(uv[c / 3][c % 3]); };
   const auto corners = std::uint32_t(3 * surface.triangle.size());

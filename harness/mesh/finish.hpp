@@ -7,20 +7,21 @@
 
 namespace pelage {
 
-/// The matrix of a rotation by `degrees` about the fixed axes x, then y, then z.
+/// Returns the matrix of a rotation by `degrees` about the fixed axes x, then y, then z.
 glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 
 /// Rotates the surface by `rotation` (degrees about x, then y, then z) and scales it to the unit bounding
-/// sphere. Rotates and scales the UV map into [0,1]^2, except for periodic maps and for given maps that
-/// already lie in this square. Splits points on UV seams into copies, and sorts points, copies and triangles
-/// along a Morton curve.
+/// sphere. Rotates and scales the UV map into [0,1]^2, except for periodic maps, and for a file's own map or
+/// packed charts that already lie in this square. Splits points on UV seams into copies, and sorts points,
+/// copies and triangles along a Morton curve.
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation);
 
 /// Rotates a finished mesh by `rotation` (degrees about x, then y, then z) and sorts it along a Morton curve
 /// again. Adds a note and updates the hash. A rotation of 0 returns the mesh unchanged.
 Mesh turned(Mesh mesh, glm::dvec3 rotation);
 
-/// Hash of all data of the mesh that influence a picture: the arrays and flags, not the name and the notes.
+/// Returns a hash of all data of the mesh that influence a picture: the arrays and flags, but not the name
+/// and the notes.
 std::string content_hash(const Mesh& mesh);
 
 }  // namespace pelage

@@ -28,8 +28,8 @@ struct Local {
   }
 };
 
-// Half the cotangent of the angle between a and b, clamped to positive, bounded values. The linear systems
-// stay definite for obtuse and for degenerate triangles.
+// Returns half the cotangent of the angle between a and b. The cotangent is clamped to [0.01, 100], so that
+// the linear systems stay positive definite for obtuse and degenerate triangles.
 double half_cotangent(glm::dvec3 a, glm::dvec3 b) {
   const double sine = glm::length(glm::cross(a, b));
   return 0.5 * std::clamp(sine > 0 ? glm::dot(a, b) / sine : 1.0, 0.01, 100.0);
@@ -53,7 +53,8 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
   return list;
 }
 
-// The copies on the border of a disk, in order along the border. Empty if the border is not a single loop.
+// Returns the vertex copies on the border of a disk, in order along the border; empty if the border is not a
+// single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(disk.triangle.size() * 3);
@@ -74,8 +75,8 @@ std::vector<std::uint32_t> border_of(const Disk& disk) {
   return one_loop ? border : std::vector<std::uint32_t>();
 }
 
-// Places the border by arc length on a circle whose area is the disk's surface area. Other rows of x are
-// unchanged.
+// Places the border vertices by arc length on a circle whose area equals the surface area of the disk. Writes
+// only the rows of x that belong to border vertices.
 void place_border(const Surface& surface, const Disk& disk, const std::vector<std::uint32_t>& border,
                   const std::vector<Local>& local, Columns& x) {
   double area = 0, length = 0, at = 0;
@@ -157,8 +158,8 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// The right-hand side of the global step: every triangle is rotated by the rotation of its image in the map
-// x.
+// Returns the right-hand side of the global step of Liu et al. 2008, for which every triangle is rotated like
+// its image in the current map x.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };

@@ -1,4 +1,4 @@
-// Flattens a topological disk of triangles. Its time grows linearly with the number of triangles.
+// Flattens a topological disk of triangles in a time that grows linearly with the number of triangles.
 #pragma once
 #include <functional>
 #include <glm/vec2.hpp>
@@ -11,9 +11,9 @@
 namespace pelage {
 
 struct FlatDisk {
-  std::vector<glm::dvec2> uv;  ///< UV of each copy of the disk
+  std::vector<glm::dvec2> uv;  ///< UV of each vertex copy of the disk
   std::size_t flipped = 0;     ///< number of flipped faces
-  bool rigid = false;          ///< true: as rigid as possible; false: harmonic map onto a circle
+  bool rigid = false;  ///< true: the map is as rigid as possible; false: it is the harmonic map onto a circle
 };
 
 /// Flattens the disk as rigidly as possible (Liu et al. 2008, 10 iterations). The initial map is the harmonic

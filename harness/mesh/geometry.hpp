@@ -10,7 +10,7 @@ struct Sphere {
   double radius = 0;
 };
 
-/// The smallest sphere that contains all points (CGAL's Min_sphere_of_spheres_d).
+/// Returns the smallest sphere that contains all points (CGAL's Min_sphere_of_spheres_d).
 Sphere bounding_sphere(const std::vector<glm::dvec3>& points);
 
 }  // namespace pelage

@@ -26,7 +26,7 @@ constexpr bool sanitized = true;
 constexpr bool sanitized = false;
 #endif
 
-// A message in the pipe consists of a kind, a length and the bytes.
+// A message in the pipe consists of its kind, its length and its text.
 enum class Kind : char { progress = 'p', result = 'r', input_error = 'i', error = 'e' };
 
 void send(int pipe, Kind kind, const std::string& text) {
@@ -76,7 +76,7 @@ std::uint64_t address_space() {
 class Inbox {
  public:
   void add(const char* bytes, std::size_t size) { bytes_.append(bytes, size); }
-  // Removes and returns the next complete message; empty if none is complete.
+  // Removes and returns the next complete message; empty if no message is complete.
   std::optional<std::pair<Kind, std::string>> next() {
     std::uint64_t size = 0;
     if (bytes_.size() < 1 + sizeof size) return {};

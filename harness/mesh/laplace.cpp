@@ -58,7 +58,8 @@ std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, in
   return group;
 }
 
-// The interpolation from groups to unknowns: constant over each group, then smoothed by a damped Jacobi step.
+// Returns the interpolation matrix from groups to unknowns: constant over each group, then smoothed by a
+// damped Jacobi step.
 Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std::vector<int>& group,
                      int count) {
   Matrix step(a.rows(), count);

@@ -10,23 +10,25 @@
 namespace pelage {
 
 /// Solves A X = B by conjugate gradients. The preconditioner is algebraic multigrid with smoothed aggregation
-/// (Vanek, Mandel and Brezina 1996). Time and memory grow linearly with the number of unknowns n; the time of
-/// a factorization grows as n^1.5. Systems of at most 6000 unknowns are factorized.
+/// (Vanek, Mandel and Brezina 1996). Time and memory grow linearly with the number of unknowns n, whereas the
+/// time of a factorization grows as n^1.5. Systems of at most 6000 unknowns are solved by a factorization
+/// instead.
 class LaplaceSolver {
  public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-  /// `matrix` is symmetric and positive definite, with both triangles stored.
+  /// `matrix` is symmetric and positive definite; its upper and its lower triangle are both stored.
   explicit LaplaceSolver(Matrix matrix);
 
-  /// Solves for `x`, starting from its given value. Stops when the norm of the residual is at most 1e-9 times
-  /// the norm of `b`. Returns the number of iterations; empty if the ratio exceeds 1e-5 after 300 iterations.
+  /// Solves for `x`. The value of `x` before the call is the initial guess. Iterates until the ratio of the
+  /// norm of the residual to the norm of `b` is at most 1e-9. Returns the number of iterations, or nothing if
+  /// this ratio is above 1e-5 after 300 iterations.
   std::optional<int> solve(const Columns& b, Columns& x) const;
 
  private:
   struct Level {
-    Matrix a, up, down;  ///< `up` interpolates from the next coarser level; `down` is its transpose
+    Matrix a, up, down;  ///< `up` interpolates from the next coarser level; `down` is the transpose of `up`
     Eigen::VectorXd diagonal;
   };
   Columns cycle(std::size_t level, const Columns& b) const;

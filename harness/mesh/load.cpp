@@ -25,11 +25,11 @@
 namespace pelage {
 namespace {
 
-// Version of the mesh preparation, part of every cache file's name. Increase it if the same source gives
-// another mesh than before.
+// Version of the mesh preparation, which is part of the name of every cached mesh. Increase it after a change
+// of the code that changes the mesh of any source.
 constexpr int recipe = 3;
-constexpr int procedural_recipe = 3;  // additional version for procedural shapes
-constexpr int file_recipe = 1;        // additional version for users' files
+constexpr int procedural_recipe = 3;  // additional version for the meshes of procedural shapes
+constexpr int file_recipe = 1;        // additional version for the meshes of users' files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -54,14 +54,14 @@ Source source_of(const Model& model) {
   return {kind, item, kind == "file" ? item : model.name};
 }
 
-// The direction in the source's axes that `rotation` maps to +y.
+// Returns the direction, in the axes of the source, that `rotation` maps to +y.
 glm::dvec3 up_before(glm::dvec3 rotation) {
   const glm::dmat3 matrix = rotation_matrix(rotation);
   return {matrix[0].y, matrix[1].y, matrix[2].y};
 }
 
-// The numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if they are
-// out of range.
+// Returns the numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if
+// they are out of range.
 std::optional<glm::ivec2> finer_torus(const std::string& name) {
   std::smatch quads;
   if (!std::regex_match(name, quads, std::regex("torus-([0-9]{1,4})x([0-9]{1,4})"))) return {};
@@ -111,9 +111,9 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
-// A coarse version of the prepared mesh with about `faces` faces, on which cuts are tried. If the final face
-// count is odd, the coarse count is odd too, so both meshes have a hole of one face. Returns `surface` itself
-// if it cannot be made coarser.
+// Returns a coarse version of the surface with about `faces` faces, on which plan_cuts() tries cuts. If the
+// final face count is odd, the coarse count is odd too, so both meshes have a hole of one face. Returns
+// `surface` itself if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -126,8 +126,8 @@ Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces
   }
 }
 
-// Returns a component of a file with its UV map. The coarse version for trying cuts has fewer faces
-// if the file has many components.
+// Returns a component of a mesh file with its UV map. If the file has many components, the coarse version on
+// which plan_cuts() tries cuts has fewer faces.
 Surface mapped(const Surface& component, Model model, const std::string& label, std::size_t number,
                std::size_t count, Stages& stages) {
   const std::string of = count == 1 ? "" : fmt::format(", component {} of {}", number + 1, count);
@@ -147,8 +147,8 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
                       });
 }
 
-// The preparation of a file after its repair. The time of every step grows linearly with the number of
-// triangles. Every component gets a chart.
+// Prepares the repaired surface of a mesh file and computes its UV map, which has one chart per component.
+// The time of every step grows linearly with the number of triangles.
 Surface mapped_file(Surface surface, const Model& model, const std::string& label, Stages& stages) {
   if (model.faces) {
     stages.begin("changing the face count");
@@ -224,8 +224,8 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
   return hash.hex();
 }
 
-// Limits for the preparing process. They are several times the demand of the named models on a slow machine,
-// so only an endless computation exceeds them.
+// Returns limits of time and memory for the process that prepares the mesh. The limits are several times the
+// needs of the named models on a slow machine, so only an endless computation exceeds them.
 Limits limits_for(const Model& model, const Source& source) {
   const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
   const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;
@@ -243,7 +243,7 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   } else if (finer_torus(name_or_file)) {
     model.name = name_or_file;
     model.source = "procedural:" + name_or_file;
-    model.rotation = {25, 0, 0};  // the rotation of the model "torus"
+    model.rotation = {25, 0, 0};  // the same rotation as that of the model "torus"
   } else {
     if (!std::filesystem::exists(name_or_file)) {
       std::string names;

@@ -13,20 +13,22 @@
 namespace pelage {
 
 /// A prepared triangle mesh with a UV map. Lengths are in R: the bounding sphere is centred at the origin and
-/// has radius 1. A surface point on a UV seam has several vertices, its copies, one for each UV; `weld` maps
-/// a vertex to its surface point. Vertices, surface points and triangles are sorted along a Morton curve.
+/// has radius 1. A surface point on a UV seam has several vertices, called its copies, one for each UV.
+/// `weld` maps each vertex to its surface point. Vertices, surface points and triangles are sorted along a
+/// Morton curve.
 struct Mesh {
   std::string name;
-  std::string hash;                  ///< content_hash() in hexadecimal, for caches and provenance
-  std::vector<glm::vec3> position;   ///< V, positions of the vertices
-  std::vector<glm::vec2> uv;         ///< V, in [0,1]^2
-  std::vector<std::uint32_t> weld;   ///< V, surface point of each vertex, in [0, welded)
-  std::vector<glm::uvec3> triangle;  ///< F, indices of vertices, counter-clockwise seen from outside
-  std::uint32_t welded = 0;          ///< W, number of surface points
+  std::string hash;                  ///< content_hash(), which identifies the mesh in caches and results
+  std::vector<glm::vec3> position;   ///< position of each vertex
+  std::vector<glm::vec2> uv;         ///< UV of each vertex, in [0,1]^2
+  std::vector<std::uint32_t> weld;   ///< surface point of each vertex, 0 <= value < welded
+  std::vector<glm::uvec3> triangle;  ///< vertices of each triangle, counter-clockwise as seen from outside
+  std::uint32_t welded = 0;          ///< number of surface points
   bool periodic_uv = false;          ///< true: the UV map repeats without seam (torus)
-  /// Mean length on the surface per unit of u and of v, R.
+  /// Mean length on the surface, in R, per unit of u and per unit of v.
   glm::vec2 length_per_uv{1.0f, 1.0f};
-  /// The steps of the preparation, one line each: repairs, remeshing, method of the UV map.
+  /// Descriptions of the steps of the preparation, one line per step: repairs, remeshing, method of the UV
+  /// map.
   std::vector<std::string> notes;
 };
 
@@ -37,15 +39,16 @@ struct MeshOptions {
   glm::vec3 rotate{0};
   bool largest_only = false;  ///< true: keep only the largest component of a file
   bool cache = true;          ///< true: read and write the cache of prepared meshes
-  /// Receives messages during the preparation (seconds to minutes) and the mesh's notes.
+  /// Callback that receives progress messages during the preparation, which takes seconds to minutes, and the
+  /// notes of the mesh.
   std::function<void(const std::string&)> progress;
-  double silent_s = 2;  ///< time after which the names of stages are reported, s
+  double silent_s = 2;  ///< time in seconds before the first message about a stage of the preparation
 };
 
-/// Loads a model by its name in experiments/models.toml, a torus by the name "torus-AxB", or a mesh file
-/// (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage by hashes of source
-/// and options. The same source and options give the same bits. Throws InputError with the reason if the name
-/// is unknown or the file is not a usable mesh.
+/// Loads a model by its name in experiments/models.toml, a torus of A x B quads by the name "torus-AxB", or a
+/// mesh file (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage; the file
+/// names contain a hash of source and options. The same source and options give a bitwise identical mesh.
+/// Throws InputError with the reason if the name is unknown or the file is not a usable mesh.
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options = {});
 
 }  // namespace pelage

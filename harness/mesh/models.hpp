@@ -14,16 +14,18 @@ namespace pelage {
 struct Model {
   std::string name;
   std::string source;                  ///< "procedural:NAME" | "cgal:FILE" | "glmark2:FILE"
-  std::optional<std::uint32_t> faces;  ///< exact face count; empty: the source's count
+  std::optional<std::uint32_t> faces;  ///< exact face count; empty: the face count of the source
   glm::dvec3 rotation{0};              ///< rotation about x, then y, then z, degrees
-  bool wrap = false;                   ///< true: apply CGAL's alpha wrap first
+  bool wrap = false;                   ///< true: wrap the surface by CGAL's alpha wrap first
   bool stand_in = false;
   std::string licence, footnote;
-  /// Numbers of masses and springs per topology (harness/springs) that the paper publishes for this model.
+  /// Numbers of masses and springs that Banisch and Wuethrich 2006 publish for this model, for each
+  /// mass-spring topology.
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 
-/// Reads all models in the file's order. Throws InputError with file, line and key.
+/// Reads all models of a file in the order of the file. Throws InputError with file, line and key if the file
+/// is malformed.
 std::vector<Model> read_models(const std::filesystem::path& file);
 /// Reads the first models.toml found in $PELAGE_DATA/experiments, in the source tree or in the installed
 /// share folder.

@@ -22,8 +22,8 @@ double pear(glm::dvec3 p) {
   return body + dimple;
 }
 
-// The point where the ray from (0, 0.1, 0) along `direction` intersects the pear's surface. There is exactly
-// one such point.
+// Returns the point where the ray from (0, 0.1, 0) along `direction` intersects the pear's surface. There is
+// exactly one such point.
 glm::dvec3 on_the_pear(glm::dvec3 direction) {
   const glm::dvec3 middle(0, 0.1, 0), along = glm::normalize(direction);
   double inside = 0, outside = 2;

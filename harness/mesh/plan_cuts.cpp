@@ -14,9 +14,9 @@
 namespace pelage {
 namespace {
 
-// Cost of a map; less is better. The cost is the logarithm of the ratio of its largest to its smallest area
-// scale, plus 20 times the overlapping and flipped fractions. An overlap of 1% costs as much as a 22% larger
-// ratio.
+// Returns the cost of a UV map; a lower cost is better. The cost is the logarithm of the ratio of the 99% to
+// the 1% percentile of the area scale, plus 20 times the sum of the overlapping and the flipped fraction of
+// the map. An overlap of 1% increases the cost as much as a ratio that is 22% larger.
 double cost(const Surface& unfolded, const std::string& name) {
   const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
@@ -46,7 +46,7 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
     CutPlan longer = best.plan;
     longer.tips.push_back(tip.point);
     const double there = cost(surface, longer, name, unfold);
-    // As long as no plan gives a map, costs cannot be compared, and every tip is added.
+    // As long as no plan has given a usable map, costs cannot be compared and every tip is added.
     if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
       best = {longer, there};
     } else {
@@ -60,7 +60,7 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
 
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part) {
-  // On a surface with handles the cut depends on its root. Four distant roots are tried.
+  // On a surface with handles the cut graph depends on its root, so four distant roots are tried.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   const long euler =
       2 * long(proxy.point.size()) - long(proxy.triangle.size());  // twice the Euler characteristic if closed

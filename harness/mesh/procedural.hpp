@@ -12,10 +12,10 @@ Surface make_torus(int around, int across, double minor_radius);
 /// that meet in the quad's centre. UV is (x, -z).
 Surface make_square(int quads);
 
-/// A pear around the y axis: a closed implicit surface of revolution of height 1.9, without UV map. The 20
-/// triangles of an icosahedron are split into four `halvings` times, and the points are projected onto the
-/// surface. The result is deterministic. CGAL's mesher for implicit surfaces is not used,
-/// because its result depends on memory addresses.
+/// A pear around the y axis: a closed implicit surface of revolution of height 1.9, without UV map. Each of
+/// the 20 triangles of an icosahedron is split into four triangles `halvings` times; after each split the
+/// points are projected onto the surface. The result is deterministic. CGAL's mesher for implicit surfaces is
+/// not used, because its result depends on memory addresses.
 Surface make_pear(int halvings);
 
 }  // namespace pelage

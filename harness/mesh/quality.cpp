@@ -32,7 +32,7 @@ struct Side {
   bool forward;  // from low to high
 };
 
-// The sides of all faces, sorted so that the sides of an edge are adjacent.
+// Returns the sides of all faces, sorted so that sides with the same end points are adjacent.
 std::vector<Side> sides_of(const std::vector<glm::uvec3>& triangles) {
   std::vector<Side> sides;
   sides.reserve(triangles.size() * 3);
@@ -63,8 +63,8 @@ double twice_uv_area(const Mesh& mesh, const glm::uvec3& t) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// The number of faces that cover each texel centre. A centre on an edge belongs to one of the two adjacent
-// faces only, by a fixed rule.
+// Returns the number of faces that cover each texel centre. A centre on an edge belongs to only one of the
+// two faces at this edge.
 std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
   std::vector<std::uint8_t> count(std::size_t(side) * std::size_t(side), 0);
   for (const glm::uvec3& t : mesh.triangle) {
@@ -75,7 +75,8 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
     for (int y = std::max(0, int(std::ceil(low))); y < side && y < high; ++y) {
       double left = HUGE_VAL, right = -HUGE_VAL;
       for (int k = 0; k < 3; ++k) {
-        // The intersection is computed from the edge's lower end, so that both faces get the same value.
+        // The intersection of edge and texel row is computed from the edge's lower end, so that both faces at
+        // the edge get the same value.
         glm::dvec2 a = p[k], b = p[(k + 1) % 3];
         if (std::tie(a.y, a.x) > std::tie(b.y, b.x)) std::swap(a, b);
         if (!(a.y <= y && y < b.y)) continue;
@@ -92,7 +93,7 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
 }
 
 struct Covered {
-  std::size_t once = 0, more = 0;  // numbers of texels that at least one face, and at least two faces cover
+  std::size_t once = 0, more = 0;  // numbers of texels covered by at least one face and by at least two faces
 };
 
 Covered covered_by(const Mesh& mesh, int side) {
@@ -183,7 +184,8 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality;
   double uv_area = 0, flipped = 0, surface_area = 0;
-  std::vector<std::pair<double, double>> ratio;  // UV area over surface area, surface area
+  // Per face: ratio of UV area to surface area, and surface area.
+  std::vector<std::pair<double, double>> ratio;
   for (const glm::uvec3& t : mesh.triangle) {
     const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
     const double twice = twice_uv_area(mesh, t), surface = glm::length(glm::cross(b - a, c - a)) / 2;

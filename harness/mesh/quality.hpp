@@ -10,14 +10,14 @@
 namespace pelage {
 
 struct Topology {
-  std::size_t copies = 0;  ///< V, number of vertices, including copies on UV seams
-  std::size_t points = 0;  ///< W, number of surface points
+  std::size_t copies = 0;  ///< number of vertices, including copies on UV seams
+  std::size_t points = 0;  ///< number of surface points
   std::size_t edges = 0;   ///< number of edges between surface points
   std::size_t faces = 0;
   std::size_t boundary_edges = 0;
   std::size_t borders = 0;  ///< number of closed loops of boundary edges
   std::size_t components = 0;
-  long genus = 0;              ///< number of handles of all components, if the mesh is a manifold
+  long genus = 0;              ///< number of handles, summed over all components; valid only for a manifold
   std::size_t bad_edges = 0;   ///< number of edges with more than two faces or inconsistent orientation
   std::size_t bad_points = 0;  ///< number of points whose faces do not form a single fan
   bool manifold() const { return bad_edges == 0 && bad_points == 0; }
@@ -28,12 +28,12 @@ Topology topology(const Mesh& mesh);
 struct UvQuality {
   std::size_t charts = 0;
   std::size_t flipped_faces = 0;
-  double flipped = 0;      ///< UV area of flipped faces, fraction of the UV area of all faces
-  double overlapping = 0;  ///< fraction of the covered texels that more than one face covers
-  double covered = 0;      ///< fraction of the unit square that faces cover
-  /// Percentiles (1%, 50% and 99%, weighted by surface area) of the ratio of a face's UV area to its surface
-  /// area. The values are relative to the ratio of the whole map, so 1 means neither stretched nor
-  /// compressed.
+  double flipped = 0;      ///< UV area of the flipped faces, as a fraction of the UV area of all faces
+  double overlapping = 0;  ///< texels covered by several faces, as a fraction of all covered texels
+  double covered = 0;      ///< fraction of the unit square that is covered by faces
+  /// Percentiles of a face's area scale, weighted by surface area: low 1%, median 50%, high 99%. The area
+  /// scale is the ratio of UV area to surface area, divided by the same ratio of the whole map. It is 1 if
+  /// the face is neither stretched nor compressed.
   double area_low = 0, area_median = 0, area_high = 0;
 };
 
@@ -44,8 +44,8 @@ UvQuality uv_quality(const Mesh& mesh, int side = 2048);
 /// covered texels at 2048 x 2048 texels.
 std::vector<std::string> uv_warnings(const Mesh& mesh);
 
-/// The chart number of each face, from 0 in the order of faces. Faces that share an edge between the same
-/// vertices belong to one chart.
+/// Returns the chart number of each face. Charts are numbered from 0 in the order of their first faces. Two
+/// faces that share an edge belong to the same chart if they also share its two vertices.
 std::vector<std::uint32_t> charts(const Mesh& mesh);
 
 }  // namespace pelage

@@ -14,8 +14,8 @@
 namespace pelage::detail {
 namespace {
 
-// Unregisters all importers of Assimp except OBJ, PLY, 3DS and glTF. Several of its about fifty importers had
-// security holes recently.
+// Unregisters all importers of Assimp except OBJ, PLY, 3DS and glTF. Assimp has about fifty importers, and
+// several of them had security holes recently.
 void allow_only_known_formats(Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     const aiImporterDesc* about = importer.GetImporterInfo(i);

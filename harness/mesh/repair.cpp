@@ -72,8 +72,8 @@ void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
   if (pieces > 1) {
     PMP::keep_largest_connected_components(mesh, 1);
     mesh.collect_garbage();
-    notes.push_back(
-        fmt::format("kept the largest of {} pieces, {} of {} faces", pieces, mesh.number_of_faces(), faces));
+    notes.push_back(fmt::format("kept the largest of {} components, {} of {} faces", pieces,
+                                mesh.number_of_faces(), faces));
   }
   mesh.remove_property_map(piece);
 }
@@ -96,7 +96,7 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
     if (!open[n] || area[n] >= least * largest) kept.push_back(n);
   if (kept.size() > most_components)
     throw InputError(
-        fmt::format("{}: {} components; at most {} get a chart each: keep the largest alone "
+        fmt::format("{}: {} components; at most {} can have a chart each; keep only the largest "
                     "(mesh.components, --components largest), or join them",
                     name, kept.size(), most_components));
   if (kept.size() < pieces) {

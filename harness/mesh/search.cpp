@@ -55,7 +55,7 @@ SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::mak
     state_->triangles.emplace_back(point(position[t.x]), point(position[t.y]), point(position[t.z]));
   }
   state_->tree.rebuild(state_->triangles.begin(), state_->triangles.end());
-  // The first query would build this structure otherwise, which is not safe with several threads.
+  // Without this call the first query would build the tree for distance queries, which is not thread-safe.
   state_->tree.accelerate_distance_queries();
 }
 
@@ -73,8 +73,8 @@ std::optional<SurfacePlace> SurfaceSearch::ray(glm::vec3 origin, glm::vec3 direc
                           Kernel::Vector_3(double(direction.x), double(direction.y), double(direction.z)));
   const auto hit = state_->tree.first_intersection(ray);
   if (!hit) return {};
-  // The intersection is a segment if the ray lies in the triangle's plane; its source is where the ray
-  // enters.
+  // The intersection is a segment if the ray lies in the plane of the triangle; the ray enters the triangle
+  // at the source of the segment.
   if (const auto* q = boost::get<Kernel::Point_3>(&hit->first)) return state_->place(hit->second, *q);
   return state_->place(hit->second, boost::get<Kernel::Segment_3>(&hit->first)->source());
 }

@@ -28,8 +28,8 @@ class SurfaceSearch {
   SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
 
   SurfacePlace closest(glm::vec3 point) const;
-  /// The first intersection of the ray from `origin` along `direction` (not zero) with the surface; empty if
-  /// there is none.
+  /// Returns the first intersection of the surface with the ray from `origin` along `direction` (not zero);
+  /// empty if there is no intersection.
   std::optional<SurfacePlace> ray(glm::vec3 origin, glm::vec3 direction) const;
 
  private:

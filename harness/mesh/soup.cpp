@@ -11,7 +11,7 @@
 namespace pelage {
 namespace {
 
-// Ten million triangles need about a quarter of this size.
+// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 constexpr std::uint64_t largest_file = std::uint64_t(1) << 30;
 constexpr std::size_t most_polygons = 10'000'000;
 
@@ -58,8 +58,8 @@ void check_soup(const Soup& soup, const std::string& name) {
   for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
     for (const std::uint32_t index : soup.polygon[f]) {
       if (index >= soup.point.size())
-        throw InputError(
-            fmt::format("{}: face {} has a vertex out of range; there are {}", name, f, soup.point.size()));
+        throw InputError(fmt::format("{}: face {} has a vertex out of range; there are {} vertices", name, f,
+                                     soup.point.size()));
     }
   }
 }

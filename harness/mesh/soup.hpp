@@ -13,14 +13,15 @@ namespace pelage {
 struct Soup {
   std::vector<glm::dvec3> point;
   std::vector<std::vector<std::uint32_t>> polygon;
-  std::vector<std::vector<glm::dvec2>> uv;  ///< UV per polygon and corner; empty if none was read
+  /// UV of each corner of each polygon; empty if no UV map was read.
+  std::vector<std::vector<glm::dvec2>> uv;
 };
 
-/// Reads OBJ, OFF, PLY, STL (by CGAL), 3DS, glTF and glb (by Assimp); the file name's extension selects the
-/// format. If `with_uv` is true, Assimp also reads OBJ and PLY, because it reads their texture coordinates.
-/// Throws InputError with the file, the line if known, and the permitted content. The result is not empty,
-/// its numbers are finite and its indices are in range. Malicious files may crash both libraries, so call
-/// this function inside isolated().
+/// Reads a mesh file. CGAL reads OBJ, OFF, PLY and STL; Assimp reads 3DS, glTF and glb. The file name's
+/// extension selects the format. If `with_uv` is true, Assimp instead of CGAL reads OBJ and PLY, because
+/// Assimp also reads texture coordinates. Throws InputError with the file, the line if known, and the
+/// permitted content. The result is not empty, its numbers are finite and its indices are in range. Malicious
+/// files may crash CGAL and Assimp, so call this function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
 /// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without

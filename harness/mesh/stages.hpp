@@ -12,8 +12,8 @@ class Stages {
  public:
   using Say = std::function<void(const std::string&)>;
 
-  /// No messages are sent during the first `silent_s` seconds. Messages with fractions are at least 2.5
-  /// silent_s apart.
+  /// No messages are sent during the first `silent_s` seconds. Messages with a completed fraction are at
+  /// least 2.5 * silent_s seconds apart.
   Stages(Say say, std::string label, double silent_s);
 
   void begin(const std::string& stage);

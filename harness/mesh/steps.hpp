@@ -1,5 +1,5 @@
-// The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step adds its changes
-// to the notes of the surface.
+// The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step appends its
+// changes to Surface::notes.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -10,17 +10,18 @@
 
 namespace pelage {
 
-/// Treatment of holes and components.
+/// Options of repair() for holes and components.
 struct RepairOptions {
   bool fill_all = false;  ///< true: fill all holes; false: fill holes narrower than a tenth of the mesh
   bool largest_only =
-      true;  ///< true: keep the component of most faces; false: all closed or large components
+      /// True: keep only the component with the most faces; false: keep all closed or large components.
+      true;
 };
 
 /// Converts a soup to an oriented triangle manifold. It welds coincident points, drops degenerate faces,
 /// orients faces consistently, stitches borders, splits non-manifold points, drops small components and fills
-/// holes. `stages` receives the current stage. Throws InputError if no face is left or too many components
-/// remain.
+/// holes. `stages` receives the name of the current stage. Throws InputError if no face is left or too many
+/// components remain.
 Surface repair(const Soup& soup, const RepairOptions& options, const std::string& name, Stages& stages);
 
 /// Converts a soup with its own UV map to a surface. It welds coincident points, splits polygons into
@@ -28,13 +29,13 @@ Surface repair(const Soup& soup, const RepairOptions& options, const std::string
 /// preserved. Throws InputError if no triangle is left or the UV map has no area.
 Surface weld(const Soup& soup, const std::string& name);
 
-/// The watertight hull of a surface that intersects itself (Portaneri et al. 2022, CGAL's alpha wrap).
+/// Returns a watertight hull of a surface that intersects itself (Portaneri et al. 2022, CGAL's alpha wrap).
 Surface wrap(const Surface& surface);
 
-/// Changes the number of triangles to exactly `faces`: Loop subdivision while there are too few, then edge
-/// collapses (Lindstrom and Turk 1998) that flip no face. A closed mesh has an even count; for an odd count,
-/// the lowest face along `up` is dropped. `part` receives the completed fraction of the collapses. Throws
-/// InputError if the count cannot be reached.
+/// Changes the number of triangles to exactly `faces`: Loop subdivision until there are enough triangles,
+/// then edge collapses (Lindstrom and Turk 1998) that flip no face. A closed mesh has an even number of
+/// triangles, so for an odd `faces` the lowest face in the direction `up` is removed. `part` receives the
+/// completed fraction of the collapses. Throws InputError if the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
                    const std::function<void(double)>& part = {});
 

@@ -15,10 +15,10 @@ struct Surface {
   using Corners = std::array<glm::dvec2, 3>;
   std::vector<glm::dvec3> point;
   std::vector<Triangle> triangle;
-  std::vector<Corners> uv;   ///< UV of the corners per triangle; empty if there is no UV map
+  std::vector<Corners> uv;   ///< UV of the three corners of each triangle; empty if there is no UV map
   bool periodic_uv = false;  ///< see Mesh::periodic_uv; finish() does not change a periodic map
-  bool keep_uv = false;      ///< the UV map is a file's own; finish() keeps it if it is in the unit square
-  bool packed_uv = false;    ///< the charts are packed into the unit square; finish() keeps them
+  bool keep_uv = false;  ///< true: the UV map is the file's own; finish() keeps a map inside the unit square
+  bool packed_uv = false;  ///< true: the charts are packed into the unit square; finish() keeps the map
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 

@@ -23,7 +23,8 @@ namespace {
 using Lu = CGAL::Eigen_solver_traits<
     Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
 
-// A linear solver that factorizes its matrix once. ARAP solves twice per iteration with the same matrix.
+// A linear solver that factorizes its matrix once. CGAL's ARAP parameterizer (as rigid as possible) solves
+// two systems with the same matrix in each iteration.
 class Factored_once {
  public:
   using NT = double;
@@ -60,7 +61,7 @@ Polyhedron flat_mesh(const Surface& surface, const Disk& disk) {
 }
 
 struct Map {
-  std::vector<glm::dvec2> uv;  // per copy
+  std::vector<glm::dvec2> uv;  // UV of each vertex copy
   MapQuality quality;
 };
 
@@ -71,8 +72,8 @@ Map lay_flat(Polyhedron& mesh, Parameterizer parameterizer) {
   auto placed = mesh.add_property_map<Polyhedron::Vertex_index, bool>("v:placed", false).first;
   for (const auto v : mesh.vertices()) index[v] = int(v.idx());
   const auto border = CGAL::Polygon_mesh_processing::longest_border(mesh).first;
-  // The result is ignored. Code 6 (no one-to-one mapping) means that ARAP's last step refused a border that
-  // intersects itself; the map is complete nevertheless.
+  // The returned error code is ignored. Code 6 (no one-to-one mapping) means that the last step of the ARAP
+  // parameterizer rejected a border that intersects itself. The map is complete nevertheless.
   (void)parameterizer.parameterize(mesh, border, uv, index, placed);
   Map map;
   for (const auto v : mesh.vertices()) map.uv.emplace_back(uv[v].x(), uv[v].y());

@@ -1,4 +1,4 @@
-// Computes UV maps of one chart.
+// Computes UV maps that consist of one chart.
 #pragma once
 #include <functional>
 #include <glm/vec2.hpp>
@@ -9,43 +9,48 @@
 
 namespace pelage {
 
-/// Quality of a map of one chart.
+/// Quality of a UV map of one chart.
 struct MapQuality {
   std::size_t flipped = 0;  ///< number of faces that are flipped or have zero area
-  bool usable = false;      ///< true: finite, of positive area, at most 2% of the faces flipped
+  /// True: the map is finite, has a positive area, and at most 2% of its faces are flipped.
+  bool usable = false;
 };
-/// `uv` has one entry per copy; `triangles` are indices of copies. Faces that are not flipped are
-/// counter-clockwise.
+/// Measures a UV map. `uv` has one entry per vertex copy of a Disk, and `triangles` are indices of these
+/// copies. A face is flipped unless its corners are counter-clockwise in UV.
 MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles);
 
-/// A function that cuts a surface by a plan and flattens it. Throws InputError if this fails.
+/// A function that cuts a surface open according to `plan` and flattens it. Throws InputError if this fails.
 using Unfold = std::function<Surface(const Surface& surface, const CutPlan& plan, const std::string& name)>;
 
-/// The map of named models: as rigid as possible by CGAL (Liu et al. 2008, lambda 1000, 10 iterations), or
-/// mean-value coordinates on a circle if that fails. Named models keep this method so that their bits do not
-/// change.
+/// Computes the UV map of a named model by CGAL: as rigid as possible (Liu et al. 2008, lambda 1000, 10
+/// iterations), or by mean-value coordinates on a circle if the first method fails. Named models keep this
+/// method so that their meshes stay bitwise identical.
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
 
-/// The map of files, by flatten(), which suits large meshes. `part` receives the completed fraction.
+/// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. `part` receives the
+/// completed fraction.
 Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::string& name,
                      const std::function<void(double)>& part = {});
 
-/// Chooses cut plans by trials. Cuts into limbs are added one after another, the farthest tip first. A cut is
-/// kept if it lowers the map's cost, a measure of stretch, overlap and flipped faces. Dozens of maps are
-/// computed, so `proxy` should be a coarse version of the surface (about 6000 faces). A plan consists of
-/// positions and therefore also applies to the fine surface. Returns one plan for a surface without handles,
-/// four plans with different roots otherwise. `part` receives the completed fraction.
+/// A cut plan and the cost of its UV map.
 struct TriedPlan {
   CutPlan plan;
-  double cost = 0;  ///< cost of the proxy's map; less is better
+  double cost = 0;  ///< cost of the UV map of the proxy; a lower cost is better
 };
+/// Chooses cut plans by trial. Cuts into the limbs of the model are added one after another, the cut to the
+/// farthest tip first. A cut is kept if it lowers the cost of the UV map, which measures stretch, overlap and
+/// flipped faces. Dozens of maps are computed, so `proxy` should be a coarse version of the surface (about
+/// 6000 faces). A plan consists of positions and therefore also applies to the fine surface. Returns one plan
+/// for a surface without handles, otherwise four plans with different roots. `part` receives the completed
+/// fraction.
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part = {});
 
-/// Computes the map of every plan and returns the best one.
+/// Computes the UV map of every plan and returns the surface with the map of least cost.
 Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name);
 
-/// Returns the map of the plan of least cost. If this plan fails, the next one is tried.
+/// Returns the surface with the UV map of the plan of least cost. If `unfold` throws InputError for a plan,
+/// the plan of next higher cost is tried.
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold);
 

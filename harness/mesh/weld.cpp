@@ -12,8 +12,8 @@
 namespace pelage {
 namespace {
 
-// True if the UV area of the map exceeds 1e-12 of its bounding square. Smaller areas vanish in single
-// precision, and lengths per UV and tangents would be undefined.
+// True if the UV area of the map exceeds 1e-12 times the area of its bounding square. Smaller areas vanish in
+// single precision, so Mesh::length_per_uv and the tangents would be undefined.
 bool has_area(const std::vector<Surface::Corners>& uv) {
   double twice = 0;
   glm::dvec2 low = uv.front()[0], high = low;

@@ -15,8 +15,9 @@ namespace SMS = CGAL::Surface_mesh_simplification;
 namespace pelage {
 namespace {
 
-// A stop condition on the number of faces; CGAL 5.5 provides only conditions on the number of edges. A
-// collapse removes two faces, or one face at a border, so the collapses stop at `faces` or `faces` + 1.
+// A stop condition on the number of faces; CGAL 5.5 provides only conditions on the number of edges. An edge
+// collapse removes two faces, or one face at a border, so the mesh has `faces` or `faces` + 1 faces at the
+// end.
 struct Few_enough_faces {
   std::size_t faces, before;
   const std::function<void(double)>* part;
@@ -28,7 +29,8 @@ struct Few_enough_faces {
   }
 };
 
-// Removes the lowest face along `up` that touches no border, so that the mesh stays a manifold.
+// Removes the lowest face, in the direction `up`, that does not touch a border, so that the mesh stays a
+// manifold.
 void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
   Polyhedron::Face_index lowest;
   double least = std::numeric_limits<double>::max();

@@ -26,15 +26,15 @@ Axes axes(glm::dvec3 forward, glm::dvec3 up) {
   return {right, glm::cross(forward, right), forward};
 }
 
-/// Coordinates of an eye: across the view axis and along it, R.
+/// Coordinates of the eye across and along the view axis, in R.
 struct Stand {
   double across, along;
 };
 
-/// The eye for which all points lie between two rays of the slopes +`slope` and -`slope`, and each ray
-/// touches a point. With the coordinates p across and q along the view axis, the first ray touches the point
-/// of greatest p - slope q, and the second ray touches the point of greatest -p - slope q. Every point is
-/// extended by `margin` on both sides, R.
+/// Returns the eye from which all points lie between two rays of the slopes +`slope` and -`slope`, and each
+/// of the two rays touches a point. Let p be the coordinate of a point across the view axis, and q its
+/// coordinate along the axis. The first ray touches the point of greatest p - slope q, and the second ray
+/// touches the point of greatest -p - slope q. Every point is extended on both sides by `margin`, in R.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -46,8 +46,9 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// The eye at the given coordinate `along`, which is farther from the points than the eye of touch().
-/// Bisection finds the smaller slope for which touch() returns this coordinate.
+/// Returns the eye at the given coordinate `along`, which is farther from the points than the eye that
+/// touch() returns for `slope`. Bisection finds the smaller slope for which touch() returns an eye at this
+/// coordinate.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

@@ -21,7 +21,8 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Distance from p to the nearest point of a lattice with unit cells and one randomly shifted point per cell.
+/// Returns the distance from p to the nearest point of a lattice with unit cells, which have one randomly
+/// placed point each.
 double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   const Random random(seed, 0x5907u);
   const glm::dvec3 cell = glm::floor(p);
@@ -36,7 +37,8 @@ double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   return least;
 }
 
-/// The fraction of the second colour at the point p, 0..1. p is in units of the pattern's size.
+/// A function that returns the fraction of the second colour at the point p, 0..1. p is in units of the
+/// pattern's size.
 using Pattern = double (*)(glm::dvec3 p, std::uint32_t seed);
 
 double plain(glm::dvec3, std::uint32_t) {

@@ -4,8 +4,9 @@
 
 namespace pelage {
 
-/// The coat texture in UV space. It is a picture or a pattern. A pattern is a function of the surface point
-/// and therefore has no seams. Throws InputError for an unknown pattern or an unreadable picture.
+/// Returns the coat texture in UV space, which is a picture or a pattern. A pattern is a function of the
+/// position in space and therefore has no seams. Throws InputError for an unknown pattern or an unreadable
+/// picture.
 CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat);
 
 }  // namespace pelage

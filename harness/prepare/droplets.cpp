@@ -72,14 +72,14 @@ class Places {
   std::vector<std::size_t> face_;  ///< index of the mesh's triangle for each triangle of the flat mesh
 };
 
-/// Greatest distance in R between a disc's centre and the surface points of its texels. It is twice the
-/// disc's radius on the surface, because the UV map may be stretched.
+/// Returns the maximum distance, in R, between the centre of a droplet and the surface points of the texels
+/// that it covers. This is twice the droplet's radius on the surface, because the UV map may be stretched.
 float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }
 
-/// A grid of points. It tests whether a new point is far enough from all points. The cell size must not be
-/// smaller than the tested distances.
+/// A grid of points. It tests whether a new point has a minimum distance from all points of the grid. The
+/// size of a grid cell must not be smaller than this distance.
 class Crowd {
  public:
   explicit Crowd(double cell) : cell_(cell) {}
@@ -105,8 +105,9 @@ class Crowd {
   std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> cells_;
 };
 
-/// Contiguous wet areas: the places where a smooth noise exceeds a threshold. The threshold is the quantile
-/// for which the fraction `patch_cover` of the surface is wet.
+/// The contiguous areas of the surface in which random droplets are placed. In these areas a smooth noise
+/// exceeds a threshold. The threshold is the quantile for which the fraction `patch_cover` of the surface is
+/// wet.
 class Patches {
  public:
   Patches(const Skin& skin, const WetnessScene& wetness)
@@ -128,7 +129,7 @@ class Patches {
       if (wet >= double(wetness.patch_cover) * total) break;
     }
   }
-  /// Factor on the wetness at p: 0 outside the wet areas, rising smoothly to 1 inside them.
+  /// Returns a factor of the wetness at p: 0 outside the wet areas, rising smoothly to 1 inside them.
   double depth(glm::dvec3 p) const {
     if (everywhere_) return 1;
     const double t = std::clamp((at(p) - threshold_) / 0.15, 0.0, 1.0);
@@ -143,7 +144,8 @@ class Patches {
   double threshold_ = 0;
 };
 
-/// The places where the scene's picture permits random droplets. Without a picture every place is permitted.
+/// The part of UV space in which the picture wetness.image permits random droplets. Without a picture they
+/// are permitted everywhere.
 class Rain {
  public:
   explicit Rain(const std::filesystem::path& path) {
@@ -162,7 +164,7 @@ class Rain {
   Picture picture_;
 };
 
-constexpr int tries_per_droplet = 30;  // tries of dart throwing per requested droplet
+constexpr int tries_per_droplet = 30;  // number of random positions that are tried per requested droplet
 
 void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, std::vector<Droplet>& out) {
   std::vector<double> below(skin.area.size() + 1, 0.0);  // cumulative area of the triangles

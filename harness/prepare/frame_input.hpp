@@ -1,6 +1,6 @@
-// The input of a frame: all arrays from which every pipeline computes the frame. The host prepares them once.
-// They are floats, so the double-precision reference and the devices read the same values. docs/frame.md
-// defines each array.
+// The input of a frame: all arrays from which every pipeline computes the frame. The host prepares the arrays
+// once. Their values are single-precision floats, so the double-precision reference and the devices read the
+// same values. docs/frame.md defines each array.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,36 +15,37 @@
 
 namespace pelage {
 
-/// The strands: one mass on a spring per triangle (S 3.2.1). Array sizes are F, the number of triangles, and
-/// W, the number of surface points.
+/// The strands of S 3.2.1: one mass on a spring per triangle.
 struct StrandSet {
-  std::vector<glm::vec3> root;    ///< F, centroid of the triangle, R
-  std::vector<glm::vec3> normal;  ///< F, unit normal of the triangle; p0 = root + L0 normal
-  std::vector<glm::vec3> anchor;  ///< F, rest tip minus root, of length L0; L0 normal unless combed
-  std::vector<glm::vec2> phase;   ///< F, (cos, sin) of the gust's phase at the root
-  // A sparse matrix in compressed rows. It maps strands to surface points by the area-weighted mean over the
-  // triangles around the point.
-  std::vector<std::uint32_t> row;   ///< W + 1 offsets into face and weight
-  std::vector<std::uint32_t> face;  ///< row.back() indices of triangles
-  std::vector<float> weight;        ///< row.back() weights; the sum over a row is 1
+  std::vector<glm::vec3> root;    ///< centroid of each triangle in R
+  std::vector<glm::vec3> normal;  ///< unit normal of each triangle; p0 of S is root + L0 * normal
+  std::vector<glm::vec3> anchor;  ///< tip at rest minus root, one vector of length L0 per triangle
+  std::vector<glm::vec2> phase;   ///< (cos, sin) of the phase of the wind's gusts at each root
+  // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
+  // computes, for each point, the mean over the strands of the triangles around the point, weighted by the
+  // areas of these triangles.
+  /// Start of each row in `face` and `weight`; the last value is the size of both.
+  std::vector<std::uint32_t> row;
+  std::vector<std::uint32_t> face;  ///< triangle of each matrix element
+  std::vector<float> weight;        ///< weight of each matrix element; the sum over a row is 1
 };
 
 /// The tangent frame of the curl per surface point: the orthonormal, tangential vectors u and v of S Eq. 4.
 struct CurlFrame {
-  std::vector<glm::vec3> u, v;  ///< W
-  /// W, the UV at which a surface point samples the wetness mask: the UV of its first vertex.
+  std::vector<glm::vec3> u, v;  ///< one pair per surface point
+  /// UV at which each surface point samples the wetness mask: the UV of the point's first vertex.
   std::vector<glm::vec2> mask_uv;
 };
 
-/// The derivatives dX/du and dX/dv per vertex, R per UV unit. They are the tangent and bitangent of W Eq. 4
-/// before its change of basis.
+/// The derivatives t = dX/du and b = dX/dv of the surface position X at each vertex, in R per unit of UV. W
+/// Eq. 4 uses t as the tangent and b as the bitangent.
 struct SurfaceTangents {
-  std::vector<glm::vec3> t, b;  ///< V
+  std::vector<glm::vec3> t, b;  ///< one pair per vertex
 };
 
-/// The fur volume texture. A mip level has layers x side x side texels of two bytes: coverage (255 is opaque)
-/// and shade (a factor on the coat's colour, times 127.5). The side of level l is size >> l. All levels have
-/// the same number of layers.
+/// The fur volume texture. A mip level has layers x side x side texels of two bytes. The first byte is the
+/// coverage; 255 is opaque. The second byte is 127.5 times the shade, a factor of the coat's colour. The side
+/// of level l is size >> l. All levels have the same number of layers.
 struct FurTexture {
   int size = 0;
   int layers = 0;
@@ -57,27 +58,27 @@ struct CoatTexture {
   std::vector<std::array<std::uint8_t, 4>> texel;
 };
 
-/// One droplet of Algorithm 1.
+/// A droplet of Algorithm 1 of S and W.
 struct Droplet {
   glm::vec2 centre;  ///< c_drop, UV
   float radius;      ///< r_drop, UV
   float wetness;     ///< rho_drop
-  glm::vec3 point;   ///< c_mesh, surface point of the centre, R
-  /// The droplet covers only texels whose surface point is at most this far from `point`, R. The limit
-  /// keeps the droplet off other charts that are near in UV but far away on the surface.
+  glm::vec3 point;   ///< c_mesh, surface point at the centre of the droplet, in R
+  /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. The
+  /// limit excludes other charts that are near in UV but far away on the surface.
   float reach;
 };
 
 /// The pinhole camera, docs/frame.md, section 4.
 struct Camera {
-  /// Rows of the projection. Their dot products with (p, 1) are x w, y w and w: x and y in pixels from the
-  /// image centre, the view depth w in R.
+  /// Rows of the projection matrix. For a point p, their dot products with (p, 1) are x w, y w and w. Here x
+  /// and y are in pixels from the image centre, and w is the view depth in R.
   glm::vec4 row_x, row_y, row_w;
   glm::vec3 eye;  ///< R
-  /// View ray through the image centre and its changes per pixel in x and y; not of unit length.
+  /// View ray through the image centre, and its changes per pixel in x and in y. The rays are not normalized.
   glm::vec3 ray, ray_dx, ray_dy;
-  float pixel = 0;  ///< side of a pixel at view depth 1, R
-  float near = 0;   ///< view depth of the near plane, R
+  float pixel = 0;  ///< side length of a pixel at view depth 1, in R
+  float near = 0;   ///< view depth of the near plane in R
   int width = 0, height = 0;
 };
 
@@ -85,17 +86,18 @@ struct FrameInput {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
   StrandSet strands;
-  /// W unit directions of a topology's sticks at rest; empty for Silva's strands.
+  /// Unit direction of the stick at rest at each surface point; empty if no mass-spring topology moves the
+  /// fur.
   std::vector<glm::vec3> stick_normal;
   CurlFrame curl;
   SurfaceTangents tangents;
   FurTexture fur;
   CoatTexture coat;
   std::vector<Droplet> droplets;
-  /// wetness.size^2 surface points, one under the centre of each texel of the mask. A texel outside all
-  /// charts has the point of the nearest texel inside a chart, R.
+  /// Surface points in R under the centres of the wetness.size^2 texels of the wetness mask. A texel outside
+  /// all charts has the point of the nearest texel inside a chart.
   std::vector<glm::vec3> mask_surface;
-  glm::vec2 fur_scale{1.0f};  ///< repeats of the fur texture per unit of u and of v
+  glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
   Camera camera;
 };
 

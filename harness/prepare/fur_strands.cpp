@@ -19,14 +19,15 @@ enum Stream : std::uint32_t {
   undercoat_traits
 };
 
-constexpr double lock_share = 0.4;  // fraction of the shade's variation that all hairs of a lock share
+// Fraction of the random shade variation that is equal for all hairs of a lock.
+constexpr double lock_share = 0.4;
 constexpr double undercoat_thinness = 0.8;  // ratio of an undercoat hair's radius to a guard hair's radius
 
 glm::dvec2 shortest(glm::dvec2 d) {
   return d - glm::round(d);
 }
 
-/// Index of the lock centre nearest to `point`. Distances wrap around the unit square.
+/// Returns the index of the lock centre nearest to `point`. Distances wrap around the unit square.
 std::size_t nearest(const std::vector<glm::dvec2>& centres, glm::dvec2 point) {
   std::size_t best = 0;
   double least = 1e30;
@@ -109,7 +110,7 @@ glm::dvec2 strand_centre(const FurStrand& s, const FurScene& fur, double h) {
 double strand_radius(const FurStrand& s, const FurScene& fur, double h) {
   const double t = std::min(h / s.length, 1.0);
   const double radius = s.radius * (1.0 - (1.0 - double(fur.tip_radius)) * std::pow(t, double(fur.taper)));
-  // Distance of two slices in sides of the square.
+  // Distance between two slices, as a fraction of the side of the square texture.
   const double spacing = double(fur.length) * double(fur.tile) / fur.layers;
   return std::sqrt(radius * radius + 2.0 * radius * spacing * double(fur.sweep) / std::numbers::pi);
 }

@@ -8,16 +8,17 @@
 namespace pelage {
 namespace {
 
-constexpr int fine = 4;                  // sub-samples per texel and axis
-constexpr double shade_unit = 127.5;     // stored value of the shade 1
+constexpr int fine = 4;                  // number of sub-samples per texel and axis
+constexpr double shade_unit = 127.5;     // stored byte value of the shade 1.0
 constexpr double reference_layers = 16;  // number of layers at which the stored coverage needs no correction
 
 /// One slice of the texture during its generation; coverage is 0..1.
 struct Slice {
   int side;
   std::vector<float> coverage, shade;
-  /// Weight of the strand that gave the texel its shade: the coverage by the strand, reduced by the distance
-  /// from its centre. The strand of greatest weight gives the shade.
+  /// Weight of the strand whose shade is stored in the texel. The weight is the strand's coverage of the
+  /// texel, reduced with the distance between the texel and the strand's centre. The shade of the strand of
+  /// greatest weight is stored.
   std::vector<float> claim;
   explicit Slice(int n)
       : side(n),
@@ -32,14 +33,14 @@ int wrap(int i, int n) {
   return i < 0 ? i + n : i;
 }
 
-/// The elliptic cross-section of a strand, lengths in texels.
+/// The elliptic cross-section of a strand; its lengths are in texels.
 struct Section {
   glm::dvec2 centre, across;  ///< centre, and unit vector along the longer axis
-  double radius, width;       ///< the semi-axes are radius, and width * radius along `across`
+  double radius, width;       ///< the semi-axes are `radius`, and `width` * `radius` along `across`
 };
 
-/// Draws sections into a slice. It counts per texel the sub-samples inside the section, row by row, and
-/// stores the greatest coverage.
+/// Draws cross-sections into a slice. For each texel, it counts the sub-samples inside the section and stores
+/// the greatest coverage by a single section.
 class Painter {
  public:
   explicit Painter(Slice& slice) : slice_(slice) {}
@@ -83,8 +84,8 @@ class Painter {
   std::vector<int> count_;
 };
 
-/// Least radius of a drawn section, texels. Few sub-samples would hit a thinner section, so the section is
-/// drawn with this radius and with its coverage reduced by the ratio of the areas.
+/// Minimum radius of a drawn cross-section in texels. A thinner section would contain too few sub-samples. It
+/// is drawn with this radius, and its coverage is multiplied by the ratio of the two areas.
 constexpr double thinnest = 0.36;
 
 Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
@@ -92,8 +93,8 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   Painter painter(slice);
   const double h = (1.0 + n) / fur.layers;
   for (const FurStrand& s : strands) {
-    // A slice represents the slab below it. A strand that ends inside the slab covers a fraction of its
-    // height.
+    // A slice represents the slab below it. A strand that ends inside the slab covers only a fraction of the
+    // slab's height.
     const double share = std::min(1.0, (s.length - h) * fur.layers + 1.0);
     if (share <= 0) continue;
     const double height = std::min(h, s.length);
@@ -108,8 +109,8 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   return slice;
 }
 
-/// Assigns shades to empty texels: the mean of covered neighbours within two texels, otherwise the slice's
-/// mean.
+/// Assigns shades to empty texels: the mean shade of the covered texels within two texels, or the mean shade
+/// of the slice if there are none.
 void spread_shade(Slice& slice) {
   constexpr int rings = 2;
   std::vector<char> known(slice.coverage.size());
@@ -144,7 +145,7 @@ void spread_shade(Slice& slice) {
     if (!known[i]) slice.shade[i] = mean;
 }
 
-/// The next mip level: the mean coverage of 2 x 2 texels, and their mean shade weighted by coverage.
+/// Returns the next mip level: the mean coverage of 2 x 2 texels, and their mean shade weighted by coverage.
 Slice half(const Slice& full) {
   Slice out(std::max(1, full.side / 2));
   for (int y = 0; y < out.side; ++y)

@@ -5,13 +5,14 @@
 
 namespace pelage {
 
-/// Value noise in [-1, 1] with continuous second derivatives and features of about one unit.
+/// Returns value noise in [-1, 1] with continuous second derivatives. Its features have a size of about one
+/// unit.
 double noise(glm::dvec3 p, std::uint32_t seed);
 
-/// Sum of three octaves of noise(), in [-1, 1].
+/// Returns a sum of three octaves of noise(), in [-1, 1].
 double fractal_noise(glm::dvec3 p, std::uint32_t seed);
 
-/// A vector of three independent values of noise().
+/// Returns a vector of three independent values of noise().
 glm::dvec3 noise3(glm::dvec3 p, std::uint32_t seed);
 
 }  // namespace pelage

@@ -15,8 +15,8 @@
 namespace pelage {
 namespace {
 
-/// Repeats of the fur texture per unit of u and of v. On a periodic UV map they are rounded to whole numbers,
-/// so that the fur has no seam.
+/// Returns the numbers of repeats of the fur texture per unit of u and of v. On a periodic UV map the numbers
+/// are rounded to integers, so that the fur has no seam.
 glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
   const glm::vec2 scale = fur.tile * mesh.length_per_uv;
   if (!mesh.periodic_uv) return scale;
@@ -29,8 +29,8 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   auto input = std::make_shared<FrameInput>();
-  // The fur texture takes the longest time, even if it is read from the cache, and does not depend on the
-  // mesh. Another thread prepares it.
+  // Another thread prepares the fur texture, because this takes the longest time, even if the texture is read
+  // from the cache, and does not depend on the mesh.
   auto fur = std::async(std::launch::async, [&] { return kept_fur_texture(scene.fur); });
   const Skin skin = weld(*mesh);
   input->scene = scene;

@@ -9,28 +9,31 @@
 namespace pelage {
 
 struct Skin {
-  std::vector<glm::uvec3> triangle;       ///< F, indices of surface points
-  std::vector<glm::dvec3> position;       ///< W, R
-  std::vector<std::uint32_t> first_copy;  ///< W, lowest index of a vertex at the point
-  std::vector<double> area;               ///< F, R^2
-  std::vector<glm::dvec3> face_normal;    ///< F, unit; for zero area the mean normal of the corners
-  std::vector<glm::dvec3> normal;         ///< W, unit, area-weighted
-  std::vector<std::uint32_t> row;         ///< W + 1; the faces around point w are face[row[w] .. row[w+1])
-  std::vector<std::uint32_t> face;        ///< indices of faces, ascending and unique within a row
+  std::vector<glm::uvec3> triangle;       ///< surface points at the corners of each triangle
+  std::vector<glm::dvec3> position;       ///< position of each surface point in R
+  std::vector<std::uint32_t> first_copy;  ///< lowest index of the vertices at each surface point
+  std::vector<double> area;               ///< area of each triangle in R^2
+  /// Unit normal of each triangle; if its area is 0, the mean normal of its corners.
+  std::vector<glm::dvec3> face_normal;
+  /// Unit normal at each surface point, weighted by the areas of its triangles.
+  std::vector<glm::dvec3> normal;
+  std::vector<std::uint32_t> row;   ///< the triangles around point w are face[row[w]] .. face[row[w + 1] - 1]
+  std::vector<std::uint32_t> face;  ///< indices of triangles, ascending for each point
 };
 
 Skin weld(const Mesh& mesh);
 
-/// Smooths a tangential vector field. Each iteration replaces the vector of a point by the mean of all
-/// corners of the triangles around the point, projected onto the tangent plane; `unit` normalizes it to
-/// length 1. All points are updated simultaneously, so the result does not depend on their order.
+/// Smooths a tangential vector field. Each iteration replaces the vector of a point by the mean of the
+/// vectors at all corners of the triangles around the point, projected onto the tangent plane. If `unit` is
+/// true, the result is normalized. All points are updated simultaneously, so the result does not depend on
+/// their order.
 std::vector<glm::dvec3> smooth_tangents(const Skin& skin, std::vector<glm::dvec3> field, int iterations,
                                         bool unit);
 
-/// The projection of `v` onto the plane with the unit normal `n`.
+/// Returns the projection of `v` onto the plane with the unit normal `n`.
 glm::dvec3 tangential(glm::dvec3 v, glm::dvec3 n);
 
-/// An arbitrary unit vector in the plane with the unit normal `n`.
+/// Returns an arbitrary unit vector in the plane with the unit normal `n`.
 glm::dvec3 any_tangent(glm::dvec3 n);
 
 }  // namespace pelage

@@ -9,13 +9,14 @@
 namespace pelage {
 namespace {
 
-constexpr double noise_size = 0.1;   // size of the noise's features, R
-constexpr double least_grip = 0.25;  // length of the comb's tangential part below which the tilt decreases
+constexpr double noise_size = 0.1;  // size of the features of the comb's noise, in R
+// Length of the tangential part of the comb direction below which the tilt decreases.
+constexpr double least_grip = 0.25;
 constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
 
-/// The tilt of strands per surface point, a tangential vector. Its length is the tangent of the angle between
-/// strand and normal. Where the comb direction is nearly normal to the surface, the tilt decreases to 0,
-/// because its direction would swirl there.
+/// Returns the tilt of the strands at each surface point as a tangential vector. Its length is the tangent of
+/// the angle between strand and normal. Where the comb direction is nearly normal to the surface, the tilt
+/// decreases to 0, because the direction of the tilt changes rapidly there.
 std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
   const glm::dvec3 given(fur.comb_direction);
   const glm::dvec3 direction = glm::length(given) > 0 ? glm::normalize(given) : glm::dvec3(0);

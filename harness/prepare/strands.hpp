@@ -6,15 +6,18 @@
 
 namespace pelage {
 
-/// Returns one strand per triangle (S 3.2.1). The rest tip relative to the root is
-/// L0 normalize(n + comb t + comb_noise s). t is the comb direction, projected onto the surface and smoothed;
-/// s is a smooth random tangent vector. If both factors are 0, it is exactly L0 n.
+/// Returns one strand per triangle (S 3.2.1). The rest tip relative to the root is L0 normalize(n + comb t +
+/// comb_noise s). Here n is the triangle's normal, t is the comb direction, projected onto the surface and
+/// smoothed, and s is a smoothly varying random tangent vector. If comb and comb_noise are 0, the rest tip is
+/// exactly L0 n.
 StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind);
 
-/// Rest tips of the surface points: the position of a point plus the weighted mean of its strands' anchors.
+/// Returns the rest tip of each surface point: the position of the point plus the weighted mean of
+/// StrandSet::anchor over the triangles around the point.
 std::vector<glm::vec3> rest_tips(const Skin& skin, const StrandSet& strands);
 
-/// Rest tips of a topology's sticks: the position of a point plus `length` times its normal.
+/// Returns the rest tip of the stick at each surface point: the position of the point plus `length` times the
+/// normal at the point.
 std::vector<glm::vec3> rest_tips(const Skin& skin, const std::vector<glm::vec3>& normal, float length);
 
 }  // namespace pelage

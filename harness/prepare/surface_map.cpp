@@ -8,13 +8,14 @@ namespace pelage {
 namespace {
 
 constexpr int nowhere = -1;
-constexpr double edge_slack = 1e-9;  // tolerance, so that a centre on an edge is in both triangles
+// Tolerance of barycentric coordinates, so that a texel centre on an edge is in both triangles.
+constexpr double edge_slack = 1e-9;
 
 struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  std::vector<int> source;  ///< index of the covered texel whose point a texel gets
+  std::vector<int> source;  ///< for each texel, index of the covered texel whose surface point it gets
 };
 
 void draw(Grid& grid, const glm::dvec2 (&uv)[3], const glm::dvec3 (&position)[3]) {

@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// Returns size x size surface points in R; row j has v = (j+.5)/size. A texel whose centre is in no UV
+/// Returns size x size surface points in R; row j is at v = (j+.5)/size. A texel whose centre is in no UV
 /// triangle gets the point of the nearest covered texel. Distances are measured in UV, across the borders of
 /// the unit square if the UV map is periodic.
 std::vector<glm::vec3> surface_map(const Mesh& mesh, int size);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view title = "pelage texture 1\n";
 constexpr std::uintmax_t most_kept = std::uintmax_t(512) << 20;
 
-// parts() calls `store` for each member of a texture. Reading and writing share this list of members. It
+// parts() calls `store` for each member of a texture. Reading and writing share this list of members. parts()
 // returns false as soon as `store` returns false.
 template <class Store>
 bool parts(Store&& store, auto& texture) requires requires {
@@ -85,17 +85,18 @@ auto kept(const std::string& name, Hash key, const Make& make) {
 }  // namespace
 
 FurTexture kept_fur_texture(const FurScene& fur) {
-  // The hash contains all keys of the section `fur`. A missing key would return the texture of another scene.
+  // The hash contains all keys of the section `fur`. If a key were missing, the cache could return the
+  // texture of a scene with another value of this key.
   Scene scene;
   scene.fur = fur;
-  return kept("fur", Hash().text(write_scene(scene)), [&] { return make_fur_texture(fur); });
+  return kept("fur", Hash().text(scene_hash(scene)), [&] { return make_fur_texture(fur); });
 }
 
 CoatTexture kept_coat(const Mesh& mesh, const CoatScene& coat) {
   if (!coat.image.empty() || mesh.hash.empty()) return make_coat(mesh, coat);
   Scene scene;
   scene.coat = coat;
-  return kept("coat", Hash().text(mesh.hash).text(write_scene(scene)), [&] { return make_coat(mesh, coat); });
+  return kept("coat", Hash().text(mesh.hash).text(scene_hash(scene)), [&] { return make_coat(mesh, coat); });
 }
 
 std::vector<glm::vec3> kept_surface_map(const Mesh& mesh, int size) {

@@ -1,5 +1,6 @@
-// The scene: all parameters of a picture or a timing, each with a default. Lengths are in R, the radius of
-// the mesh's bounding sphere. scene_toml.hpp declares the functions that read, check and write scenes.
+// The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
+// radius of the mesh's bounding sphere. scene_toml.hpp declares the functions that read, check and write
+// scenes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,33 +19,36 @@ namespace pelage {
 /// texels per layer.
 struct FurScene {
   float length = 0.09f;  ///< strand length L0, R
-  int layers = 64;       ///< N, number of layers above the base surface
+  int layers = 64;       ///< number of layers above the base surface (N)
   int texture = 256;     ///< number of texels per side of a slice
-  float tile = 1.8f;     ///< repeats of the fur texture per R of surface
+  float tile = 1.8f;     ///< number of repeats of the fur texture per length R on the surface
   int strands = 5000;    ///< number of guard hairs in one slice
-  float radius = 1.2f;   ///< mean radius of guard hairs at the root, texels of a slice of 256 x 256 texels
-  float width = 1.0f;    ///< ratio of a guard hair's width across its bend to its thickness (grass: 2.4)
+  float radius = 1.2f;   ///< mean radius of guard hairs at the root, in texels of a 256 x 256 slice
+  float width = 1.0f;    ///< ratio of a guard hair's width to its thickness; above 1 for blades of grass
   int undercoat = 4000;  ///< number of undercoat hairs in one slice
   float undercoat_length = 0.45f;  ///< greatest length of an undercoat hair, fraction of L0
   float least_length = 0.6f;       ///< length of the shortest guard hair, fraction of L0
-  float taper = 1.6f;              ///< exponent of the decrease of radius towards the tip
-  float tip_radius = 0.15f;        ///< radius at the tip, fraction of the radius at the root
-  int locks = 700;                 ///< number of locks per slice; 0: no locks
-  /// Displacement of a strand's tip towards its lock's centre, fraction of the distance, 0..1.
+  float taper = 1.6f;              ///< exponent of the decrease of a hair's radius towards its tip
+  float tip_radius = 0.15f;        ///< radius of a hair at its tip, as a fraction of its radius at the root
+  int locks = 700;                 ///< number of locks of hair per slice; 0: no locks
+  /// Displacement of a strand's tip towards the centre of its lock, as a fraction of the distance between tip
+  /// and centre, 0..1.
   float lock_pull = 0.45f;
-  float lock_power = 1.0f;  ///< exponent of the height h in this displacement
-  float bend = 0.0f;  ///< sideways offset of a blade's tip, texels of a slice of 256 x 256 texels (grass: 18)
-  /// c of the bend's profile (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
+  float lock_power = 1.0f;  ///< exponent of the height h in the displacement by `lock_pull`
+  float bend = 0.0f;  ///< sideways offset of the tip of a blade of grass, in texels of a 256 x 256 slice
+  /// Exponent c of the bend of a blade. At the fraction t of the blade's length, the sideways offset is
+  /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
-  float bend_spread = 0.0f;  ///< random variation of c between blades, +- fraction
-  /// Tangent of the angle between view ray and strand. strand_radius() widens strands for rays of this angle.
+  float bend_spread = 0.0f;  ///< greatest random deviation of c between blades, as a fraction of c
+  /// Tangent of an angle between view ray and strand. strand_radius() widens strands so that a ray at this
+  /// angle does not pass between two slices of a strand.
   float sweep = 0.18f;
-  float shade = 0.28f;      ///< random variation of shade between strands, +-
-  float comb = 0.6f;        ///< tangent of the strands' tilt at rest; 0: upright, as in the paper
-  float comb_noise = 0.0f;  ///< tilt in smooth random directions, added to `comb`
-  glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< direction of the comb, projected onto the surface
-  float lod_bias = -1.0f;                         ///< offset of the mip level of the fur lookup
-  int substeps = 1;  ///< samples of the fur per fragment within its layer, 1 to 8
+  float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
+  float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
+  float comb_noise = 0.0f;  ///< tilt in smoothly varying random directions, added to `comb`
+  glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
+  float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
+  int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< "paper" | "uniform"
   std::string binding = "shared";       ///< "shared" | "separate"
@@ -53,13 +57,14 @@ struct FurScene {
 
 struct CurlScene {
   float radius = 0.0f;  ///< K_alpha, R
-  float turns = 0.0f;   ///< number of turns from root to tip, omega / 2 pi
-  /// Amplitude of the curl's phase variation over the surface, turns. It applies to the frame "smooth" only.
+  float turns = 0.0f;   ///< number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4
+  /// Amplitude of the variation of the curl's phase over the surface, in turns. Used only if `frame` is
+  /// "smooth".
   float variation = 0.0f;
   std::string frame = "smooth";  ///< "smooth" | "uv"
 };
 
-/// A droplet on the surface. Exactly one of `uv` and `point` is given; `point` (R) is moved to the nearest
+/// A droplet on the surface. Exactly one of `uv` and `point` is given; `point`, in R, is moved to the nearest
 /// surface point.
 struct DropletScene {
   std::optional<glm::vec2> uv;
@@ -71,21 +76,22 @@ struct DropletScene {
 struct WetnessScene {
   int size = 256;                      ///< number of texels per side of the mask
   std::vector<DropletScene> droplets;  ///< explicit droplets, blended first, in this order
-  int random = 0;                      ///< greatest number of random droplets
+  int random = 0;                      ///< maximum number of random droplets
   std::uint32_t seed = 1;
   float radius = 0.012f;        ///< mean radius of random droplets, UV units
-  float radius_spread = 0.3f;   ///< +- fraction of radius
+  float radius_spread = 0.3f;   ///< greatest random deviation, as a fraction of `radius`
   float wetness = 0.9f;         ///< mean wetness of random droplets
-  float wetness_spread = 0.1f;  ///< +-
-  float spacing = 1.0f;         ///< least distance between centres of random droplets, in radii
-  float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may fall; 1: everywhere
-  float patch_size = 0.6f;      ///< size of the contiguous wet areas, R; wetness fades at their borders
+  float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
+  float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
+  float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
+  /// Size of the wet areas of `patch_cover` in R; wetness fades at the areas' borders.
+  float patch_size = 0.6f;
   /// Random droplets are placed only where this picture (in UV space) is bright; empty: everywhere.
   std::filesystem::path image;
 };
 
 struct ClumpScene {
-  float shape = 0.0f;  ///< w of S Eq. 5; 0: linear profile, 1: logarithmic profile
+  float shape = 0.0f;  ///< w of S Eq. 5, the shape of a clump over the height; 0: linear, 1: logarithmic
   float gain = 3.5f;
   std::string scale = "relative";  ///< "relative" (gain) | "literal" (r_mask)
   std::string cells = "separate";  ///< "separate" | "literal"
@@ -101,54 +107,60 @@ struct WindScene {
 
 /// Springs of the mass-spring topologies (docs/topology.md). Silva's strand does not use these values.
 struct SpringsScene {
-  float stiffness = 10;         ///< stiffness of the sticks, N/m, with 1 R = 1 m
-  float damping = 0.02f;        ///< damping along the sticks, N s/m
-  float edge_stiffness = 2;     ///< stiffness of the springs between tops, N/m
-  float edge_damping = 0.004f;  ///< damping of the springs between tops, N s/m
+  float stiffness = 10;         ///< stiffness of the sticks in N/m; 1 R counts as 1 m
+  float damping = 0.02f;        ///< damping coefficient along the sticks in N s/m
+  float edge_stiffness = 2;     ///< stiffness of the springs between top masses in N/m
+  float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
-  float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate gradients stop
+  float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
 };
 
-/// Motion of the object. It causes inertial forces on the fur of a topology. The camera moves with the
-/// object.
+/// Motion of the object. It causes inertial forces on the masses of a mass-spring topology. The camera moves
+/// with the object.
 struct MotionScene {
   glm::vec3 velocity{0.0f};          ///< R/s
-  glm::vec3 shake{0.0f};             ///< amplitude of an oscillating translation, R
+  glm::vec3 shake{0.0f};             ///< amplitude of an oscillating translation in R
   float shake_frequency = 1.0f;      ///< Hz
   glm::vec3 axis{0.0f, 1.0f, 0.0f};  ///< axis of rotation through the origin
-  float spin = 0.0f;                 ///< speed of a steady rotation, rad/s
-  float swing = 0.0f;                ///< amplitude of an oscillating rotation, rad
+  float spin = 0.0f;                 ///< angular velocity of a steady rotation in rad/s
+  float swing = 0.0f;                ///< amplitude of an oscillating rotation in rad
   float swing_frequency = 1.0f;      ///< Hz
 };
 
-/// A local force on the tops of all triangles whose centroid lies within `radius` of a centre. The centre is
-/// `point`. If `ray` is not zero, the centre is the ray's first intersection with the mesh, and the
-/// intersected triangle is always included.
+/// A local force on the top masses (the upper ends of the sticks) of all triangles whose centroid lies within
+/// `radius` of a centre. If `ray` is zero, the centre is `point`. Otherwise the centre is the first
+/// intersection of the mesh with the ray from `point` in the direction `ray`, and the force always acts on
+/// the intersected triangle.
 struct PokeScene {
-  glm::vec3 point{0.0f};  ///< centre of the force, or the ray's origin, R
-  glm::vec3 ray{0.0f};    ///< direction of the ray; 0: no ray
-  /// Radius of the poked area, R. 0: only the triangle that the ray hits, or no triangle if there is no ray.
+  glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
+  glm::vec3 ray{0.0f};    ///< direction of the ray; zero: no ray
+  /// Radius of the area under the force, in R. If the radius is 0, the force acts only on the triangle that
+  /// the ray hits, or on no triangle if there is no ray.
   float radius = 0.0f;
-  glm::vec3 force{0.0f};  ///< force on each top, N
-  float spread = 0.0f;    ///< additional force away from the line through the centre along `along`, N
-  glm::vec3 along{0.0f, 0.0f, 1.0f};  ///< direction of this line
+  glm::vec3 force{0.0f};  ///< force on each top mass in newtons
+  /// Additional force on each top mass in newtons, directed away from an axis through the centre.
+  float spread = 0.0f;
+  glm::vec3 along{0.0f, 0.0f, 1.0f};  ///< direction of the axis of `spread`
 };
 
 struct DynamicsScene {
-  std::string topology = "silva";  ///< topology that moves the fur; scene_keys.cpp lists the names
+  /// Model of the fur's motion: "silva" or the name of a mass-spring topology.
+  std::string topology = "silva";
   std::string solver{
-      springs::default_solver.name};  ///< time integration; Silva's strand supports this solver only
-  std::string bend = "paper";         ///< shape of a topology's layers: "linear" | "paper" | "tangent"
-  float bend_power = 2.0f;            ///< k of B Eq. 4
-  float mass = 0.001f;                ///< kg
-  float stiffness = 0.4f;             ///< k of Silva's strand, N/m, with 1 R = 1 m
-  float drag = 0.01f;                 ///< c, N s/m
-  float step = 1.0f / 240.0f;         ///< dt, duration of a substep, s
-  int substeps = 4;                   ///< number of substeps per frame
-  /// Greatest error per frame for 99 of 100 tops of a topology, as a fraction of the fur's length. If it is
-  /// above 0, the number of substeps adapts to it. 0: every frame has `substeps` substeps.
+      springs::default_solver.name};  ///< time integration scheme; "silva" supports only this default
+  /// Bend of the layers with a mass-spring topology: "linear" | "paper" | "tangent".
+  std::string bend = "paper";
+  float bend_power = 2.0f;     ///< k of B Eq. 4
+  float mass = 0.001f;         ///< kg
+  float stiffness = 0.4f;      ///< k of Silva's strand in N/m; 1 R counts as 1 m
+  float drag = 0.01f;          ///< c, N s/m
+  float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
+  int substeps = 4;            ///< number of substeps per frame
+  /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, the number of
+  /// substeps is chosen so that 99% of a topology's top masses meet it. If the tolerance is 0, every frame
+  /// has `substeps` substeps.
   float tolerance = 0.0f;
-  float time = 0.0f;                    ///< simulated time before the first picture, s
+  float time = 0.0f;                    ///< simulated time before the first picture, in seconds
   glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
   WindScene wind;
   SpringsScene springs;
@@ -161,8 +173,8 @@ inline bool has_springs(const DynamicsScene& dynamics) {
   return dynamics.topology != DynamicsScene{}.topology;
 }
 
-/// Number of frames that are simulated before the frame of the first picture: `time` over a frame's duration,
-/// rounded.
+/// Number of frames that are simulated before the frame of the first picture: `time` divided by the duration
+/// of a frame, rounded to the nearest integer.
 inline int frames_before(const DynamicsScene& dynamics) {
   return static_cast<int>(dynamics.time / (dynamics.step * static_cast<float>(dynamics.substeps)) + 0.5f);
 }
@@ -178,11 +190,11 @@ struct ShadingScene {
   glm::vec3 specular{0.2f};       ///< K_s
   float exponent = 24.0f;         ///< p
   float ambient = 0.2f;
-  float wrap = 0.75f;             ///< weight of (n.l+.4)/1.4 for each light; 0: the papers' equation
-  float occlusion = 0.85f;        ///< sigma_occ
-  float darkening = 0.3f;         ///< sigma_wet
-  float wet_specular = 0.5f;      ///< sigma_spec, < 1
-  std::string tangent = "paper";  ///< sign of the clump's tangent term, W Eq. 4: "paper" | "drawn"
+  float wrap = 0.75f;         ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in the papers
+  float occlusion = 0.85f;    ///< sigma_occ
+  float darkening = 0.3f;     ///< sigma_wet
+  float wet_specular = 0.5f;  ///< sigma_spec, < 1
+  std::string tangent = "paper";  ///< sign of the clump term in the tangent of W Eq. 4: "paper" | "drawn"
   std::string sides = "one";      ///< sides of the surface that receive light: "one" (outside) | "two"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two lights
 };
@@ -192,22 +204,22 @@ struct CoatScene {
   std::string pattern = "patches";  ///< "plain" | "patches" | "stripes" | "spots" | "grass"
   glm::vec3 colour{0.86f, 0.70f, 0.50f};
   glm::vec3 second{0.62f, 0.44f, 0.27f};
-  float scale = 0.5f;    ///< size of the pattern, R
-  glm::vec3 skin{0.5f};  ///< factor on the coat's colour for the base surface
+  float scale = 0.5f;    ///< size of the pattern in R
+  glm::vec3 skin{0.5f};  ///< factor of the coat's colour on the base surface, per channel
   std::uint32_t seed = 1;
   int texture = 512;  ///< number of texels per side of a procedural coat
 };
 
 struct CameraScene {
-  /// True: the camera is placed along `direction` at the distance where the furred model fills the picture,
-  /// see make_camera(). False: `eye` and `target` give its place.
+  /// If true, make_camera() places the camera in `direction` from the model, at the distance where the furred
+  /// model fills the picture. If false, `eye` and `target` define the camera.
   bool framed = true;
   glm::vec3 direction{1.3f, 1.15f, 2.35f};  ///< direction from the target to the eye
-  glm::vec3 eye{1.3f, 1.15f, 2.35f};        ///< position of the camera unless `framed`, R
-  glm::vec3 target{0.0f};                   ///< point in the picture's centre unless `framed`, R
+  glm::vec3 eye{1.3f, 1.15f, 2.35f};        ///< position of the camera in R; used if `framed` is false
+  glm::vec3 target{0.0f};  ///< point in the centre of the picture, in R; used if `framed` is false
   glm::vec3 up{0.0f, 1.0f, 0.0f};
-  float fov = 37.0f;   ///< vertical field of view, degrees
-  float near = 0.01f;  ///< distance of the near plane, R
+  float fov = 37.0f;   ///< vertical field of view in degrees
+  float near = 0.01f;  ///< distance from the eye to the near plane, in R
 };
 
 struct ImageScene {
@@ -218,12 +230,12 @@ struct ImageScene {
 
 /// Options of mesh preparation.
 struct MeshScene {
-  glm::vec3 rotate{0.0f};          ///< rotation about x, then y, then z, degrees; it turns the model upright
-  std::string components = "all";  ///< components of a file that are kept: "all" | "largest"
+  glm::vec3 rotate{0.0f};          ///< rotation of the model about x, then y, then z, in degrees
+  std::string components = "all";  ///< connected components of a mesh file that are kept: "all" | "largest"
 };
 
 struct Scene {
-  std::string model = "bunny";  ///< name of an entry of models.toml, or path of a mesh file
+  std::string model = "bunny";  ///< name of a model in models.toml, or path of a mesh file
   MeshScene mesh;
   FurScene fur;
   CurlScene curl;
@@ -236,8 +248,8 @@ struct Scene {
   ImageScene image;
 };
 
-/// True if the corners of each triangle move independently of its neighbours, so that gaps can open between
-/// the triangles of a layer.
+/// True if each triangle of a layer moves independently of its neighbours, so that gaps can open between
+/// triangles.
 inline bool parts(const Scene& scene) {
   return has_springs(scene.dynamics) ? scene.dynamics.topology.starts_with("separable")
                                      : scene.fur.binding == "separate";

@@ -15,8 +15,8 @@
 namespace pelage {
 namespace {
 
-/// Compares float values with their bounds in single precision. The stored float 0.99 would exceed the double
-/// 0.99.
+/// Returns true if a value is outside the range of its key. Floats are compared with the bounds in single
+/// precision, because the float nearest to 0.99 is greater than the double 0.99.
 bool outside(const Key& key, double value) {
   if (std::holds_alternative<int*>(key.slot) || std::holds_alternative<std::uint32_t*>(key.slot)) {
     return value < key.least || value > key.most;
@@ -37,7 +37,7 @@ requires std::is_arithmetic_v<T> std::vector<double> numbers(T value) {
   return {static_cast<double>(value)};
 }
 
-/// The error text for the key's stored value; empty if the value is permitted.
+/// Returns the error text for the key's stored value; empty if the value is permitted.
 std::string complaint_now(const Key& key) {
   return std::visit(
       [&](const auto* value) -> std::string {
@@ -89,8 +89,9 @@ void check_lights(const ShadingScene& shading, const std::string& source) {
   }
 }
 
-/// Refuses keys that the scene's model of motion does not support. The step of a topology is not checked,
-/// because its stability depends on the mesh; the kernels detect diverged masses and these are not drawn.
+/// Throws InputError for a key that the scene's dynamics.topology does not support. For a mass-spring
+/// topology dynamics.step is not checked, because the stability of a step depends on the mesh. The kernels
+/// detect diverged masses, which are not drawn.
 void check_topology(const Scene& scene, const std::string& source) {
   const DynamicsScene& d = scene.dynamics;
   const auto refuse = [&](const char* key, const std::string& what) {
@@ -115,8 +116,8 @@ void check_topology(const Scene& scene, const std::string& source) {
   if (d.poke.ray != glm::vec3(0)) refuse("dynamics.poke.ray", alone);
 }
 
-/// Checks dt of Silva's strand. Semi-implicit Euler on a damped spring is stable if 2 dt c/m + dt^2 k/m < 4
-/// (Jury's criterion for the 2 x 2 matrix of a step).
+/// Throws InputError if the step dt is unstable for Silva's strand. Semi-implicit Euler on a damped spring is
+/// stable if 2 dt c/m + dt^2 k/m < 4 (Jury's criterion for the 2 x 2 matrix of a step).
 void check_step(const DynamicsScene& dynamics, const std::string& source) {
   const double m = dynamics.mass, k = dynamics.stiffness, c = dynamics.drag, dt = dynamics.step;
   if (2 * dt * c / m + dt * dt * k / m < 4) return;

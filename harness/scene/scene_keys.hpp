@@ -1,5 +1,5 @@
-// The table of all keys of a scene: pointer to the value, unit, range and meaning. The functions that read,
-// check, write and document scenes iterate over this table.
+// The table of all keys of a scene. Each row has a pointer to the value, a unit, a range and a meaning. The
+// functions that read, check, write and document scenes iterate over this table.
 #pragma once
 #include <limits>
 #include <string>
@@ -18,7 +18,8 @@ using Slot = std::variant<float*, int*, std::uint32_t*, bool*, std::string*, std
 struct Key {
   std::string_view name;  ///< dotted name of the key, for instance "fur.length"
   Slot slot;
-  /// Unit for messages; "" for a number without unit. "direction" marks a vector of any length above 0.
+  /// Unit that messages print; "" for a number without unit. "direction" marks a vector of any length above
+  /// 0.
   std::string_view unit = {};
   double least = -std::numeric_limits<double>::infinity();  ///< inclusive lower bound of every component
   double most = std::numeric_limits<double>::infinity();
@@ -27,15 +28,16 @@ struct Key {
   bool power_of_two = false;
 };
 
-/// All keys except the two lists, in the order in which scenes are written. The slots point into `scene`.
+/// Returns all keys in the order in which write_scene() writes them, except those of the lists
+/// [[wetness.droplet]] and [[shading.light]]. Key::slot points into `scene`.
 std::vector<Key> scene_keys(Scene& scene);
 
-/// The permitted values of the string key `name`, in the table's order. Throws InputError if no key has this
-/// name.
+/// Returns the permitted values of the string key `name`, in the order of Key::choices. Throws InputError if
+/// no key has this name.
 std::vector<std::string> choices_of(std::string_view name);
 
-/// The keys of one entry of [[wetness.droplet]] or [[shading.light]]. Their names do not contain the name of
-/// the list.
+/// Returns the keys of one entry of [[wetness.droplet]] or [[shading.light]]. The name of such a key does not
+/// contain the name of the list, for instance "radius".
 std::vector<Key> droplet_keys(DropletScene& droplet);
 std::vector<Key> light_keys(LightScene& light);
 
@@ -44,8 +46,8 @@ inline constexpr std::string_view light_list = "shading.light";
 inline constexpr std::size_t most_droplets = 100000;
 inline constexpr std::size_t most_lights = 2;
 
-/// The permitted values of a key as text: "0.001 to 1 R", "\"paper\" or \"uniform\"", "three numbers, each -1
-/// to 1".
+/// Returns the permitted values of a key as text, for instance "0.001 to 1 R" or "three numbers, each -1 to
+/// 1".
 std::string describe_range(const Key& key);
 
 /// True if `model` is the path of a mesh file. Paths contain '/' or '.', names in models.toml contain

@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 1 << 20;  // greatest size of a scene file, 1 MiB
 
-/// The origin of a scene's text: its name in error texts, the folder of relative paths, and whether errors
-/// contain line numbers.
+/// The origin of a scene's text: its name in error texts, the folder against which relative paths are
+/// resolved, and whether error texts contain line numbers.
 struct Source {
   std::string name;
   fs::path folder;
@@ -54,7 +54,7 @@ std::string_view kind(const toml::node& node) {
   }
 }
 
-/// The Levenshtein distance of two words.
+/// Returns the Levenshtein distance between two words.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -74,8 +74,8 @@ std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// The error text for an unknown key. It suggests the most similar key if one is similar enough. `lists`:
-/// also consider the names of the two lists.
+/// Returns the error text for an unknown key. The text suggests the most similar key if one is similar
+/// enough. If `lists` is true, it also considers the names of the lists wetness.droplet and shading.light.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
   names.reserve(keys.size() + 2);
@@ -122,7 +122,8 @@ std::string string(const Source& source, const toml::node& node, const Key& key,
   return text->get();
 }
 
-/// The absolute path. A scene with absolute paths may be used from any working folder.
+/// Makes a path absolute, starting at the folder of the source. A scene with absolute paths can be used from
+/// any working directory.
 std::string from_folder(const Source& source, const std::string& path) {
   if (path.empty()) return path;
   return fs::absolute(source.folder / path).lexically_normal().string();

@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// A TOML basic string.
+/// Returns the text as a quoted TOML string, with escape sequences.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -25,8 +25,8 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// The shortest decimal number that is read back as the same float. It has a point or an exponent, because
-/// TOML reads other numbers as integers.
+/// Returns the shortest decimal number that is parsed as the same float. The number has a point or an
+/// exponent, because TOML parses other numbers as integers.
 std::string text(float value) {
   std::string number = fmt::format("{}", value);
   if (number.find_first_of(".e") == std::string::npos) number += ".0";
@@ -59,7 +59,7 @@ std::string text(const std::optional<T>& value) {
   return value ? text(*value) : std::string{};
 }
 
-/// The value as TOML; an empty string if the value is absent (a droplet's uv or point).
+/// Returns the value as TOML; an empty string if the value is absent (a droplet's uv or point).
 std::string value_of(const Key& key) {
   return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
 }
@@ -81,7 +81,8 @@ std::string write_list(std::string_view name, std::vector<Entry> entries, Keys&&
   return out;
 }
 
-/// A comment that describes the keys of a [[wetness.droplet]] entry, for scenes without droplets.
+/// Returns a TOML comment that describes the keys of a [[wetness.droplet]] entry. It is written for scenes
+/// without droplets.
 std::string describe_droplets() {
   DropletScene droplet;
   std::string out = fmt::format("\n# This scene has no [[{}]]. The keys of an entry are:\n", droplet_list);
@@ -104,7 +105,7 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222
   return hash;
 }
 
-/// The hash of the file's content as text. For an absent file, the file's name without its folder.
+/// Returns the hash of the file's content as text; if the file does not exist, its name without the folder.
 std::string content(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (path.empty() || !file) return path.filename().string();

@@ -1,4 +1,4 @@
-// The spring topologies and their solvers, as the properties that tell them apart.
+// The mass-spring topologies and their solvers, each described by its properties.
 #pragma once
 #include <ostream>
 #include <span>
@@ -12,13 +12,13 @@ namespace pelage::springs {
 /// properties and never compares names. To add a topology, add a row to the table of spring_kinds.cpp.
 struct Kind {
   std::string_view name;   ///< name in scene files and on the command line
-  bool separable = false;  ///< each triangle has its own three sticks, so triangles of a layer can separate
-  bool edges = false;      ///< springs also connect top masses along the edges of the outermost layer
+  bool separable = false;  ///< each triangle has its own three sticks, so gaps can open between triangles
+  bool edges = false;      ///< springs also connect the top masses along the edges of the outermost layer
 
   constexpr bool operator==(const Kind& other) const { return name == other.name; }
-  /// Whether springs connect the tops of adjacent triangles.
+  /// True if springs connect the top masses, and adjacent triangles share the springs of their common edge.
   bool shared_edges() const { return edges && !separable; }
-  /// Whether springs connect tops, but only the three tops of one triangle.
+  /// True if springs connect the top masses, but only those of the same triangle.
   bool own_edges() const { return edges && separable; }
 
   static const Kind sticks, prisms, separable_sticks, separable_prisms;
@@ -50,24 +50,26 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
 /// harness/springs/reference/reference.cpp.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line
-  bool implicit = false;  ///< whether a step solves a linear system
-  bool in_turn = false;   ///< whether positions are updated with the new velocities
-  int stages = 1;         ///< evaluations of the forces per step: 4 for classical Runge-Kutta, else 1
+  bool implicit = false;  ///< true if a step solves a linear system
+  bool in_turn = false;   ///< true if a step updates the positions with the new velocities
+  int stages = 1;         ///< number of force evaluations per step: 4 for classical Runge-Kutta, else 1
 
   constexpr bool operator==(const Solver& other) const { return name == other.name; }
   bool multistage() const { return stages > 1; }
 
   static const Solver explicit_euler, backward_euler, semi_implicit_euler, rk4;
 };
-inline constexpr Solver Solver::explicit_euler{"explicit-euler"};  ///< the first scheme of the paper
-/// The second scheme of the paper, as one linearised step (Baraff and Witkin 1998).
+/// The first scheme of Banisch and Wuethrich 2006.
+inline constexpr Solver Solver::explicit_euler{"explicit-euler"};
+/// The second scheme of Banisch and Wuethrich 2006. A step solves one linearised system, as in Baraff and
+/// Witkin 1998.
 inline constexpr Solver Solver::backward_euler{"backward-euler", true, true};
 inline constexpr Solver Solver::semi_implicit_euler{"semi-implicit-euler", false, true};
 inline constexpr Solver Solver::rk4{"rk4", false, false, 4};
 
 extern const std::span<const Solver> solvers;  ///< the table of schemes
 
-/// The scheme of the highest order. It is the most exact one if the step is short enough.
+/// The scheme of the highest order, which has the smallest error if the step is short enough.
 inline constexpr Solver highest_order = Solver::rk4;
 inline constexpr Solver default_solver = Solver::semi_implicit_euler;
 
@@ -82,7 +84,7 @@ inline std::ostream& operator<<(std::ostream& out, const Solver& solver) {
   return out << solver.name;
 }
 
-/// The names in the order of the tables.
+/// The names of all topologies and of all solvers, in the order of their tables.
 std::vector<std::string_view> kind_names();
 std::vector<std::string_view> solver_names();
 

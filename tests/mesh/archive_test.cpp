@@ -1,4 +1,4 @@
-// Reading one file of a .tar.gz archive. The system's tar creates the archives.
+// Tests the reading of one file of a .tar.gz archive. The tests create the archives by the command tar.
 #include "harness/mesh/archive.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// A name of more than 100 bytes, the size of the name field in a tar header.
+// A name that is longer than the name field of a tar header, which has 100 bytes.
 const std::string long_name = "meshes/" + std::string(60, 'a') + "/" + std::string(60, 'b') + ".off";
 
 class Archive : public testing::Test {
@@ -37,7 +37,7 @@ class Archive : public testing::Test {
     ASSERT_EQ(std::system(command.c_str()), 0);
   }
   fs::path whole() const { return folder_.path() / "whole.tar.gz"; }
-  // The message of the InputError that reading `member` of `file` throws.
+  // Returns the message of the InputError that read_member(file, member) throws.
   static std::string error_of(const fs::path& file, const std::string& member) {
     try {
       read_member(file, member);

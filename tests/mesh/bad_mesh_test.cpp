@@ -1,4 +1,4 @@
-// Every bad mesh file gives an error message of one line, and none crashes.
+// For every bad mesh file, load_model() throws an error with a message of one line and does not crash.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -12,7 +12,7 @@ struct Bad {
   std::string name;  ///< of the case
   std::string file;  ///< its name
   std::string bytes;
-  std::string message;  ///< text of the error after the path
+  std::string message;  ///< text of the error message after the path
 };
 
 std::string binary_stl(std::uint32_t triangles, std::size_t bytes) {
@@ -41,7 +41,7 @@ const std::vector<Bad> cases{
     {"obj_short_vertex", "a.obj", "v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n",
      ":2: found nothing, but a vertex needs three finite numbers"},
     {"obj_index_out_of_range", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
-     ":4: vertex 4 is out of range; there are 3"},
+     ":4: vertex 4 is out of range; there are 3 vertices"},
     {"obj_huge_index", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99999999999999999999\n",
      ":4: '99999999999999999999' is not a vertex; indices start at 1"},
     {"obj_index_zero", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n",
@@ -105,7 +105,8 @@ TEST_P(BadFile, is_refused_in_one_line) {
 INSTANTIATE_TEST_SUITE_P(Each, BadFile, testing::ValuesIn(cases),
                          [](const auto& one) { return one.param.name; });
 
-// Assimp writes the text of these errors, so the test checks only for the file's name and for a single line.
+// The text of these errors comes from Assimp, so the test checks only that the message is a single line with
+// the file's name.
 TEST(BadMesh, garbage_in_formats_that_assimp_reads_is_refused_in_one_line) {
   const TempFolder folder;
   for (const char* name : {"a.3ds", "a.gltf", "a.glb"}) {

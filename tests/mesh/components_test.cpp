@@ -1,4 +1,4 @@
-// Files with several components: which components are kept, and how their charts are packed.
+// Tests mesh files with several components: which components are kept, and how their charts are packed.
 #include "harness/mesh/components.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-/// Builds the text of an OBJ file with octahedra and triangles.
+/// Builds the text of an OBJ file that consists of octahedra and triangles.
 class Shapes {
  public:
   Shapes& octahedron(glm::vec3 centre, float radius, bool inside_out = false) {
@@ -81,7 +81,7 @@ TEST(Components, LieApartByAtLeastTwoTexelsOfAMask) {
   ASSERT_EQ(*std::max_element(chart.begin(), chart.end()), 1u);
   const int side = 256;
   std::vector<int> owner(std::size_t(side * side), -1);
-  for (std::size_t f = 0; f < chart.size(); ++f) {  // samples many points of every triangle
+  for (std::size_t f = 0; f < chart.size(); ++f) {  // the loops sample many points of every triangle
     const glm::uvec3 t = mesh->triangle[f];
     for (int i = 0; i <= 200; ++i) {
       for (int j = 0; i + j <= 200; ++j) {
@@ -117,7 +117,7 @@ TEST(Components, ThatAreOpenAndSmallAreDropped) {
   Shapes shapes;
   shapes.octahedron({0, 0, 0}, 1).triangle({0, 0, 4}, 0.1f).octahedron({3, 0, 0}, 0.01f);
   const auto mesh = load_model(folder.write("scrap.obj", shapes.text()), fresh());
-  EXPECT_EQ(topology(*mesh).components, 2u);  // closed components of any size are kept
+  EXPECT_EQ(topology(*mesh).components, 2u);  // closed components are kept even if they are small
   EXPECT_EQ(std::count(mesh->notes.begin(), mesh->notes.end(),
                        "kept 2 of 3 components; the others are open and small"),
             1);

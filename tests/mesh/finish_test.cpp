@@ -1,4 +1,4 @@
-// The last step of mesh preparation: rotation and normalisation.
+// Tests the last step of mesh preparation: rotation, and scaling to the unit sphere.
 #include "harness/mesh/finish.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ void expect_near(glm::dvec3 a, glm::dvec3 b) {
   EXPECT_LT(glm::distance(a, b), 1e-6) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-// Rotations are right-handed: about x from y to z, about y from z to x, about z from x to y.
+// Rotations are right-handed: a rotation about x by 90 degrees maps y to z, about y it maps z to x, and about
+// z it maps x to y.
 TEST(Rotation, turns_about_x_then_y_then_z) {
   expect_near(rotation_matrix({90, 0, 0}) * glm::dvec3(0, 1, 0), {0, 0, 1});
   expect_near(rotation_matrix({0, 90, 0}) * glm::dvec3(0, 0, 1), {1, 0, 0});

@@ -1,4 +1,5 @@
-// The methods with which the preparation time of large files grows linearly, and the progress messages.
+// Tests the solver and the flattening of large mesh files, whose time grows linearly with the number of
+// triangles, and the progress messages.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -16,7 +17,8 @@
 namespace pelage {
 namespace {
 
-/// The Laplacian of a square grid with diagonal edges and fixed values along one side.
+/// Returns the Laplacian matrix of a square grid with diagonal edges and fixed values along one side. `side`
+/// is the number of grid points per side.
 LaplaceSolver::Matrix grid(int side) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < side; ++i) {
@@ -39,8 +41,8 @@ LaplaceSolver::Matrix grid(int side) {
   return matrix;
 }
 
-// Conjugate gradients without a preconditioner would need thousands of iterations, and their number would be
-// proportional to the side.
+// Without a preconditioner, conjugate gradients would need thousands of iterations, and the number of
+// iterations would grow in proportion to `side`.
 TEST(LaplaceSolver, NeedsFewIterationsHoweverManyUnknowns) {
   for (const int side : {100, 200, 400}) {
     const LaplaceSolver::Matrix matrix = grid(side);
@@ -106,7 +108,8 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   EXPECT_LE(told.back(), 1.0);
 }
 
-// A named model that is loaded as a file gets a map of the same quality as the map that CGAL computes.
+// The test writes a named model to a file and loads the file. The UV map that flatten() computes for the file
+// is about as good as the map that CGAL computes for the named model.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

@@ -16,8 +16,8 @@
 namespace pelage {
 namespace {
 
-// Checks the properties of all prepared meshes. `overlapping` is the greatest permitted overlap of the UV
-// map.
+// Checks properties that every prepared mesh must have. `overlapping` is the maximum permitted fraction of UV
+// texels that several faces cover.
 void expect_well_made(const Mesh& mesh, double overlapping) {
   float farthest = 0;
   for (const glm::vec3& p : mesh.position) farthest = std::max(farthest, glm::length(p));
@@ -43,8 +43,8 @@ TEST(Models, of_table_1_have_the_papers_face_counts) {
   for (const auto& [name, faces] : table) {
     const auto mesh = load_model(name);
     EXPECT_EQ(mesh->triangle.size(), faces) << name;
-    // The elephant has three handles with saddles, where a map of one chart overlaps; docs/models.md lists
-    // the overlaps.
+    // The UV map of the elephant has one chart, which overlaps at the saddles of three handles.
+    // docs/models.md lists the overlaps of all models.
     expect_well_made(*mesh, std::string_view(name) == "elephant" ? 0.035 : 0.015);
   }
 }

@@ -1,5 +1,5 @@
-// Loads all faulty meshes of CGAL's examples. Each is prepared or refused with a message of one line, and
-// none crashes.
+// Loads all faulty meshes of CGAL's examples. load_model() prepares each mesh or throws an error with a
+// message of one line. It does not crash.
 #include <gtest/gtest.h>
 
 #include <chrono>

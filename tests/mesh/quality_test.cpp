@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-// A mesh of triangles in the plane z = 0 with the UV (x, y). Every corner has its own vertex; vertices at the
-// same position share a surface point.
+// Returns a mesh of triangles in the plane z = 0, whose UV is (x, y). Every corner of a triangle has its own
+// vertex. Vertices at the same position share a surface point.
 Mesh flat(const std::vector<std::array<glm::vec2, 3>>& triangles) {
   Mesh mesh;
   std::vector<glm::vec2> points;
@@ -43,7 +43,7 @@ TEST(Quality, of_two_triangles_that_make_the_square) {
   EXPECT_EQ(t.genus, 0);
   EXPECT_TRUE(t.manifold());
   const UvQuality q = uv_quality(mesh, 100);
-  EXPECT_EQ(q.charts, 2u);  // the triangles share no vertices
+  EXPECT_EQ(q.charts, 2u);  // the two triangles share surface points, but no vertices
   EXPECT_EQ(q.flipped_faces, 0u);
   EXPECT_EQ(q.overlapping, 0.0);  // texel centres on the common edge are counted once
   EXPECT_NEAR(q.covered, 1.0, 1e-9);
@@ -52,7 +52,8 @@ TEST(Quality, of_two_triangles_that_make_the_square) {
 }
 
 TEST(Quality, knows_overlaps_and_faces_turned_over) {
-  const Mesh mesh = flat({{o, x, xy}, {o, xy, x}});  // the same triangle in both orientations
+  // The second triangle is the first one with reversed orientation.
+  const Mesh mesh = flat({{o, x, xy}, {o, xy, x}});
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_EQ(q.flipped_faces, 1u);
   EXPECT_NEAR(q.flipped, 0.5, 1e-6);
@@ -64,7 +65,8 @@ TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
   EXPECT_TRUE(uv_warnings(flat({{o, x, xy}, {o, xy, y}})).empty());
   const std::vector<std::string> overlap = uv_warnings(flat({{o, x, xy}, {o, x, xy}, {o, xy, y}}));
   ASSERT_EQ(overlap.size(), 1u);
-  EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];  // half of the covered square overlaps
+  // The faces overlap in half of the covered square.
+  EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];
   const std::vector<std::string> turned = uv_warnings(flat({{o, x, xy}, {o, y, xy}}));
   ASSERT_EQ(turned.size(), 1u);
   EXPECT_TRUE(turned[0].starts_with("UV map: 1 face is flipped, 50.0000% of the map")) << turned[0];
@@ -80,7 +82,8 @@ TEST(Quality, knows_what_is_no_manifold) {
 TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
   Mesh mesh = flat({{o, x, xy}, {o, xy, y}});
   for (int k = 3; k < 6; ++k)
-    mesh.uv[std::size_t(k)] *= 0.5f;  // UV areas 1 and 0.25 of the original, mean 0.625
+    // The UV areas are scaled by 1 (first triangle) and 0.25 (second triangle); the mean is 0.625.
+    mesh.uv[std::size_t(k)] *= 0.5f;
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);
   EXPECT_NEAR(q.area_high, 1 / 0.625, 1e-6);

@@ -1,4 +1,5 @@
-// A model that the user rotates: surface and UV map are the same, positions and hash differ.
+// Tests the rotation of a model by MeshOptions::rotate: the shape and the UV map stay the same, but positions
+// and hash change.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,8 +44,8 @@ TEST(Rotate, TurnsAboutXThenYThenZ) {
   EXPECT_NEAR(tip->x, 0.0f, 1e-5f);
   EXPECT_NE(upright->hash, plain->hash);
 
-  // The rotation about x maps (0, 0, 1) to (0, 1, 0); then the rotation about z maps it to (-1, 0, 0). In the
-  // reverse order, the result would be (0, 1, 0).
+  // The rotation about x maps the direction (0, 0, 1) to (0, 1, 0), and the rotation about z then maps (0, 1,
+  // 0) to (-1, 0, 0). In the reverse order, (0, 0, 1) would be mapped to (0, 1, 0).
   const auto both = turned_pyramid(folder, {-90, 0, 90});
   EXPECT_NEAR(extent(*both).x, size.z, 1e-5f);
   EXPECT_NEAR(extent(*both).y, size.x, 1e-5f);
@@ -60,7 +61,7 @@ TEST(Rotate, KeepsTheSurfaceAndTheMap) {
   ASSERT_EQ(turned->triangle.size(), plain->triangle.size());
   EXPECT_EQ(turned->welded, plain->welded);
   EXPECT_EQ(turned->length_per_uv, plain->length_per_uv);
-  // A triangle is identified by its UV and its side lengths, which the rotation does not change.
+  // The test identifies a triangle by its UV and its side lengths, because a rotation does not change them.
   using Sides = std::array<float, 9>;
   const auto fingerprints = [](const Mesh& mesh) {
     std::vector<Sides> all;

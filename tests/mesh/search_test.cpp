@@ -41,7 +41,7 @@ TEST(SurfaceSearch, no_vertex_is_nearer_than_the_closest_place) {
     float nearest = std::numeric_limits<float>::max();
     for (const glm::vec3& q : mesh->position) nearest = std::min(nearest, glm::distance(p, q));
     EXPECT_LE(glm::distance(p, place.point), nearest + 1e-6f);
-    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);  // 0.08 R is the greatest edge length
+    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);  // no edge is longer than 0.08 R
   }
 }
 
@@ -52,7 +52,7 @@ TEST(SurfaceSearch, a_ray_meets_the_near_side_first_and_may_miss) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point.y, 0.0f, 1e-6f);
   EXPECT_NEAR(hit->point.x, 0.1f, 1e-6f);
-  // u increases with x, v increases with -z. The side of the square is sqrt(2) R.
+  // u increases with x, v increases with -z. The model is a square with the side sqrt(2) R.
   const float scale = (1 - 2 * 2.0f / 256) / std::sqrt(2.0f);
   EXPECT_NEAR(hit->uv.x, 0.5f + 0.1f * scale, 1e-5f);
   EXPECT_NEAR(hit->uv.y, 0.5f - 0.2f * scale, 1e-5f);
@@ -66,8 +66,8 @@ TEST(SurfaceSearch, a_ray_meets_the_near_side_first_and_may_miss) {
     const glm::vec3 target = (a + b + c) / 3.0f;
     const auto place = around.ray(eye, target - eye);
     ASSERT_TRUE(place);
-    // If the ray is nearly parallel to the face, the rounding of its direction moves the intersection far
-    // along the ray.
+    // The test skips faces that are nearly parallel to the ray. For these, the rounding error of the ray's
+    // direction moves the intersection far along the ray.
     if (std::abs(glm::dot(glm::normalize(glm::cross(b - a, c - a)), glm::normalize(target - eye))) < 0.05f)
       continue;
     EXPECT_LE(glm::distance(eye, place->point), glm::distance(eye, target) + 1e-5f);

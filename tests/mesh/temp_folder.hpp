@@ -12,7 +12,7 @@
 
 namespace pelage {
 
-/// Options that prepare a mesh without the cache.
+/// Returns options with which load_model() prepares a mesh without the cache.
 inline MeshOptions fresh(std::optional<std::uint32_t> faces = {}, bool keep_uv = false) {
   MeshOptions options;
   options.faces = faces;

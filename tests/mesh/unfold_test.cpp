@@ -1,4 +1,4 @@
-// The criterion for usable UV maps.
+// Tests map_quality(), which decides whether a UV map is usable.
 #include "harness/mesh/unfold.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,8 @@
 namespace pelage {
 namespace {
 
-/// The quality of a map of `faces` adjacent triangles of area 1/2, of which the first `flipped` are flipped.
+/// Returns the quality of a UV map of `faces` triangles side by side. The first `flipped` triangles are
+/// flipped.
 MapQuality quality_of(std::size_t faces, std::size_t flipped) {
   std::vector<glm::dvec2> uv;
   std::vector<Surface::Triangle> triangles;

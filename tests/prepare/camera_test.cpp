@@ -51,9 +51,9 @@ TEST(Camera, RightIsRightAndDownIsDown) {
   EXPECT_EQ(c.width, image.width);
   EXPECT_EQ(c.height, image.height);
   EXPECT_EQ(c.near, 0.02f);
-  // At view depth 1 a pixel is `pixel` R wide; at depth 3 it is three times as wide.
+  // The origin is at view depth 3, where a pixel is 3 * c.pixel wide.
   EXPECT_NEAR(project(c, {3 * c.pixel, 0, 0}).x, 1.0f, 1e-4f);
-  // The vertical field of view covers the height of the picture.
+  // The vertical field of view covers the whole height of the picture.
   const float edge = 3.0f * std::tan(glm::radians(0.5f * scene.fov));
   EXPECT_NEAR(project(c, {0, -edge, 0}).y, 0.5f * float(image.height), 0.01f);
 }

@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-/// The UV of a surface point of two_charts().
+/// Returns the UV of the surface point p of two_charts().
 glm::vec2 uv_of(glm::vec3 p) {
   using namespace test;
   if (p.x < 0) return {0.05f + chart_scale * (p.x + half_side), 0.05f + chart_scale * (half_side - p.z)};
@@ -57,7 +57,8 @@ TEST(Droplets, KeepTheirDistanceInTheAtlasAndOnTheSurface) {
     const auto drops = droplets_of(wetness);
     ASSERT_GT(drops.size(), 100u);
     for (std::size_t i = 0; i < drops.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {  // the radius of the later droplet i determines the distance
+      // Droplet i is placed later, so its radius determines the distance.
+      for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * spacing * drops[i].radius);
         EXPECT_GE(glm::distance(drops[i].point, drops[j].point),
                   0.999f * spacing * drops[i].radius / test::chart_scale);
@@ -95,8 +96,8 @@ TEST(Droplets, EvenlyOverOneTriangle) {
   ASSERT_EQ(drops.size(), 2000u);
   glm::dvec2 mean(0);
   for (const Droplet& d : drops) mean += glm::dvec2(d.centre) / 2000.0;
-  // The mean is the triangle's centroid within four standard errors. The standard deviation of a coordinate
-  // is sqrt(1 / 18) = 0.24.
+  // The expected mean is the centroid of the triangle. The tolerance is four standard errors of the mean of
+  // 2000 droplets. A coordinate has the standard deviation sqrt(1 / 18) = 0.24.
   EXPECT_NEAR(mean.x, 1.0 / 3, 0.021);
   EXPECT_NEAR(mean.y, 1.0 / 3, 0.021);
 }
@@ -107,7 +108,7 @@ TEST(Droplets, ExplicitOnesComeFirstAndLandOnTheSurface) {
   by_point.point = glm::vec3(-0.3f, 0.4f, 0.2f);
   by_point.radius = 0.02f;
   by_uv.uv = uv_of({0.31f, 0, -0.17f});
-  in_gutter.uv = glm::vec2(0.0f, 0.2f);  // outside all charts, left of the left chart
+  in_gutter.uv = glm::vec2(0.0f, 0.2f);  // a UV outside all charts, to the left of the left chart
   wetness.droplets = {by_point, by_uv, in_gutter};
   const auto drops = droplets_of(wetness);
   EXPECT_LT(glm::distance(drops[0].point, glm::vec3(-0.3f, 0, 0.2f)), 1e-5f);
@@ -146,13 +147,13 @@ TEST(Droplets, PatchesCoverTheirShareAndFadeAtTheirBorders) {
   EXPECT_EQ(everywhere.size(), 20000u);
   wetness.patch_cover = 0.4f;
   const auto drops = droplets_of(wetness);
-  // Marks the cells of a 14 x 14 grid on the surface that contain a droplet.
+  // The test divides the surface into 14 x 14 cells and marks the cells that contain a droplet.
   std::vector<char> wet(196, 0);
   const auto cell = [](float x) { return std::size_t(std::clamp(int((x + 0.7f) * 10), 0, 13)); };
   for (const Droplet& d : drops) wet[cell(d.point.z) * 14 + cell(d.point.x)] = 1;
   const double share = double(std::count(wet.begin(), wet.end(), 1)) / 196;
   EXPECT_GT(share, 0.3);
-  EXPECT_LT(share, 0.62);  // greater than patch_cover, because partly wet cells are counted
+  EXPECT_LT(share, 0.62);  // the bound exceeds patch_cover = 0.4, because partly wet cells count as wet
   const auto faint =
       std::count_if(drops.begin(), drops.end(), [](const Droplet& d) { return d.wetness < 0.45f; });
   const auto full =
@@ -173,7 +174,7 @@ class Image : public testing::Test {
 
 TEST_F(Image, DropletsFallWhereItIsBright) {
   Picture mask{8, 8, std::vector<glm::vec4>(64, glm::vec4(0, 0, 0, 1))};
-  for (int y = 0; y < 4; ++y)  // the upper half of the picture is v > 0.5
+  for (int y = 0; y < 4; ++y)  // the upper half of the picture covers v > 0.5
     for (int x = 0; x < 8; ++x) mask.at(x, y) = glm::vec4(1);
   WetnessScene wetness = rain();
   wetness.image = folder_ / "mask.png";

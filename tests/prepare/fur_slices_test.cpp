@@ -1,4 +1,4 @@
-// Bytes of the fur texture: the coverage at the end of a strand, and the shade of mip levels.
+// Tests bytes of the fur texture: the coverage at the end of a strand, and the shade of mip levels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,11 +15,11 @@ double coverage(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][0] / 255.0;
 }
 
-// A slice represents the slab below it. If a strand ends inside the slab, its coverage is the fraction of the
-// slab's height that it fills.
+// A slice represents the slab below it. If a strand ends inside the slab, its coverage in the slice is the
+// fraction of the slab's height that the strand fills.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored without correction
+  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -46,7 +46,7 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored without correction
+  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
   fur.strands = 1500;
   fur.undercoat = 500;
   fur.locks = 0;
@@ -63,10 +63,10 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
         weighted += double(texel[0]) * texel[1];
         plain += 0.25 * texel[1];
       }
-      if (sum < 100) continue;  // small coverages are rounded too coarsely for a mean
+      if (sum < 100) continue;  // small coverages have too large rounding errors as weights
       const double expected = weighted / sum;
-      // The tolerance is the sum of the rounding errors: half a unit for the stored byte, half a unit for the
-      // bytes of level 0, and the rounding of the coverages.
+      // The tolerance covers three rounding errors: half a unit of the stored byte, half a unit of the bytes
+      // of level 0, and the error of the rounded coverages.
       EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
       ++tested;
       uneven += std::abs(expected - plain) > 6;

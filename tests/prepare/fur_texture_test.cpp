@@ -33,13 +33,14 @@ double shade(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][1] / 127.5;
 }
 
-/// Means over parallel rays: the brightness, which is shade * (0.5 + h/2) blended by source-over, and the
-/// opacity.
+/// Means over parallel rays of the brightness and the opacity along a ray. The brightness of a fragment is
+/// shade * (0.5 + h/2); fragments are blended by source-over.
 struct Seen {
   double light = 0, opacity = 0;
 };
 
-/// The means over rays that move `slope` R sideways per R downwards, in the direction `azimuth` (radians).
+/// Returns the means over rays that move sideways by `slope` R per R downwards. `azimuth` is the direction of
+/// the sideways movement in radians.
 Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double azimuth) {
   const double per_layer = slope * double(fur.length * fur.tile) * t.size / t.layers;  // texels
   Seen mean;
@@ -54,22 +55,22 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
         light += through * a * shade(t, n, i, j) * (0.5 + 0.5 * h);
         through *= 1 - a;
       }
-      mean.light += light + through * 0.3;  // the skin has the brightness 0.3
+      mean.light += light + through * 0.3;  // 0.3 is the brightness of the skin
       mean.opacity += 1 - through;
     }
   const double texels = double(t.size) * t.size;
   return {mean.light / texels, mean.opacity / texels};
 }
 
-/// The mean over view angles of 0 to 63 degrees from the strands. The weight of an angle is the visible area
-/// of a sphere's surface at this angle.
+/// Returns the means over angles of 0 to 63 degrees between view ray and strand. The weight of an angle is
+/// the projected area of the part of a furred sphere that is seen at this angle.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
       const double shown =
-          (slope + 0.1) / std::pow(1 + slope * slope, 2);  // cos(t) sin(t) dt with d(tan t) = dt / cos(t)^2
+          (slope + 0.1) / std::pow(1 + slope * slope, 2);  // cos(t) sin(t) dt, where slope = tan(t)
       const Seen seen = along_rays(t, fur, slope, azimuth);
       sum.light += shown * seen.light;
       sum.opacity += shown * seen.opacity;
@@ -135,11 +136,11 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
   }
 }
 
-/// A disc across the border of the square continues at the opposite border, so its area does not depend on
-/// its position.
+/// A strand's disc that crosses the border of the square texture continues at the opposite border, so the
+/// area of the disc does not depend on its position.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;
-  fur.layers = 16;  // coverage is stored without correction
+  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -159,7 +160,7 @@ TEST(FurTexture, WrapsAround) {
     const auto [x, y] = std::pair(strand.root.x * t.size, strand.root.y * t.size);
     cut += x < r || y < r || x > t.size - r || y > t.size - r;
   }
-  EXPECT_GT(cut, 5);  // number of tested discs across the border
+  EXPECT_GT(cut, 5);  // number of tested discs that cross the border
 }
 
 TEST(FurTexture, SixteenAndSixtyFourLayersAreAsDenseAlongTheStrands) {
@@ -187,8 +188,8 @@ TEST(FurTexture, SixteenAndSixtyFourLayersAreAsBrightFromAllSides) {
   }
 }
 
-/// The section of a blade is an ellipse. Its area is proportional to the width, and its longer axis is across
-/// the bend.
+/// The cross-section of a blade is an ellipse. The area of the ellipse is proportional to fur.width, and its
+/// longer axis is perpendicular to the bend.
 TEST(FurTexture, BladesAreWideAcrossTheirBend) {
   FurScene fur;
   fur.layers = 16;
@@ -243,7 +244,8 @@ TEST(FurTexture, ThinsOutFromRootToTip) {
   }
 }
 
-/// A bilinear lookup at a strand's edge also reads empty texels. Their shade must equal the strand's shade.
+/// A bilinear lookup at the edge of a strand also reads empty texels, so their shade must equal the shade of
+/// the strand.
 TEST(FurTexture, EmptyTexelsBesideAStrandCarryItsShade) {
   FurScene fur;
   fur.layers = 16;
@@ -302,15 +304,15 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
   FurScene fur;
-  // The blades are thicker than a texel at all sizes. Thinner sections keep their coverage only where strands
-  // do not overlap.
+  // The blades are thicker than a texel at all texture sizes. For thinner blades, the covered fraction would
+  // depend on the size where blades overlap.
   fur.strands = 110;
   fur.undercoat = 0;
   fur.radius = 4.5f;
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // coverage is stored without the nonlinear correction of other counts
+  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;
@@ -331,7 +333,7 @@ TEST(FurStrands, LocksPullTogether) {
   FurScene fur;
   fur.lock_pull = 1;
   const auto strands = grow_strands(fur);
-  // If the displacement is complete, every tip is at a lock's centre: 9000 strands have 700 different tips.
+  // With lock_pull = 1 every tip is at the centre of a lock, so 9000 strands have at most 700 different tips.
   std::vector<glm::dvec2> places;
   for (const FurStrand& s : strands) {
     const glm::dvec2 tip = glm::fract(strand_centre(s, fur, 1.0));

@@ -7,14 +7,14 @@
 
 namespace pelage::test {
 
-/// Number of cells per side and half the side (R) of two_charts(), a square in the plane y = 0 with the
-/// normal +y.
+/// two_charts() is a square in the plane y = 0 with the normal +y. It has chart_cells cells per side, and
+/// half_side is half the length of a side in R.
 inline constexpr int chart_cells = 20;
 inline constexpr float half_side = 0.7f;
 inline constexpr float chart_scale = 0.35f;  ///< UV units per R
 
-/// A square with a UV seam at x = 0. In the UV map its right half is rotated by 90 degrees relative to its
-/// left half.
+/// Returns a square with a UV seam at x = 0. In the UV map the right half of the square is rotated by 90
+/// degrees relative to the left half.
 inline std::shared_ptr<const Mesh> two_charts() {
   auto mesh = std::make_shared<Mesh>();
   mesh->name = "two-charts";
@@ -27,8 +27,8 @@ inline std::shared_ptr<const Mesh> two_charts() {
         const int column = i + side * n / 2;
         const glm::vec3 p(x(column), 0.0f, x(j));
         mesh->position.push_back(p);
-        // On the left, u increases with x and v with -z, so that u x v points along +y. On the right, both
-        // are rotated by 90 degrees.
+        // In the left half, u increases with x and v increases with -z, so that the normal of the UV map is
+        // +y. In the right half, the directions of u and v are rotated by 90 degrees.
         const glm::vec2 left(0.05f + chart_scale * (p.x + half_side),
                              0.05f + chart_scale * (half_side - p.z));
         const glm::vec2 right(0.45f + chart_scale * (p.z + half_side), 0.65f + chart_scale * p.x);

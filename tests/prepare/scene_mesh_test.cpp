@@ -1,4 +1,5 @@
-// The mesh options of a scene are applied, and the cache has one mesh per combination of options.
+// Tests that the mesh options of a scene are applied, and that SceneMeshes keeps one mesh per combination of
+// options.
 #include "harness/prepare/scene_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +27,7 @@ TEST(SceneMesh, IsTurnedAsTheSceneSays) {
   SceneMeshes meshes;
   EXPECT_EQ(meshes.of(scene, {})->hash, turned->hash);
   EXPECT_EQ(meshes.of(of_model("square"), {})->hash, plain->hash);
-  EXPECT_EQ(meshes.of(scene, {}), meshes.of(scene, {}));  // both calls return the same object
+  EXPECT_EQ(meshes.of(scene, {}), meshes.of(scene, {}));  // both calls return a pointer to the same mesh
 }
 
 TEST(SceneMesh, HasTheFilesOwnMapWhereTheSceneAsksForIt) {

@@ -1,5 +1,5 @@
-// The map of surface points: texels inside a triangle have its points, other texels the point of the nearest
-// texel inside a triangle.
+// Tests the map of surface points. A texel inside a triangle has the point of the triangle under the texel's
+// centre. Other texels have the point of the nearest texel inside a triangle.
 #include "harness/prepare/surface_map.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int size = 32;
 
-/// A mesh that maps every UV (u, v) in [low, 1] x [0, 1] to the point (u, v, 0).
+/// Returns a mesh that maps every UV (u, v) in [low, 1] x [0, 1] to the point (u, v, 0).
 Mesh strip(float low, bool periodic) {
   Mesh mesh;
   mesh.uv = {{low, 0}, {1, 0}, {1, 1}, {low, 1}};
@@ -38,8 +38,8 @@ TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
     }
 }
 
-// Columns 0 to 7 are outside the triangles. Their nearest covered column is 8. On a periodic map, column 31
-// is nearer to columns 0 to 3.
+// Texel columns 0 to 7 are outside the triangles. The nearest covered column is 8, but on a periodic map
+// column 31 is nearer for columns 0 to 3.
 TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
   for (const bool periodic : {false, true}) {
     const auto map = surface_map(strip(0.25f, periodic), size);

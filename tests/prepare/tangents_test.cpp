@@ -17,7 +17,7 @@ double degrees(glm::vec3 a, glm::vec3 b) {
   return std::acos(std::clamp(double(glm::dot(a, b)), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// The greatest angle in degrees between the vectors u at the two ends of an edge.
+/// Returns the greatest angle, in degrees, between the vectors u at the two ends of an edge.
 double worst_edge(const Skin& skin, const CurlFrame& frame) {
   double worst = 0;
   for (const glm::uvec3& t : skin.triangle)
@@ -115,7 +115,7 @@ TEST(CurlFrame, IsOrthonormalAndSmoothAcrossSeams) {
   curl.frame = "uv";
   const CurlFrame raw = curl_frame(*mesh, skin, s, curl);
   expect_orthonormal(skin, raw);
-  EXPECT_GT(worst_edge(skin, raw), 80.0);  // the charts are rotated by 90 degrees
+  EXPECT_GT(worst_edge(skin, raw), 80.0);  // the two charts are rotated by 90 degrees relative to each other
 }
 
 TEST(CurlFrame, TorusHasNoJump) {
@@ -141,8 +141,8 @@ TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
     EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
   }
   EXPECT_GT(most, 45.0);
-  // Edges are 0.1 R long and the features of the noise are 0.4 R wide. The greatest gradient gives 84
-  // degrees.
+  // Edges are 0.1 R long, and the features of the noise are 0.4 R wide. At the greatest gradient of the
+  // noise, u rotates by 84 degrees along an edge.
   EXPECT_LT(worst_edge(skin, varied), 90.0);
 }
 

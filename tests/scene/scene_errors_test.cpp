@@ -1,4 +1,5 @@
-// Errors of bad scenes: one line that names the file, the line, the key and the permitted values.
+// Tests that the error for a bad scene is one line that names the file, the line number, the key and the
+// permitted values.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -9,7 +10,7 @@ namespace {
 
 struct Bad {
   const char* text;      ///< a scene file
-  const char* expected;  ///< text that the error must contain
+  const char* expected;  ///< text that the error message must contain
 };
 
 const Bad files[] = {

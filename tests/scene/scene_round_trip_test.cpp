@@ -1,4 +1,5 @@
-// Writing and reading a scene preserves every key at its default, at both bounds and at values between them.
+// Tests that writing and reading a scene preserves the value of every key: its default, its bounds and values
+// between the bounds.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name of the first key that differs in any bit; empty if the scenes are equal.
+/// Returns the name of the first key whose value differs between two scenes; empty if the scenes are equal.
 std::string difference(Scene a, Scene b) {
   const auto left = scene_keys(a), right = scene_keys(b);
   for (std::size_t i = 0; i < left.size(); ++i) {
@@ -47,7 +48,7 @@ void vary(const Key& key, std::mt19937& random) {
     if (end == 0) return key.least;
     if (end == 1) return key.most;
     const double t = std::uniform_real_distribution(0.0, 1.0)(random);
-    // The cube makes small values with many decimals more frequent.
+    // The cube makes small values, which have many decimal places, more frequent.
     return key.least + t * t * t * (key.most - key.least);
   };
   std::visit(
@@ -95,7 +96,7 @@ TEST(SceneRoundTrip, EveryKeyAloneSurvives) {
       try {
         check_scene(scene);
       } catch (const InputError&) {
-        continue;  // the value contradicts the defaults of other keys
+        continue;  // this value contradicts the default of another key
       }
       EXPECT_EQ(difference(parse_scene(write_scene(scene), "written"), scene), "") << write_scene(scene);
     }
@@ -216,8 +217,8 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
   }
 }
 
-/// Names of the members in scene.hpp as dotted keys: "float length = ..." in "struct FurScene" gives
-/// "fur.length".
+/// Returns the members of the structs in scene.hpp as dotted keys: "float length = ..." in "struct FurScene"
+/// gives "fur.length".
 std::vector<std::string> members() {
   std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "harness/scene/scene.hpp");
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
