@@ -1,4 +1,4 @@
-// pelage export: writes the rows of journals as CSV.
+// pelage export: reads journal files of recorded results and writes them as CSV.
 #include "harness/commands/export.hpp"
 
 #include <fmt/format.h>

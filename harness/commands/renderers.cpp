@@ -57,7 +57,7 @@ constexpr Renderer table[] = {
     {"opengl", "the paper's own pipeline of N passes on the installed OpenGL", false, true, open_opengl},
 };
 
-/// The name of the first pipeline with that property.
+/// Returns the name of the first pipeline for which `property` is true.
 std::string_view pipeline_with(bool Renderer::*property) {
   return std::find_if(std::begin(table), std::end(table), [&](const Renderer& r) { return r.*property; })
       ->name;

@@ -34,7 +34,7 @@ std::string literal(const toml::node& node) {
   return text.str();
 }
 
-/// Returns the text of an axis value or a published key; strings without their quotes.
+/// Returns the text of a TOML value, without quotes if it is a string.
 std::string plain(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   return literal(node);
@@ -143,7 +143,8 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
-/// Returns true for the keys of a variant that select its implementation; its other keys are scene keys.
+/// Returns true for the keys that select the implementation of a variant. All other keys of a variant are
+/// scene keys.
 bool says_how(std::string_view key) {
   return key == pipeline_key || key == mapping_key || key == opengl_key;
 }
@@ -170,8 +171,8 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   std::smatch match;
   if (std::regex_match(text, match, std::regex(number))) {
     const double value = std::stod(match[1]);
-    // A printed figure represents all values that round to it: +-0.5 without decimals, else +- half a unit of
-    // the last digit.
+    // A printed number represents all values that round to it: +-0.5 for a whole number, else +- half a unit
+    // of the last digit.
     const std::size_t point = text.find('.');
     const double half =
         point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));
