@@ -31,8 +31,8 @@ struct SamplingLimits {
   int most = 200;          ///< largest number of samples
   /// Sampling ends when the half width of the median's 95% interval, divided by the median, is at most this.
   double precision = 0.01;
-  double limit_s =
-      20;  ///< sampling ends after this wall-clock time in seconds, but not before the first sample
+  /// Sampling ends after this wall-clock time in seconds, but not before the first sample.
+  double limit_s = 20;
 };
 
 struct Preset {

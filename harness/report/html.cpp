@@ -1,4 +1,4 @@
-// Writes index.html: the report as one page that uses only files of its folder.
+// Writes index.html: the report as one page that uses only files in the report's folder.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -125,7 +125,7 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
-/// Returns the HTML of the tables. Each has a heading and a link to its CSV file.
+/// Returns the HTML of the tables. Each table has a heading and a link to its CSV file.
 template <class Table>
 std::string sections(const char* title, const std::vector<Table>& tables,
                      const std::vector<std::string>& stems) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the time of the paper's OpenGL pipeline divided by ours, per model, number of layers and picture size.
+"""Draws the time of the paper's OpenGL pipeline divided by that of ours, per model, layers and picture size.
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the frame time against layers, pixels and triangles. Fits a model to a part of the cases and tests it on the rest.
+"""Draws the frame time against layers, pixels and triangles. Fits a model to some cases and tests it on the others.
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -35,7 +35,7 @@ def features(case):
 
 
 def fitted(cases):
-    """Returns the coefficients of the fit. Removes the term with the most negative coefficient until none is negative."""
+    """Returns the fitted coefficients. Removes the term of the most negative coefficient until none is negative."""
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:
@@ -99,7 +99,7 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """Draws one panel with the abscissa x. Colours distinguish the values of `by`, markers the numbers of triangles."""
+    """Draws a panel with the abscissa x. Colours show the values of `by`, and markers show the numbers of triangles."""
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:

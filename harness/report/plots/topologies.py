@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws simulation and frame times of each mass-spring topology against triangles, logarithmic, per layers and size.
+"""Draws the simulation and frame times of each mass-spring topology against the number of triangles (log-log).
 
 usage: topologies.py TABLE.csv OUT.svg [OUT.pdf ...]
 
