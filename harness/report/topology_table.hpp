@@ -12,8 +12,8 @@ namespace pelage {
 struct TopologyTable {
   struct Entry {
     Cell cell;
-    std::optional<double> simulate_ms,
-        raster_ms;  ///< median event times of the phases simulate and raster, ms
+    /// Median event times of the phases simulate and raster, ms.
+    std::optional<double> simulate_ms, raster_ms;
     /// Median frame time divided by the median frame time of the first topology in the table row. The first
     /// topology is "silva" if the row contains it.
     std::optional<double> ratio;

@@ -48,7 +48,8 @@ TEST(Claims, HoldWhereTheTimesAreThePapers) {
   EXPECT_EQ(found, std::vector<Held>(6, Held::yes));
 }
 
-// In each planted row one claim is false in one cell. Only this claim fails, and its text names the cell.
+// The test replaces one row of the paper's times, so that one claim is false in one cell. Only this claim
+// must fail, and its text must name the model of the cell.
 TEST(Claims, FailWhereOneCellSpeaksAgainstThem) {
   struct Planted {
     std::size_t claim;

@@ -28,7 +28,7 @@ TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {
   const Row row = row_of(64);
   EXPECT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("half").wall_ms.size(), row.samples.at("frame").wall_ms.size());
-  // Each of the at most ten synthetic frames takes 0.001 ms longer than the frame before.
+  // Each synthetic frame takes 0.001 ms longer than the frame before it, and at most ten frames are drawn.
   EXPECT_NEAR(row.metrics.at("half_ratio").value, 2, 2 * 0.01 / 32);
   EXPECT_NEAR(row.metrics.at("quarter_ratio").value, 4, 4 * 0.01 / 16);
   EXPECT_LE(row.metrics.at("half_ratio").low, row.metrics.at("half_ratio").value);
