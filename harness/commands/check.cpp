@@ -194,14 +194,14 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->add_option("--filter", options->filter,
                    "Use only the cases whose names match this regular expression, for instance torus")
       ->type_name("REGEX");
-  command->add_flag("--full", options->full,
-                    "Compare a larger set of cases: all eight models with 16 and 64 layers, curly, wet and "
-                    "windy, and a mesh of 5 million "
-                    "triangles");
+  command->add_flag(
+      "--full", options->full,
+      "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, wet fur "
+      "in wind, and a mesh of 5 million triangles");
   command->add_flag(
       "--hashes", options->hashes,
-      "Print hashes instead of comparing: of the strands, mask and picture of every mapping, and of the "
-      "masses of every topology and solver. Equal hashes of two revisions show equal results");
+      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping, and of "
+      "the masses for every topology and solver. Two revisions with equal hashes compute equal results");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 

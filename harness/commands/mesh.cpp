@@ -142,7 +142,8 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<MeshCommand>();
-  CLI::App* command = app.add_subcommand("mesh", "Prepare a mesh; print its counts, topology and UV quality");
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map");
   command
       ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
@@ -152,12 +153,13 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
       ->add_option("--components", options->components,
-                   "Components of the file to keep: all that are closed or large, or only the largest")
+                   "Connected components to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
   command
-      ->add_option("--rotate", options->rotate,
-                   "Rotate the model by these degrees about x, then y, then z, for instance -90,0,0")
+      ->add_option(
+          "--rotate", options->rotate,
+          "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");

@@ -64,7 +64,8 @@ void add_render(CLI::App& app, Chosen& chosen) {
   command
       ->add_option(
           "--mapping", options->renderer.mapping,
-          "Mapping of the shells' pixels to work-items (default: depends on the device): " + mappings_help())
+          "Mapping of pixels to work-items in the pipeline shells (default: depends on the device): " +
+              mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command

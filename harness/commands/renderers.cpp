@@ -54,7 +54,7 @@ DrawPicture open_opengl(const RendererOptions& given) {
 constexpr Renderer table[] = {
     {"shells", "OpenCL", false, false, open_shells},
     {"reference", "naive implementation in double precision on the host", true, false, open_reference},
-    {"opengl", "the paper's own pipeline of N passes on the installed OpenGL", false, true, open_opengl},
+    {"opengl", "the paper's own pipeline in OpenGL, with one pass per layer", false, true, open_opengl},
 };
 
 /// Returns the name of the first pipeline for which `property` is true.

@@ -113,7 +113,8 @@ Preset read_preset(const fs::path& file, const toml::table& table) {
   limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
   limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
   limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
-  if (limits.most < limits.least) refuse(file, table.get("most"), "most must be at least as large as least");
+  if (limits.most < limits.least)
+    refuse(file, table.get("most"), "the key most must be at least as large as the key least");
   if (const toml::node* axes = table.get("axes")) {
     if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
     preset.axes = read_axes(file, *axes->as_table());

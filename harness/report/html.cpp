@@ -100,9 +100,9 @@ std::string table_html(const PaperTable& table) {
     html += "</tbody></table></div>\n";
   }
   html += fmt::format(
-      "<p class=\"soft\">{}Frames per second: 1000 over the median wall time of a warm frame in ms, "
-      "first enqueue to finish. Ratio: ours over the paper's. * marks a median whose 95% interval is "
-      "wider than the preset asks for. Point at a figure for its time.</p>\n<ol class=\"notes\">",
+      "<p class=\"soft\">{}Frames per second: 1000 divided by the median wall time of a warm frame in ms, "
+      "first enqueue to finish. Ratio: ours divided by the paper's. * marks a median whose 95% interval is "
+      "wider than the preset requires. Point at a figure for its time.</p>\n<ol class=\"notes\">",
       table.hardware.empty()
           ? std::string{}
           : fmt::format("The paper's figures: {}, on {}. ", escaped(table.source), escaped(table.hardware)));
