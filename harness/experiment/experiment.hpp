@@ -29,7 +29,7 @@ struct SamplingLimits {
   double warm_up_s = 0.5;  ///< duration of the warm-up frames in seconds; at least one frame is drawn
   int least = 10;          ///< smallest number of samples
   int most = 200;          ///< largest number of samples
-  /// Sampling ends when the half width of the median's 95% interval, divided by the median, is at most this.
+  /// Sampling ends when the half width of the median's 95% interval is at most this fraction of the median.
   double precision = 0.01;
   /// Sampling ends after this wall-clock time in seconds, but not before the first sample.
   double limit_s = 20;

@@ -1,4 +1,4 @@
-// Folders of results and their rows.
+// Reads the rows in folders of results, and prevents runs from changing recorded results.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -17,7 +17,7 @@ inline constexpr int kRowSchema = 1;
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
 std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
-std::optional<Status> status_from_text(std::string_view text);  ///< empty if there is no such status
+std::optional<Status> status_from_text(std::string_view text);  ///< empty if `text` is not a status
 
 /// Measured times of one phase in milliseconds, in the order of measurement. Any list may be empty: a phase
 /// within a frame has no separate wall time, a device without a usable timer has no event times, and rows of

@@ -1,4 +1,4 @@
-// Tests statements of a paper about its figures with our measurements.
+// Tests with our measurements whether a paper's statements about its figures hold.
 #pragma once
 #include <string>
 #include <vector>

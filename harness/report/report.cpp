@@ -116,8 +116,8 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   }
 }
 
-/// Writes tables/layers.csv: the frame time divided by the times with half and with a quarter of the layers.
-/// The three frames are drawn in the same rounds.
+/// Writes tables/layers.csv: the frame time with all layers divided by the frame times with half and with a
+/// quarter of the layers. The three frames are drawn in the same rounds.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -178,8 +178,8 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
 }
 
-/// Adds a note with the number of rows during whose timing other processes used more than the share
-/// most_other_share of the CPU time.
+/// Adds a note with the number of rows from a loaded machine. During the timing of these rows the share of
+/// other processes in the CPU time was above most_other_share.
 void note_load(Report& report, const std::vector<FoundRow>& rows) {
   std::size_t timed = 0, loaded = 0;
   for (const FoundRow& found : rows) {

@@ -25,13 +25,14 @@ struct ReportPicture {
 struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
-  std::vector<std::string> table_stems;  ///< one per table; its files are tables/STEM.csv and .tex
+  std::vector<std::string> table_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
   std::vector<TopologyTable> topologies;
-  std::vector<std::string> topology_stems;  ///< one per table; its files are tables/STEM.csv and .tex
+  std::vector<std::string>
+      topology_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
   std::vector<RivalTable> rivals;
-  std::vector<std::string> rival_stems;  ///< one per table; its file is tables/STEM.csv
+  std::vector<std::string> rival_stems;  ///< names STEM of the files tables/STEM.csv; one per table
   std::vector<WayTable> ways;
-  std::vector<std::string> way_stems;  ///< one per table; its file is tables/STEM.csv
+  std::vector<std::string> way_stems;  ///< names STEM of the files tables/STEM.csv; one per table
   std::vector<SolverLine> solvers;     ///< written to tables/topology-solvers.csv if not empty
   std::vector<Claim> claims;           ///< written to tables/claims.csv if not empty
   std::vector<ReportPlot> plots;

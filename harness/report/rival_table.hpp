@@ -38,11 +38,11 @@ struct RivalTable {
   /// "plain", which has neither curls nor clumps.
   struct Overhead {
     std::size_t cells = 0;        ///< number of cells that have times with both settings
-    double ours = 0, opengl = 0;  ///< geometric means of the cost over the cells: our pipeline, OpenGL
+    double ours = 0, opengl = 0;  ///< geometric means of the cost over the cells, for our pipeline and OpenGL
   };
   std::string experiment, device, host, renderer;
   std::vector<Column> columns;  ///< sorted by layers, then by size
-  std::vector<Row> rows;        ///< sorted by reading, then by number of triangles
+  std::vector<Row> rows;        ///< sorted by the value of "reading", then by number of triangles
   std::vector<Summary> summary;
   Overhead overhead;
 };

@@ -16,7 +16,7 @@ struct KernelWork {
 
 struct FrameWork {
   std::string name;                             ///< name of the case
-  double triangles = 0;                         ///< triangles of the mesh
+  double triangles = 0;                         ///< number of triangles of the mesh
   double frame_ms = 0;                          ///< median wall time
   double covered = 0, shaded = 0, blended = 0;  ///< numbers of fragments
   std::vector<KernelWork> kernels;

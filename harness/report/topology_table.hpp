@@ -12,7 +12,7 @@ namespace pelage {
 struct TopologyTable {
   struct Entry {
     Cell cell;
-    /// Median event times of the phases simulate and raster, ms.
+    /// Median event times of the simulation and of the rasterization, ms.
     std::optional<double> simulate_ms, raster_ms;
     /// Median frame time divided by the median frame time of the first topology in the table row. The first
     /// topology is "silva" if the row contains it.

@@ -31,8 +31,8 @@ struct WayTable {
 constexpr std::size_t fewest_ways = 4;
 
 /// Returns true if the results of the cell's experiment become a WayTable. Such an experiment has at least
-/// `fewest_ways` variants and the axes model, layers and size. Its cells have no published figure, no ratio
-/// and no topology.
+/// `fewest_ways` variants and the axes model, layers and size. Its cells have no number from a paper, no
+/// opengl_ratio and no axis dynamics.topology.
 bool has_ways(const std::vector<Cell>& cells, const Cell& cell);
 
 /// Returns one table per device and host for each experiment for which has_ways() is true. Only cells without

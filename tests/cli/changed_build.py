@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Builds pelage with new and changed source files, without touching the source tree.
 
-usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. Compiles
-its .cpp files with the options of BUILD and links them before the libraries of BUILD, as CHANGES/pelage. A changed header
-may only add declarations: files that include it and are not in CHANGES keep their object code.
+usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. The
+program compiles the .cpp files of CHANGES with the options of BUILD. It links them before the libraries of BUILD into
+CHANGES/pelage. A changed header may only add declarations, because a file that includes it but is not in CHANGES is not
+compiled again.
 """
 import json
 import shlex

@@ -10,7 +10,8 @@
 namespace pelage::cli {
 namespace {
 
-/// Returns "MASSES SPRINGS" of the row `name`; "" if there is no such row.
+/// Returns the numbers of masses and springs in the output row `name` as "MASSES SPRINGS"; "" without that
+/// row.
 std::string row_of(const std::string& text, const std::string& name) {
   std::smatch found;
   const std::regex row("(^|\n)" + name + " +([0-9]+) +([0-9]+) ");

@@ -1,4 +1,4 @@
-// Tests the table of time ratios to the paper's own pipeline with rows of synthetic times.
+// Tests the table of the paper's pipeline time divided by our time. The rows have synthetic times.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Tests the report's text on the cost of more layers, and that the fit of plots/scaling.py finds the costs of
-// a synthetic table.
+// Tests the report's text on the cost of more layers. Tests also that the fit of plots/scaling.py finds the
+// coefficients from which a synthetic table was computed.
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns cells whose frame times are a sum of 1 ms per frame, 40 ns per triangle, 2 ns per triangle and
-/// layer, and 10 ns per pixel and layer, changed by up to 1%.
+/// Returns cells with the frame time 1 ms + 40 ns * triangles + 2 ns * triangles * layers + 10 ns * pixels *
+/// layers, changed by up to 1%.
 std::vector<Cell> cells() {
   std::vector<Cell> result;
   int i = 0;

@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// Draws a grey square. The frames take 10 ms, 11 ms, 12 ms, ... times `factor`.
+/// A subject that draws a grey square. Its frames take 10 * factor ms, 11 * factor ms, 12 * factor ms, ...
 class Grey : public Subject {
  public:
   Grey(double factor, float grey, std::string* order) : factor_(factor), grey_(grey), order_(order) {}

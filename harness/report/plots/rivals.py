@@ -3,7 +3,7 @@
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys

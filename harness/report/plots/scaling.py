@@ -3,7 +3,8 @@
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program writes the fit beside the first output, as .txt.
+TABLE.csv is the table that a report stores next to this program. The program writes the fit next to the first output,
+as a .txt file.
 The model is this sum of costs with coefficients that are not negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
