@@ -4,7 +4,7 @@
 A place uses a string, an enumerator, a class or a factory. Places in the files that implement the named item and in the
 table of its family do not count.
 
-Ends with 1 if a name has more than two such places. -v prints the places.
+The exit status is 1 if a name has more than two such places. The option -v prints the places.
 """
 import re
 import subprocess

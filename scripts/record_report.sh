@@ -50,6 +50,6 @@ rm -rf "$docs"
 mkdir -p "$docs"
 cp "$work"/report/plots/*.{svg,pdf} "$docs/"
 find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
-rm -f "$docs/all-phases.csv" # it can be rebuilt from the rows
+rm -f "$docs/all-phases.csv" # not recorded, because it can be rebuilt from the rows
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
 cp "$work/report.txt" "$docs/report.txt"
