@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages that pelage needs on Debian 12, builds pelage, tests it and times Table 1. A second run installs
-# nothing and rebuilds only changed files.
+# Installs the packages that pelage needs on Debian 12. Builds pelage, tests it and times the cases of Table 1. A second
+# run installs nothing and rebuilds only changed files.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build/release
@@ -61,7 +61,7 @@ set_up() {
     run_apt install --no-install-recommends "${wanted[@]}"
     say "installed"
   fi
-  # Slim container images omit /usr/share/doc, the folder of CGAL's meshes in Debian.
+  # Slim container images omit /usr/share/doc, where Debian installs CGAL's example meshes.
   if [[ $install == yes && ! -e /usr/share/doc/libcgal-dev/data.tar.gz ]]; then
     mkdir -p "$root/build"
     log=$root/build/install.log
@@ -70,8 +70,8 @@ set_up() {
   fi
 }
 
-# Prints the number of compilers to run at once: one per core, and at most one per 2 GB of memory, which CGAL's headers
-# need.
+# Prints the number of compilers to run at once: one per core, but at most one per 2 GB of memory, because compiling
+# CGAL's headers needs 2 GB.
 compilers() {
   local memory=$(($(awk '/^MemAvailable/ { print $2 }' /proc/meminfo) / 1024)) limit
   limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
@@ -120,7 +120,8 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # With status 1 a case has no time, and the report gives the reason. After other errors there are no results.
+  # Status 1 means that a case has no time; the report then gives the reason. After any other error there are no
+  # results.
   if ((status == 130 || status == 143)); then
     say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi

@@ -15,8 +15,9 @@ looks="straight wavy large-curls small-curls dry wet grass"
 for layers in 64 16; do
   for look in $looks; do
     set_few=
-    # With 16 layers each fragment samples its layer four times. Wide curls and strongly bent blades would still move
-    # too far from one layer to the next. Narrower curls and straighter blades therefore replace them.
+    # With 16 layers each fragment samples the fur four times within its layer. The offset from one layer to the next
+    # would still be too large for wide curls and strongly bent blades, so these options make the curls narrower and the
+    # blades straighter.
     [ "$layers" = 16 ] && set_few="--set fur.substeps=4"
     [ "$layers $look" = "16 grass" ] && set_few="$set_few --set fur.sweep=0.25 --set fur.bend=12"
     [ "$layers $look" = "16 large-curls" ] && set_few="$set_few --set curl.radius=0.032 --set curl.turns=1.1"
@@ -26,8 +27,8 @@ for layers in 64 16; do
   done
 done
 
-# Each row is 2000 pixels wide. The pictures of curls are cut to a width of 500 pixels, dry and wet to 600 pixels, and
-# grass keeps its 800 pixels.
+# Each row of the sheet is 2000 pixels wide. The pictures of curls are cut to a width of 500 pixels, and the pictures
+# dry and wet to 600 pixels. The picture of grass keeps its width of 800 pixels.
 cut() { oiiotool "$pictures/$1.png" --cut "$2" -o "$pictures/$1-cut.png"; }
 place() { oiiotool "$pictures/$1-cut.png" "$pictures/sheet.png" --paste "$2" -o "$pictures/sheet.png"; }
 oiiotool --create 2000x2320 3 -d uint8 -o "$pictures/sheet.png"

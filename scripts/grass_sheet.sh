@@ -4,7 +4,7 @@
 #
 #   Figure 2: (a) structure, (b) colour, (c) self-shadow, (d) diffuse shading.
 #
-#   Figure 6: (a) linear and (b) bent layers. Figure 7: two seconds later without and with the return force.
+#   Figure 6: (a) linear and (b) bent layers. Figure 7: two seconds later, (a) without and (b) with the return force.
 #
 #   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
 #
@@ -25,7 +25,8 @@ draw() {
   "$pelage" render "examples/$scene.toml" --size 400x300 -o "$pictures/$picture.png" "$@"
 }
 
-# Picture 03 has no lamp, 02 also has no self-shadow, and 01 also has no colour. Picture 04 is the lit elephant.
+# Picture 04 is the lit elephant. Picture 03 has no light source. Picture 02 has neither light source nor self-shadow.
+# Picture 01 has neither light source, self-shadow nor colour.
 dark='shading.light=[{direction=[0.0,1.0,0.0],intensity=0.0}]'
 draw 01 elephant --set "$dark" --set shading.ambient=0.9 --set shading.occlusion=0 --set coat.pattern=plain --set 'coat.colour=[1.0,1.0,1.0]' \
   "$@"

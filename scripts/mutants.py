@@ -27,11 +27,11 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEYS = {"name", "original", "replacement", "target", "filter", "why", "equivalent"}
 NEEDED = {"name", "original", "replacement", "target", "filter", "why"}
-TEST_LIMIT_S = 600  # a mutant that makes a test run longer counts as detected
+TEST_LIMIT_S = 600  # A test that a mutant makes run longer than this counts as failed, so the mutant is detected.
 
 
 class Mistake(Exception):
-    """An error whose message is one line for the user."""
+    """An error in the data file or the command line. The message is one line."""
 
 
 def read_data(file):
@@ -80,8 +80,8 @@ def planted(file, begin, end, replacement, built):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.SIG_IGN)  # a second Ctrl-C must not interrupt the restoration
         file.write_text(text)
-        # If the mutant was built, the restored file must be newer than the objects, so that it is built again. If nothing
-        # was built, the old time is restored, so that nothing is built again.
+        # After a build the restored file must be newer than the objects, so that the next build compiles it. Without a
+        # build the old time is restored, so that the next build does not compile it.
         if not built:
             os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
         take_signals()

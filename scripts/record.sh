@@ -30,7 +30,7 @@ for model in $models; do
 done
 oiiotool "$work/sheet.png" --eraseattrib ".*" --nosoftwareattrib --compression jpeg:88 -o docs/table1/models.jpg
 
-# Computes the covered fragments per second of every cell from the same rows.
+# Computes the covered fragments per second of every case from the recorded rows.
 awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }
          $at["status"] == "ok" && $at["median_ms"] > 0 {
            rate = $at["covered_fragments"] / $at["median_ms"] * 1e-6

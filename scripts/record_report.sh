@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER in docs/.
-# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders that `pelage run` wrote. FOLDER is first deleted.
+# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders RESULTS that `pelage run` wrote. The script first
+# deletes FOLDER.
 #
 # These commands write the results for docs/topology in about 30 minutes on two cores, with --preset quick:
 #
@@ -36,7 +37,7 @@ for folder in "$@"; do
   done
 done
 for folder in "$@"; do
-  # Several RESULTS may contain rows of the same experiment and device. Each journal becomes a separate file.
+  # Several folders RESULTS may contain rows of the same experiment and device. Each journal becomes a separate file.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
     place=results/$(basename "$(dirname "$rows")")
     mkdir -p "$place"
@@ -49,6 +50,6 @@ rm -rf "$docs"
 mkdir -p "$docs"
 cp "$work"/report/plots/*.{svg,pdf} "$docs/"
 find "$work/report/tables" \( -name '*.csv' -o -name '*.txt' \) -exec cp {} "$docs/" \;
-rm -f "$docs/all-phases.csv" # it can be rebuilt from the rows
+rm -f "$docs/all-phases.csv" # not recorded, because it can be rebuilt from the rows
 sed 's/[[:blank:]]*$//' "$work/report/provenance.txt" >"$docs/provenance.txt"
 cp "$work/report.txt" "$docs/report.txt"

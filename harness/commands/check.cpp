@@ -22,7 +22,7 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;  // number of simulated frames, including the drawn one; 60 frames are 1 s
+constexpr int frames = 30;  // number of simulated frames of 1/60 s each; the last one is drawn
 
 struct CheckOptions {
   std::vector<std::string> stages;
@@ -30,7 +30,7 @@ struct CheckOptions {
   bool full = false, hashes = false;
 };
 
-/// A check and the name of its stage.
+/// The result of one comparison with the reference, and the name of the compared stage.
 struct StageCheck {
   std::string stage;
   Check check;
@@ -66,7 +66,7 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
     const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
   }
-  // Without droplets both masks are dry everywhere, and comparing them tests nothing.
+  // Without droplets both wetness masks are zero everywhere, so their comparison would test nothing.
   if (which.motion && stages.contains("mask") && !input->droplets.empty())
     add("mask", "", check_mask(drawn.mask, reference.mask));
   const auto add_picture = [&](const FrameOutput& output) {
@@ -84,7 +84,7 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
   return all;
 }
 
-/// Prints one line: the name of the case, the name of the data and the hash of their bytes.
+/// Prints one line: the name of the test case, the name of the hashed data, and the hash of its bytes.
 void print_hash(const CheckScene& which, const std::string& what, const std::string& hash) {
   fmt::print("{:<34} {:<44} {}\n", which.name, what, hash);
 }
@@ -94,8 +94,8 @@ std::string hash_of(const std::vector<T>& values) {
   return Hash().values(values).hex();
 }
 
-/// Prints a hash of the masses of every topology and solver, and of each topology's picture with the default
-/// solver.
+/// Prints a hash of the simulated masses for every topology and solver. For the default solver it also prints
+/// a hash of the picture.
 void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   const auto mesh = load_scene_mesh(which.scene);
   for (const springs::Kind kind : springs::kinds) {
@@ -123,7 +123,7 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   }
 }
 
-/// Prints a hash of the strands' tips, the mask and the picture of every mapping, and the hashes of
+/// For every pixel mapping, prints hashes of the strands' tips, the wetness mask and the picture. Then calls
 /// print_spring_hashes().
 void print_hashes(const cl::Device& device, const CheckScene& which) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
@@ -136,7 +136,7 @@ void print_hashes(const cl::Device& device, const CheckScene& which) {
   print_spring_hashes(device, which);
 }
 
-/// Returns the cases whose names contain a match of the regular expression. Throws InputError if the
+/// Returns the cases whose names contain a match of the regular expression `filter`. Throws InputError if the
 /// expression is malformed or no case matches.
 std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::string& filter) {
   try {
@@ -194,14 +194,14 @@ void add_check(CLI::App& app, Chosen& chosen) {
       ->add_option("--filter", options->filter,
                    "Use only the cases whose names match this regular expression, for instance torus")
       ->type_name("REGEX");
-  command->add_flag("--full", options->full,
-                    "Compare a larger set of cases: all eight models with 16 and 64 layers, curly, wet and "
-                    "windy, and a mesh of 5 million "
-                    "triangles");
+  command->add_flag(
+      "--full", options->full,
+      "Compare a larger set of cases: all eight models, each with 16 and 64 layers of curly, wet fur "
+      "in wind, and a mesh of 5 million triangles");
   command->add_flag(
       "--hashes", options->hashes,
-      "Print hashes instead of comparing: of the strands, mask and picture of every mapping, and of the "
-      "masses of every topology and solver. Equal hashes of two revisions show equal results");
+      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping, and of "
+      "the masses for every topology and solver. Two revisions with equal hashes compute equal results");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 

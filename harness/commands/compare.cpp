@@ -54,7 +54,7 @@ int compare(const CompareOptions& options) {
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };
-  fmt::print(stderr, "pelage: {} faster, {} slower, {} without a time in B, {} unchanged within {}\n",
+  fmt::print(stderr, "pelage: {} faster, {} slower, {} without a time in B, {} unchanged (threshold {})\n",
              count(Verdict::faster), count(Verdict::slower), count(Verdict::lost), count(Verdict::same),
              options.threshold);
   const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
@@ -70,7 +70,7 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   command
       ->add_option("b", options->b, "Second set of results; without it, --by compares the results within A")
       ->type_name("B");
-  command->add_option("--by", options->by, "Property in which two compared cases may differ")
+  command->add_option("--by", options->by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");
   command
       ->add_option("--threshold", options->threshold,

@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage devices [--measure] [--json]: lists the OpenCL devices. Exit code 1 if the measurement of a device
-/// fails, 3 if there is no device.
+/// pelage devices [--measure] [--json]: lists the OpenCL devices. The exit code is 1 if the measurement of a
+/// device fails, and 3 if there is no device.
 void add_devices(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// pelage export: writes the rows of journals as CSV.
+// pelage export: reads journal files of recorded results and writes them as CSV.
 #include "harness/commands/export.hpp"
 
 #include <fmt/format.h>
@@ -39,14 +39,15 @@ int export_csv(const ExportOptions& options) {
 
 void add_export(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand("export", "Write recorded rows as CSV");
+  CLI::App* command = app.add_subcommand("export", "Write recorded results as CSV");
   command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
   command->add_option("--csv", options->csv, "Output file; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
-  command->add_flag("--raw", options->raw, "Write one line per sample instead of one per case and phase");
+  command->add_flag("--raw", options->raw,
+                    "Write one line per sample instead of one line per case and phase");
   command->callback([options, &chosen] { chosen = [options] { return export_csv(*options); }; });
 }
 

@@ -3,7 +3,8 @@
 
 namespace pelage {
 
-/// pelage export RESULTS... --csv FILE|- [--raw]: writes the rows of journals as CSV.
+/// pelage export RESULTS... --csv FILE|- [--raw]: reads journal files of recorded results and writes them as
+/// CSV.
 void add_export(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -19,13 +19,14 @@ struct ListOptions {
   bool json = false;
 };
 
-/// Returns the longest time that sampling can take, in seconds. Preparing meshes and textures and checking
-/// pictures take additional time.
+/// Returns an upper limit of the time for sampling all cases of the preset, in seconds. The preparation of
+/// meshes and textures and the checks of the pictures take additional time.
 double most_seconds(const Experiment& experiment, const Preset& preset) {
   return double(cases_of(experiment, preset).size()) * (preset.limits.warm_up_s + preset.limits.limit_s);
 }
 
-/// Returns " (PAPER, TABLE)" without the parts that the experiment does not name; "" if it names neither.
+/// Returns " (PAPER, TABLE)", the source of the experiment. Omits a part that the experiment file does not
+/// give. Returns "" if the file gives neither part.
 std::string source_of(const Experiment& experiment) {
   if (experiment.paper.empty() && experiment.table.empty()) return "";
   const char* between = experiment.paper.empty() || experiment.table.empty() ? "" : ", ";

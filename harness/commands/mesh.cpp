@@ -59,9 +59,10 @@ void line(Picture& picture, glm::vec2 a, glm::vec2 b, glm::vec4 colour) {
   }
 }
 
-// Draws the UV map: each chart in a pale colour of its own, seams in black. A face is darker where its UV
-// area is less than its share of the surface area, and lighter where it is more. Flipped faces (negative UV
-// area) are red, each with a red cross that makes it visible even if it is smaller than a pixel.
+// Draws the UV map. Each chart has a pale colour, and seams are black. A face is darker than its chart's
+// colour if its share of the UV area is smaller than its share of the surface area; otherwise it is lighter.
+// Flipped faces (negative UV area) are red. A red cross marks each of them, because a face can be smaller
+// than a pixel.
 Picture draw_atlas(const Mesh& mesh, int side) {
   Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), glm::vec4(1))};
   const std::vector<std::uint32_t> chart = charts(mesh);
@@ -81,7 +82,7 @@ Picture draw_atlas(const Mesh& mesh, int side) {
     fill(picture, mesh, t, glm::vec4(light * tint, 1));
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>>
-      once;  // directed edges without an opposite edge: the seams
+      once;  // directed edges without an opposite edge, which are the seams
   for (const glm::uvec3& t : mesh.triangle)
     for (int k = 0; k < 3; ++k)
       if (!once.erase({t[(k + 1) % 3], t[k]})) once.insert({t[k], t[(k + 1) % 3]});
@@ -141,7 +142,8 @@ int run(const MeshCommand& command) {
 
 void add_mesh(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<MeshCommand>();
-  CLI::App* command = app.add_subcommand("mesh", "Prepare a mesh; print its counts, topology and UV quality");
+  CLI::App* command = app.add_subcommand(
+      "mesh", "Prepare a mesh; print its size, its topology and the quality of its UV map");
   command
       ->add_option("model", options->model, "Name of a model, or a mesh file: OBJ, OFF, PLY, STL, 3DS, glTF")
       ->required();
@@ -151,12 +153,13 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
   command
       ->add_option("--components", options->components,
-                   "Components of the file to keep: all that are closed or large, or only the largest")
+                   "Connected components to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
   command
-      ->add_option("--rotate", options->rotate,
-                   "Rotate the model by these degrees about x, then y, then z, for instance -90,0,0")
+      ->add_option(
+          "--rotate", options->rotate,
+          "Rotate the model about x, then y, then z by these angles in degrees, for instance -90,0,0")
       ->delimiter(',')
       ->expected(3)
       ->type_name("X,Y,Z");

@@ -1,5 +1,5 @@
-// Progress of a long computation on stderr: a bar on a terminal, otherwise one line per finished piece of
-// work.
+// Shows the progress of a long computation on stderr: as a bar if stderr is a terminal, otherwise as one line
+// per finished item of work.
 #pragma once
 #include <chrono>
 #include <cstddef>
@@ -12,16 +12,16 @@ std::string clock_text(double seconds);
 
 class Progress {
  public:
-  /// `total` is the number of pieces of work. The bar is drawn only if stderr is a terminal.
+  /// `total` is the number of items of work. The bar is drawn only if stderr is a terminal.
   explicit Progress(std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void start(const std::string& name);     ///< begins the piece `name`
+  void start(const std::string& name);     ///< starts the item of work `name`
   void note(const std::string& line);      ///< prints a line above the bar
-  void finish(const std::string& result);  ///< ends the piece; without a bar, prints `result`
-  void skip(std::size_t pieces);           ///< counts pieces that an earlier run finished
+  void finish(const std::string& result);  ///< ends the item; prints `result` if there is no bar
+  void skip(std::size_t pieces);           ///< counts items that an earlier run finished
 
  private:
   void draw() const;

@@ -22,8 +22,8 @@ int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
   const Scene scene = resolve_scene(options.scene);
-  // The device is chosen before the mesh is prepared, which may take minutes, so that a wrong name fails at
-  // once.
+  // The device is opened before the mesh is prepared. The preparation may take minutes, and an invalid device
+  // name must fail at once.
   const DrawPicture draw = open_renderer(options.renderer);
   const auto input = prepare(scene, load_scene_mesh(scene));
   const FrameOutput output = draw(input);
@@ -64,7 +64,8 @@ void add_render(CLI::App& app, Chosen& chosen) {
   command
       ->add_option(
           "--mapping", options->renderer.mapping,
-          "Mapping of the shells' pixels to work-items (default: depends on the device): " + mappings_help())
+          "Mapping of pixels to work-items in the pipeline shells (default: depends on the device): " +
+              mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
   command

@@ -54,10 +54,10 @@ DrawPicture open_opengl(const RendererOptions& given) {
 constexpr Renderer table[] = {
     {"shells", "OpenCL", false, false, open_shells},
     {"reference", "naive implementation in double precision on the host", true, false, open_reference},
-    {"opengl", "the paper's own pipeline of N passes on the installed OpenGL", false, true, open_opengl},
+    {"opengl", "the paper's own pipeline in OpenGL, with one pass per layer", false, true, open_opengl},
 };
 
-/// The name of the first pipeline with that property.
+/// Returns the name of the first pipeline for which `property` is true.
 std::string_view pipeline_with(bool Renderer::*property) {
   return std::find_if(std::begin(table), std::end(table), [&](const Renderer& r) { return r.*property; })
       ->name;

@@ -14,25 +14,25 @@ namespace pelage {
 /// The options of `pelage render` that choose and configure a pipeline.
 struct RendererOptions {
   std::string pipeline = "shells", mapping, opengl, device;
-  int bits = 32;  ///< 8: the picture is rounded to 8 bits after every layer
+  int bits = 32;  ///< 8: the reference rounds its picture to 8 bits per channel after every layer
 };
 
 using DrawPicture = std::function<FrameOutput(const std::shared_ptr<const FrameInput>&)>;
 
 struct Renderer {
-  std::string_view name;  ///< as users write it: --pipeline
-  std::string_view what;  ///< one line for --help
+  std::string_view name;  ///< value of the option --pipeline
+  std::string_view what;  ///< description of the pipeline in --help, one line
   bool rounds;            ///< reads --reference-bits
   bool has_variants;      ///< reads --opengl
-  /// Reads the options and finds the device. Throws InputError or DeviceError. Fast: it runs before the mesh
-  /// is prepared, which may take minutes.
+  /// Reads the options and opens the device. Throws InputError or DeviceError. It runs before the preparation
+  /// of the mesh, which may take minutes, so that errors are reported at once.
   DrawPicture (*open)(const RendererOptions&);
 };
 
 std::span<const Renderer> renderers();
 
-/// Checks the options and opens the pipeline that they name. Throws InputError for an option that this
-/// pipeline does not read.
+/// Checks the options and opens the pipeline that they name. Throws InputError for an option that the
+/// pipeline does not use.
 DrawPicture open_renderer(const RendererOptions& options);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// pelage report: writes tables, plots and an HTML page from the rows of journals.
+// pelage report: reads journal files of recorded results and writes tables, plots and an HTML page.
 #include "harness/report/report.hpp"
 
 #include <fmt/format.h>

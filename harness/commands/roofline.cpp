@@ -30,8 +30,8 @@ struct RooflineOptions {
   int frames = 15;
 };
 
-/// Returns the kernels in the order of a frame. A kernel's time is the median over the frames of the summed
-/// time of its launches in a frame; its bytes are those of the first frame.
+/// Returns the kernels in the order in which a frame runs them. A kernel's time is the sum over its launches
+/// in a frame, then the median over the frames. A kernel's bytes are those of the first frame.
 std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
                                    const std::map<std::string, double>& operations) {
   std::vector<KernelWork> kernels;
@@ -52,8 +52,8 @@ std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
   return kernels;
 }
 
-/// Times `frames` frames after three of warm-up. Returns nothing and prints the reason to stderr if the
-/// picture fails its check against the reference.
+/// Draws three warm-up frames, then times `frames` frames. If the picture fails its check against the
+/// reference, prints the reason to stderr and returns an empty value.
 std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
                                  const ShellOptions& how, int frames) {
   const Scene scene = scene_of(experiment, which);

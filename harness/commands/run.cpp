@@ -61,8 +61,9 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
   return all;
 }
 
-/// Returns the case with a mapping: the experiment's, else --mapping, else the device's default. The default
-/// variant is renamed to "shells/MAPPING".
+/// Returns the case with its mapping of pixels to work-items. The mapping is that of the experiment, if it
+/// names one; else that of --mapping; else the device's default. Renames the default variant to
+/// "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
@@ -95,8 +96,8 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
       options.preset);
 }
 
-/// Throws InputError if the journal has rows of the plan's cases and `resume` is false, or if `resume` is
-/// true and a row has another preset.
+/// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
+/// Also throws it if `resume` is true and a row was recorded with another preset.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
@@ -188,7 +189,7 @@ int run_here(const RunOptions& options, const fs::path& folder) {
     dry_run(options, sweeps, devices);
     return 0;
   }
-  // An invalid model of --model is reported here once instead of in every case.
+  // An invalid --model is reported here once. Otherwise every case would report it.
   for (const Sweep& sweep : sweeps)
     if (!options.model.empty() && !sweep.cases.empty())
       load_scene_mesh(scene_of(sweep.experiment, sweep.cases.front()),

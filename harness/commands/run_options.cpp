@@ -76,10 +76,10 @@ void declare(CLI::App& command, RunOptions& options) {
       ->required()
       ->type_name("EXPERIMENT|FILE.toml");
   command
-      .add_option("--preset", options.preset,
-                  "Preset: smoke takes seconds; quick times every cell with few samples; paper takes as many "
-                  "samples as a "
-                  "publication needs")
+      .add_option(
+          "--preset", options.preset,
+          "Preset: smoke runs for a few seconds; quick times every case with few samples; paper takes as "
+          "many samples as a publication needs")
       ->type_name("NAME")
       ->capture_default_str();
   command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, part of its name, or all")
@@ -101,8 +101,7 @@ void declare(CLI::App& command, RunOptions& options) {
   command
       .add_option(
           "--mapping", options.mapping,
-          "Mapping of the shells' pixels to work-items if the experiment names none (default: depends on the "
-          "device): " +
+          "Mapping of pixels to work-items if the experiment names none (default: depends on the device): " +
               mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");
@@ -124,7 +123,7 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("-o,--output", options.output, "New folder for the results")->type_name("DIR");
   command
       .add_option("--resume", options.resume,
-                  "Continue the interrupted run in this folder; its rows are kept")
+                  "Continue the interrupted run in this folder; its finished rows are kept")
       ->type_name("DIR");
   command
       .add_option("--order-seed", options.order_seed,

@@ -1,4 +1,4 @@
-// The options of pelage run, and the values that are computed from the options alone.
+// The command-line options of pelage run, and functions that need only these options.
 #pragma once
 #include <filesystem>
 #include <limits>
@@ -16,15 +16,15 @@ struct RunOptions {
   std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
-  int repeat_index = -1;  ///< number of this process of --repeat, from 0; -1: started by the user
+  int repeat_index = -1;  ///< index of this process among those of --repeat, from 0; -1: started by the user
   std::optional<std::uint64_t> order_seed;
   bool dry_run = false, anonymous = false;
-  std::vector<std::string> argv;  ///< command line of this process, the program's name first
+  std::vector<std::string> argv;  ///< command line of this process, beginning with the program's name
 
   Overrides overrides() const;  ///< throws InputError for a malformed key=value
   Shard shard_or_all() const;
   std::filesystem::path folder()
-      const;  ///< --resume, or -o, or a new folder named after the time and the host
+      const;  ///< the folder of --resume or -o, else a new folder named after the time and the host
 };
 
 void declare(CLI::App& command, RunOptions& options);
@@ -33,8 +33,9 @@ void declare(CLI::App& command, RunOptions& options);
 /// missing file or folder.
 void check_options(RunOptions& options);
 
-/// Runs this program in options.repeat new processes, one after another, each with its own --repeat-index.
-/// Returns the first exit code that is not 0, or 0. An exit code of 2 or more ends the repetition.
+/// Runs this program in options.repeat new processes, one after another. Each process has its own
+/// --repeat-index. Returns the first exit code that is not 0, or 0. After an exit code of 2 or more it starts
+/// no further process.
 int run_repeats(const RunOptions& options, const std::filesystem::path& folder);
 
 }  // namespace pelage

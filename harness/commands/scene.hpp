@@ -3,7 +3,8 @@
 
 namespace pelage {
 
-/// pelage scene [SCENE.toml] [--set KEY=VALUE]: prints the resolved scene as commented TOML to stdout.
+/// pelage scene [SCENE.toml] [--set KEY=VALUE]: prints the scene with all overrides as TOML to stdout. Each
+/// key has a comment.
 void add_scene(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

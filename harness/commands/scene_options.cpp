@@ -13,7 +13,7 @@
 namespace pelage {
 namespace {
 
-/// Sets the scene's width and height to those of "800x600"; apply_set() checks their range.
+/// Sets the picture's width and height from a text such as "800x600". apply_set() checks their ranges.
 void set_size(Scene& scene, const std::string& size) {
   const auto cross = size.find('x');
   const std::string width = size.substr(0, cross);

@@ -11,13 +11,13 @@
 namespace pelage {
 
 struct SceneOptions {
-  std::string file;              ///< empty: the default scene
-  std::string model;             ///< empty: the model of the scene file
+  std::string file;              ///< scene file; empty: the default scene
+  std::string model;             ///< name or file; empty: the model of the scene file
   std::string size;              ///< "WxH" in pixels; empty: the size of the scene file
   std::vector<std::string> set;  ///< overrides, key=value
 };
 
-/// Adds SCENE.toml and --set and, if the command draws, also --model and --size.
+/// Adds the options SCENE.toml and --set to the command. If `draws` is true, also adds --model and --size.
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 
 /// Returns the scene with all overrides. Throws InputError for unknown keys and values out of range.

@@ -30,7 +30,7 @@ struct TopologyCommand {
   float length = 0.15f;
 };
 
-// Numbers of masses and springs that a paper prints, by the topology's name.
+// Numbers of masses and springs that a paper prints for a model. The keys are names of topologies.
 using Published = decltype(Model::published);
 
 Published published_of(const std::string& model) {
@@ -39,7 +39,8 @@ Published published_of(const std::string& model) {
   return {};
 }
 
-// Length of the fur, in R. Counts, degrees and memory do not depend on it.
+// Length of the fur in R, the radius of the bounding sphere. The printed numbers of masses and springs and
+// the memory do not depend on this length.
 constexpr float any_length = 0.05f;
 
 void row(std::string_view what, const auto& masses, const auto& springs, const std::string& degrees,

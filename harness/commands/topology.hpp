@@ -1,4 +1,5 @@
-// pelage topology MODEL|FILE: prints the size of each spring network over a model, and draws the networks.
+// pelage topology MODEL|FILE: prints the numbers of masses and springs of each spring network on a model, and
+// draws the networks.
 #pragma once
 #include "harness/commands/command.hpp"
 

@@ -75,8 +75,8 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
   for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
   const std::string against =
       found.best.empty() ? std::string("no other values were faster than the shipped ones")
-                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) times the shipped time", found.last.ratio,
-                                       found.last.interval.low, found.last.interval.high);
+                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) times the time of the shipped values",
+                                       found.last.ratio, found.last.interval.low, found.last.interval.high);
   const std::string note =
       fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
                   info.driver, utc_now(), build_info().revision.substr(0, 12), kernel_hash, against, scenes);
@@ -132,7 +132,7 @@ int tune(const TuneOptions& options) {
       return 1;
     }
     if (!found.last.tuning.empty())
-      fmt::print("{}\t{}\t{} times the shipped time{}\n", stages[i], text_of(found.last.tuning),
+      fmt::print("{}\t{}\t{} times the time of the shipped values{}\n", stages[i], text_of(found.last.tuning),
                  told(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);

@@ -24,7 +24,7 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
 
-/// Returns the scene keys that the value of a named axis sets, with their values as in TOML.
+/// Returns the scene keys that this value of the axis sets, each with its value as TOML text.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
@@ -91,15 +91,15 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // The name of a case omits the first reading and the first variant of the experiment.
+    // A case's name contains neither the first value of the axis "reading" nor that of the axis "variant".
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(key, value);
   }
-  // A relative path on the command line starts at the working folder; one in the file starts at the file's
-  // folder.
+  // A relative path on the command line is relative to the working folder. A relative path in the experiment
+  // file is relative to the folder of that file.
   if (is_model_file(overrides.model))
     result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
   result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());

@@ -34,7 +34,7 @@ std::string literal(const toml::node& node) {
   return text.str();
 }
 
-/// Returns the text of an axis value or a published key; strings without their quotes.
+/// Returns the text of a TOML value, without quotes if it is a string.
 std::string plain(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   return literal(node);
@@ -113,7 +113,8 @@ Preset read_preset(const fs::path& file, const toml::table& table) {
   limits.most = int(number_at(file, table, "most", limits.most, 1, 1e6));
   limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
   limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
-  if (limits.most < limits.least) refuse(file, table.get("most"), "most must be at least as large as least");
+  if (limits.most < limits.least)
+    refuse(file, table.get("most"), "the key most must be at least as large as the key least");
   if (const toml::node* axes = table.get("axes")) {
     if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
     preset.axes = read_axes(file, *axes->as_table());
@@ -143,7 +144,8 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
-/// Returns true for the keys of a variant that select its implementation; its other keys are scene keys.
+/// Returns true for the keys that select the implementation of a variant. All other keys of a variant are
+/// scene keys.
 bool says_how(std::string_view key) {
   return key == pipeline_key || key == mapping_key || key == opengl_key;
 }
@@ -170,8 +172,8 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   std::smatch match;
   if (std::regex_match(text, match, std::regex(number))) {
     const double value = std::stod(match[1]);
-    // A printed figure represents all values that round to it: +-0.5 without decimals, else +- half a unit of
-    // the last digit.
+    // A printed number represents all values that round to it: +-0.5 for a whole number, else +- half a unit
+    // of the last digit.
     const std::size_t point = text.find('.');
     const double half =
         point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));

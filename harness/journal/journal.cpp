@@ -63,7 +63,8 @@ Contents parse(const fs::path& file, std::string_view text) {
     }
     const std::string key = row_key(result.rows.back());
     if (!result.keys.insert(key).second)
-      throw InputError(fmt::format("{}:{}: damaged: second row of {}", file.string(), line_number, key));
+      throw InputError(
+          fmt::format("{}:{}: damaged: second row with the key {}", file.string(), line_number, key));
     result.good = end + 1;
   }
   result.torn = text.size() - result.good;

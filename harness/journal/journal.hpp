@@ -1,14 +1,15 @@
-// The append-only journal of rows: one file, one line per case. A kill of the program loses no complete row.
+// The append-only journal of rows: one file with one line per case. If the program is killed, no complete row
+// is lost.
 //
-// The rules follow SQLite and RocksDB. A lock admits only one writer, and the file is opened with O_APPEND.
-// Each write is one whole line with a checksum. Interrupted and short writes are completed. A row counts as
-// written only after fdatasync. The folder is synced when the file is created. If a write fails, for instance
-// on a full disk, the file is truncated to its last complete row and append() throws. If fdatasync fails,
-// append() throws and does not retry. Mode::resume removes a truncated last line (without a line feed). Any
-// other damage is an error.
+// The journal follows rules of SQLite and RocksDB. A lock admits only one writer, and the file is opened with
+// O_APPEND. Each write is one whole line with a checksum. Interrupted and short writes are completed. A row
+// counts as written only after fdatasync. The folder is synced when the file is created. If a write fails,
+// for instance on a full disk, the file is truncated to its last complete row and append() throws. If
+// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line (without a
+// line feed). Any other damage is an error.
 //
-// The rules protect rows if the program is killed. They do not protect data that a disk loses in a power
-// failure.
+// These rules protect the rows if the program is killed. They do not protect data that a disk loses in a
+// power failure.
 #pragma once
 #include <sys/types.h>
 
@@ -41,13 +42,13 @@ class Journal {
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
 
-  const std::vector<Row>& rows() const { return rows_; }  ///< rows found on opening
+  const std::vector<Row>& rows() const { return rows_; }  ///< rows that the file contained when it was opened
   bool holds(const std::string& key) const {
     return keys_.contains(key);
-  }  ///< true for found and appended rows
+  }  ///< true if the file contained the row when it was opened, or append() added it
   std::size_t dropped_bytes() const {
     return dropped_;
-  }  ///< bytes of the truncated last line that was removed
+  }  ///< length of the truncated last line that was removed, in bytes
   const std::filesystem::path& file() const { return file_; }
 
   /// Appends a row, syncs the file to the disk and returns. Throws InputError for an existing key, a full
@@ -67,8 +68,8 @@ class Journal {
   std::set<std::string> keys_;
 };
 
-/// Reads the rows of a journal. Another process may write it at the same time: takes no lock, and skips a
-/// truncated last line. Throws InputError for a damaged line.
+/// Reads the rows of a journal. It takes no lock, because another process may write the file at the same
+/// time, and skips a truncated last line. Throws InputError for a damaged line.
 std::vector<Row> read_journal(const std::filesystem::path& file);
 
 }  // namespace pelage

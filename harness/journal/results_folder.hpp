@@ -1,4 +1,4 @@
-// Folders of results and their rows.
+// Reads the rows in folders of results, and prevents runs from changing recorded results.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -19,7 +19,8 @@ struct FoundRow {
 /// journal, or a damaged journal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
-/// Throws InputError for the repository's results/, which contains recordings and must not receive a run.
+/// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains
+/// recorded results, which a new run must not change.
 void refuse_recordings(const std::filesystem::path& folder);
 
 }  // namespace pelage

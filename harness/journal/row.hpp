@@ -17,18 +17,19 @@ inline constexpr int kRowSchema = 1;
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
 std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
-std::optional<Status> status_from_text(std::string_view text);  ///< empty: no such status
+std::optional<Status> status_from_text(std::string_view text);  ///< empty if `text` is not a status
 
-/// Measured times of one phase, ms, in the order of measurement. Any list may be empty: a phase within a
-/// frame has no separate wall time, a device without a real timer has no event times, and rows of earlier
-/// versions have no CPU time. `cpu_ms` is the time that all threads of this process used during `wall_ms`.
+/// Measured times of one phase in milliseconds, in the order of measurement. Any list may be empty: a phase
+/// within a frame has no separate wall time, a device without a usable timer has no event times, and rows of
+/// earlier versions have no CPU time. `cpu_ms` is the time that all threads of this process used during
+/// `wall_ms`.
 struct PhaseSamples {
   std::vector<double> event_ms, wall_ms, cpu_ms = {};
 };
 
-/// A measured or published number. A published number has a relation, "=", "<", "about" or "range", and the
-/// ends `low` and `high` of the interval that the print represents: a whole number of fps represents +-0.5
-/// fps. An end that the print does not give is empty.
+/// A measured number, or a number printed in a paper. A printed number has a relation: "=", "<", "about" or
+/// "range". It represents the interval from `low` to `high`; for instance, 267 fps represents 266.5 to 267.5
+/// fps. `low` or `high` is empty if the paper does not give this limit.
 struct Metric {
   double value = 0;
   std::string unit;
@@ -43,14 +44,14 @@ struct Row {
   std::string variant;                      ///< what was timed: pipeline, mapping, solver, tuning
   std::map<std::string, std::string> axes;  ///< axis -> value; to_line() writes numbers as JSON numbers
   std::map<std::string, std::string>
-      overrides;  ///< by --set, --axis and --model; empty: the shipped experiment
+      overrides;  ///< values of --set, --axis and --model; empty if the experiment was not changed
   std::string device;
-  int repeat = 0;  ///< number of the process of --repeat, from 0
+  int repeat = 0;  ///< index of the process among those of --repeat, from 0
   Status status = Status::ok;
   std::string reason;  ///< reason for a status other than ok, or a note about an ok row
   std::vector<Check> check;
   std::map<std::string, PhaseSamples>
-      samples;  ///< by phase: simulate, wet, transform, bin, raster, resolve, frame
+      samples;  ///< phase -> times; the phases are simulate, wet, transform, bin, raster, resolve, frame
   std::map<std::string, Metric> metrics;
   double build_ms = 0;
   double first_launch_ms = 0;
@@ -59,7 +60,7 @@ struct Row {
   nlohmann::ordered_json provenance = nlohmann::ordered_json::object();
 };
 
-/// Returns the key that is unique in a journal.
+/// Returns the text that identifies the row in its journal.
 std::string row_key(const Row& row);
 
 /// Returns the row as one line without a line feed. The last field, "crc", is the CRC-32 of the text before
@@ -70,7 +71,7 @@ std::string to_line(const Row& row);
 /// a field of the wrong type, or another schema.
 Row row_from_line(std::string_view line);
 
-/// Returns the wall times of whole frames, ms; nothing if the row is not ok.
+/// Returns the wall times of whole frames in milliseconds; an empty list if the row is not ok.
 std::vector<double> frame_ms(const Row& row);
 
 }  // namespace pelage

@@ -81,7 +81,8 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 }
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
-  // These fields differ between the rows of a run. They are omitted here because each row contains them.
+  // These fields differ between the rows of a run. The report omits them, because each recorded row contains
+  // them.
   static const std::set<std::string> of_a_row{
       "utc",       "load",      "prepare_s",  "load_after", "other_cpu_share", "check_s",      "kernel_hash",
       "converged", "mesh_hash", "scene_hash", "check_seed", "bad_input",       "mesh_warnings"};

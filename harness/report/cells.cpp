@@ -15,8 +15,8 @@ std::string text(const Row& row, const char* key) {
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
-/// Returns the file of the row's picture in the folder images/ beside the journal: CASE@DEVICE.png of a run
-/// with several devices, else CASE.png.
+/// Returns the path of the row's picture in the folder images/ next to the journal. The name is
+/// CASE@DEVICE.png if the run used several devices, else CASE.png.
 fs::path image_of(const FoundRow& found) {
   const fs::path folder = found.journal.parent_path() / "images";
   const std::string stem = found.journal.stem().string();

@@ -1,5 +1,5 @@
-// Cells of a report. A cell combines the rows of one case from all processes and holds the statistics of
-// their samples.
+// Cells of the report's tables. A cell combines the rows of one case from all processes (--repeat) and holds
+// the statistics of their samples.
 #pragma once
 #include <map>
 #include <optional>
@@ -14,13 +14,14 @@ namespace pelage {
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
-  Status status = Status::ok;  ///< ok only if all its rows are ok
+  Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
-  std::map<std::string, Metric> metrics;       ///< metrics of the first row
-  std::vector<std::vector<double>> processes;  ///< frame wall times, ms, one list per row
+  std::map<std::string, Metric> metrics;       ///< metrics of the first of the combined rows
+  std::vector<std::vector<double>> processes;  ///< wall times of frames in ms; one list per row
   double median_ms = 0;                        ///< median of all samples of all processes; 0 without samples
-  Interval interval_ms;         ///< 95% interval; the bootstrap resamples processes, then their samples
-  bool converged = true;        ///< true if every row reached the precision of its preset
+  /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
+  Interval interval_ms;
+  bool converged = true;        ///< true if every row reached the precision that the preset requires
   std::filesystem::path image;  ///< file of the cell's picture; it may not exist
   std::string reading() const;  ///< value of the axis "reading"; "default" without this axis
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
@@ -28,11 +29,12 @@ struct Cell {
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
 
-/// Returns cells sorted by experiment, device and host; cases keep the order of their first appearance.
+/// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
+/// which they first occur in the rows.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
-/// Our frames per second divided by the paper's. The interval follows from the uncertainties of both numbers;
-/// an empty end is unbounded.
+/// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the
+/// uncertainties of both numbers. An empty `low` or `high` means that the interval has no such limit.
 struct Ratio {
   double value = 0;
   std::string relation;  ///< "", or ">" if the paper gives only an upper bound
@@ -40,7 +42,7 @@ struct Ratio {
 };
 std::optional<Ratio> ratio_of(const Cell& cell);
 
-/// Returns the figure in its published form: "267", "< 1", "~ 30" or "20..30".
+/// Returns the number in the form in which the paper prints it: "267", "< 1", "~ 30" or "20..30".
 std::string published_text(const Metric& figure);
 
 }  // namespace pelage

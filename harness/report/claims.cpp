@@ -24,7 +24,8 @@ const std::string by_explicit(springs::Solver::explicit_euler.name),
     by_implicit(springs::Solver::backward_euler.name);
 const std::vector<std::string> both{by_explicit, by_implicit};
 
-/// The names of the topologies whose layers can part, or of the others.
+/// Returns the names of the separable topologies, or of the others if `separable` is false. In a separable
+/// topology neighbouring triangles of a layer are not connected.
 std::vector<std::string> topologies(bool separable) {
   std::vector<std::string> names;
   for (const springs::Kind& kind : springs::kinds)
@@ -58,7 +59,8 @@ std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   return tables;
 }
 
-/// Computes a number of one cell. Returns no value if the cell was not measured.
+/// Computes one number from the times of one combination of model, topology and solver. Returns no value if
+/// the times are missing.
 using Number = std::optional<double> (*)(const Table&, const Key&);
 
 std::optional<Times> times(const Table& table, const Key& key) {
@@ -75,8 +77,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, by_implicit}),
              fast = times(table, {model, topology, by_explicit});
-  // Only the simulation differs between the two solvers. The noise of the remaining frame time is larger than
-  // this difference, so only the simulation times of the two rows are compared.
+  // The two solvers differ only in the time of the simulation. The noise of the remaining frame time is
+  // larger than this difference, so only the simulation times of the two rows are compared.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 

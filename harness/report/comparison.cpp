@@ -16,8 +16,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns all properties that must agree in a pair, as one text: the experiment, axes, overrides, variant
-/// and device without the property `by`.
+/// Returns, as one text, all properties that must agree in a pair of cells: the experiment, axes, overrides,
+/// variant and device, except the property `by`.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)

@@ -18,16 +18,16 @@ enum class Verdict { same, faster, slower, lost };  ///< lost: the case has a ti
 
 struct Pair {
   std::string name;  ///< the common properties of both cells
-  std::string a, b;  ///< the two values of the property `by`
+  std::string a, b;  ///< values of the property `by` in the two cells
   double a_ms = 0, b_ms = 0;
   double change = 0;  ///< b_ms / a_ms - 1; 0 if a time is missing
   Verdict verdict = Verdict::same;
 };
 
-/// Pairs every cell of A with the cells of B that differ at most in `by`. A pair counts as faster or slower
-/// only if the medians differ by more than `threshold` (0.05: 5%) and their 95% intervals do not overlap, so
-/// noise counts as neither. If A and B are the same set, each pair of different values of `by` is compared
-/// once. Throws InputError if there is no pair.
+/// Pairs every cell of `a` with each cell of `b` that has the same properties, except possibly `by`. A pair
+/// counts as faster or slower only if the medians differ by more than `threshold` (0.05 is 5%) and their 95%
+/// intervals do not overlap. If `one_set` is true, `a` and `b` are the same set, and every two cells with
+/// different values of `by` are compared once. Throws InputError if there is no pair.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, double threshold);
 

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-/// Names of the columns that not all rows have: all axes and metrics of all rows.
+/// Names of the columns that depend on the rows: every axis and every metric that occurs in any row.
 struct Columns {
   std::set<std::string> axes, metrics;
   explicit Columns(const std::vector<FoundRow>& rows) {

@@ -11,12 +11,12 @@ namespace pelage {
 /// quoted.
 std::string csv_line(const std::vector<std::string>& fields);
 
-/// Returns one line per row of results, phase and clock ("wall" or "event"). A line contains the case, the
-/// number of samples, their median and its 95% interval, ms. A row that is not ok has one line without times.
-/// Each axis has a column of its name; each metric has a column "metric.NAME".
+/// Returns CSV with one line per row of results, phase and clock ("wall", "event" or "cpu"). A line contains
+/// the case, the number of samples, and their median and its 95% interval in ms. A row that is not ok has one
+/// line without times. Each axis has a column of its name. Each metric has a column "metric.NAME".
 std::string csv_by_phase(const std::vector<FoundRow>& rows);
 
-/// Returns the same columns with one line per sample in place of the median.
+/// Returns CSV with the columns of csv_by_phase(), but with one line per sample in place of the median.
 std::string csv_by_sample(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

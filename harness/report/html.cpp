@@ -1,4 +1,4 @@
-// Writes index.html: the report as one page that uses only files of its folder.
+// Writes index.html: the report as one page that uses only files in the report's folder.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -100,9 +100,9 @@ std::string table_html(const PaperTable& table) {
     html += "</tbody></table></div>\n";
   }
   html += fmt::format(
-      "<p class=\"soft\">{}Frames per second: 1000 over the median wall time of a warm frame in ms, "
-      "first enqueue to finish. Ratio: ours over the paper's. * marks a median whose 95% interval is "
-      "wider than the preset asks for. Point at a figure for its time.</p>\n<ol class=\"notes\">",
+      "<p class=\"soft\">{}Frames per second: 1000 divided by the median wall time of a warm frame in ms, "
+      "first enqueue to finish. Ratio: ours divided by the paper's. * marks a median whose 95% interval is "
+      "wider than the preset requires. Point at a figure for its time.</p>\n<ol class=\"notes\">",
       table.hardware.empty()
           ? std::string{}
           : fmt::format("The paper's figures: {}, on {}. ", escaped(table.source), escaped(table.hardware)));
@@ -125,7 +125,7 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
-/// Returns the HTML of the tables. Each has a heading and a link to its CSV file.
+/// Returns the HTML of the tables. Each table has a heading and a link to its CSV file.
 template <class Table>
 std::string sections(const char* title, const std::vector<Table>& tables,
                      const std::vector<std::string>& stems) {

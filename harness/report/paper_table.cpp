@@ -166,10 +166,11 @@ std::string text_of(const PaperTable& table) {
     }
   }
   text +=
-      "\nFrames per second: 1000 over the median wall time of a warm frame, ms. Ratio: ours over the "
+      "\nFrames per second: 1000 divided by the median wall time of a warm frame in ms. Ratio: ours divided "
+      "by the "
       "paper's.\n";
   if (!table.hardware.empty()) text += fmt::format("The paper's: {}, on {}.\n", table.source, table.hardware);
-  if (any_unconverged(table)) text += "* the interval of the median is wider than the preset asks for\n";
+  if (any_unconverged(table)) text += "* the interval of the median is wider than the preset requires\n";
   for (const std::string& note : table.footnotes) text += note + "\n";
   return text;
 }
@@ -229,7 +230,7 @@ std::string latex_of(const PaperTable& table) {
                       latex_text(table.device),
                       table.hardware.empty() ? "" : " (" + latex_text(table.hardware) + ")");
   if (any_unconverged(table))
-    text += "\\item[*] The interval of the median is wider than the preset asks for.\n";
+    text += "\\item[*] The interval of the median is wider than the preset requires.\n";
   for (const std::string& note : table.footnotes)
     text += fmt::format("\\item[{}] {}\n", note.substr(0, 1), latex_text(note.substr(2)));
   return text + "\\end{tablenotes}\n\\end{threeparttable}\n";

@@ -1,5 +1,5 @@
-// A table of a paper with our figures beside the paper's. It has one block per layer count, one row per model
-// and three columns per picture size.
+// A table of a paper that shows our numbers beside the paper's. It has one block of rows per layer count, one
+// row per model and three columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>
@@ -22,14 +22,14 @@ struct PaperTable {
     std::vector<Row> rows;
   };
   std::string experiment, variant, device, host, reading;
-  std::string title, source, hardware;  ///< caption; the paper's table; the paper's machine
+  std::string title, source, hardware;  ///< caption; name of the paper's table; hardware of the paper
   std::vector<std::string> sizes;
   std::vector<Block> blocks;
   std::vector<std::string> footnotes;  ///< "a: stand-in ..."
 };
 
-/// The texts of a cell in the text, LaTeX and HTML tables: our figure (or the status), the paper's figure and
-/// their ratio. A missing number is "-".
+/// The texts of a cell in the text, LaTeX and HTML tables: our frames per second (or the status), the paper's
+/// frames per second, and their ratio. A missing number is "-".
 struct CellText {
   std::string ours, paper, ratio;
 };
@@ -38,15 +38,15 @@ CellText cell_text(const Cell& cell);
 /// Returns the footnote of a model; "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// Returns one table per experiment, device and reading. It uses only cells without
-/// overrides and with the axes model, layers and size.
+/// Returns one table per experiment, device and reading (value of the axis "reading"). It uses only cells
+/// without overrides and with the axes model, layers and size.
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
-/// Returns text for a terminal, with a legend.
+/// Returns the table as text for a terminal, with a legend.
 std::string text_of(const PaperTable& table);
-/// Returns one line per cell, for programs.
+/// Returns CSV with one line per cell of the table.
 std::string csv_of(const PaperTable& table);
-/// Returns a LaTeX table (booktabs, threeparttable) for \input.
+/// Returns the table in LaTeX (booktabs, threeparttable) for \input.
 std::string latex_of(const PaperTable& table);
 /// Returns a file name that is unique among the tables of one report.
 std::string file_stem_of(const PaperTable& table, bool several_devices);

@@ -49,8 +49,8 @@ void write_tables(Report& report, const fs::path& folder, bool several_devices) 
   }
 }
 
-/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. Adds an error text
-/// to the report's notes once.
+/// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. If this fails, adds the
+/// error text to the report's notes, unless they already contain it.
 void draw(Report& report, const fs::path& folder, const std::string& program, const std::string& stem,
           const std::string& table, const std::string& title) {
   const fs::path place = folder / "plots";
@@ -83,8 +83,8 @@ void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::pat
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// Returns the file name without extension of a table in tables/. With several devices it contains device and
-/// host.
+/// Returns the name, without extension, of a table's files in tables/. If the report has several devices, the
+/// name contains the device and the host.
 template <class Table>
 std::string stem_of(const Table& table, const char* suffix, bool several_devices) {
   return file_name_of(table.experiment + suffix +
@@ -116,8 +116,8 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
   }
 }
 
-/// Writes tables/layers.csv: frame times relative to those of frames with fewer layers, drawn in the same
-/// rounds.
+/// Writes tables/layers.csv: the frame time with all layers divided by the frame times with half and with a
+/// quarter of the layers. The three frames are drawn in the same rounds.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -125,8 +125,8 @@ void write_in_turns(Report& report, const fs::path& folder) {
   report.scaling += in_turns_text(cells);
 }
 
-/// Writes how the frame time grows with layers, pixels and triangles: a table, a plot, and the plot program's
-/// fit.
+/// Writes a table and a plot of the frame time against layers, pixels and triangles, and the fit that the
+/// plot program computes.
 void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
@@ -150,8 +150,8 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Copies one picture per experiment, reading and model: of the cells with the most layers, the one of the
-/// smallest size.
+/// Copies one picture per experiment, reading (value of the axis "reading") and model: the smallest picture
+/// with the largest number of layers.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {
@@ -178,7 +178,8 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
 }
 
-/// Adds a note with the number of rows that were timed while other processes used much CPU time.
+/// Adds a note with the number of rows from a loaded machine. During the timing of these rows the share of
+/// other processes in the CPU time was above most_other_share.
 void note_load(Report& report, const std::vector<FoundRow>& rows) {
   std::size_t timed = 0, loaded = 0;
   for (const FoundRow& found : rows) {

@@ -25,19 +25,20 @@ struct ReportPicture {
 struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
-  std::vector<std::string> table_stems;  ///< one per table; its files are tables/STEM.csv and .tex
+  std::vector<std::string> table_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
   std::vector<TopologyTable> topologies;
-  std::vector<std::string> topology_stems;  ///< one per table; its files are tables/STEM.csv and .tex
+  std::vector<std::string>
+      topology_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
   std::vector<RivalTable> rivals;
-  std::vector<std::string> rival_stems;  ///< one per table; its file is tables/STEM.csv
+  std::vector<std::string> rival_stems;  ///< names STEM of the files tables/STEM.csv; one per table
   std::vector<WayTable> ways;
-  std::vector<std::string> way_stems;  ///< one per table; its file is tables/STEM.csv
+  std::vector<std::string> way_stems;  ///< names STEM of the files tables/STEM.csv; one per table
   std::vector<SolverLine> solvers;     ///< written to tables/topology-solvers.csv if not empty
   std::vector<Claim> claims;           ///< written to tables/claims.csv if not empty
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
-  std::string scaling;             ///< text about the cost of more layers, and the fit of plots/scaling.py
-  std::vector<std::string> notes;  ///< parts that are missing, with the reasons, and warnings
+  std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py
+  std::vector<std::string> notes;  ///< warnings, and missing parts of the report with the reasons
 };
 
 /// Sets the titles of tables of shipped experiments. Tables of the user's own experiment files get no title.
@@ -54,8 +55,8 @@ std::string html_of(const Report& report, const std::filesystem::path& folder);
 /// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);
 
-/// Returns the provenance as text, one block per run and journal. A field that differs between rows is listed
-/// with all its values.
+/// Returns the provenance of the rows as text, one block per run and journal. If a field differs between
+/// rows, all its values are listed.
 std::string provenance_of(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace {
 
 using Group = std::tuple<std::string, std::string, std::string>;  // experiment, device, host
 
-/// The data of rows that cells do not contain: the baseline's times and its renderer.
+/// Data of the OpenGL baseline that report cells do not contain: its times and the name of its renderer.
 struct Theirs {
   std::map<std::pair<Group, std::string>, std::vector<double>> wall_ms;  ///< by case
   std::map<Group, std::string> renderer;

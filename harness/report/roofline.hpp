@@ -9,32 +9,32 @@ namespace pelage {
 /// A kernel within a frame.
 struct KernelWork {
   std::string kernel, phase;
-  double ms = 0;          ///< event time of all its launches in a frame, median over the frames
-  double bytes = 0;       ///< size of the kernel's buffers, each counted once
-  double operations = 0;  ///< floating-point operations of its equations in a frame; 0 if not counted
+  double ms = 0;          ///< event time of the kernel's launches in a frame, median over the frames
+  double bytes = 0;       ///< total size of the kernel's buffers; each buffer counts once
+  double operations = 0;  ///< floating-point operations of the kernel in a frame; 0 if not counted
 };
 
 struct FrameWork {
   std::string name;                             ///< name of the case
-  double triangles = 0;                         ///< triangles of the mesh
+  double triangles = 0;                         ///< number of triangles of the mesh
   double frame_ms = 0;                          ///< median wall time
   double covered = 0, shaded = 0, blended = 0;  ///< numbers of fragments
   std::vector<KernelWork> kernels;
 };
 
-/// The peak rates that `pelage devices --measure` reports.
+/// The device's peak rates, as `pelage devices --measure` reports them.
 struct Ceilings {
   std::string device;
   double gb_s = 0, gflop_s = 0;
 };
 
-/// Returns the highest rate of a kernel with this intensity (operations per byte), 1e9 operations per second:
-/// the lower one of the arithmetic peak and the intensity times the bandwidth.
+/// Returns the highest possible rate of a kernel with `intensity` operations per byte, in 1e9 operations per
+/// second. This is the smaller one of two rates: the arithmetic peak, and the intensity times the bandwidth.
 double allowed_gflop_s(const Ceilings& ceilings, double intensity);
 
 /// Returns text for a terminal: a table of frames, then a table of kernels.
 std::string text_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
-/// Returns one line per case and kernel, for programs and for plots/roofline.py.
+/// Returns CSV with one line per case and kernel; plots/roofline.py also reads it.
 std::string csv_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
 
 }  // namespace pelage

@@ -1,5 +1,6 @@
-// Text and tables of the experiments on more layers, pixels and triangles: the time ratios of cases with more
-// layers, the memory of the cases, and the table to which plots/scaling.py fits its model.
+// Text and tables of the experiments that vary the numbers of layers, pixels and triangles. They show the
+// time ratios of cases that differ in their layers, the memory of the cases, and the table to which
+// plots/scaling.py fits a model.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,11 +13,11 @@ namespace pelage {
 /// number of layers and a picture size.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
-/// Returns one line per cell, for programs and for plots/scaling.py.
+/// Returns CSV with one line per cell; plots/scaling.py also reads it.
 std::string scaling_csv(const std::vector<Cell>& cells);
 
-/// Returns text for a terminal: the time ratios of cases that differ only in their number of layers, and the
-/// largest memory.
+/// Returns text for a terminal. It shows the time ratios of cases that differ only in their number of layers,
+/// and the largest memory of a case.
 std::string scaling_text(const std::vector<Cell>& cells);
 
 /// Returns the ok cells with the metrics half_ratio and quarter_ratio (harness/subjects/fewer_layers.hpp).
@@ -25,7 +26,7 @@ std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 /// Returns CSV with one line per cell of in_turns_cells(): the two ratios with their intervals.
 std::string in_turns_csv(const std::vector<Cell>& cells);
 
-/// Returns the same ratios as text for a terminal, and the largest ratios.
+/// Returns the ratios of in_turns_csv() as text for a terminal, followed by the largest ratios.
 std::string in_turns_text(const std::vector<Cell>& cells);
 
 }  // namespace pelage

@@ -1,4 +1,5 @@
-// The parts of a report about mass-spring experiments: charts, and a table of our solvers and the baselines.
+// The parts of a report about mass-spring experiments: charts, and a table of our solvers and their
+// baselines.
 #pragma once
 #include <string>
 #include <vector>
@@ -12,19 +13,19 @@ struct SpringsChart {
   std::string title, stem;
   std::vector<FoundRow> rows;
 };
-/// Returns one chart per experiment and device with at least one ok row. Only some experiments have a chart.
+/// Returns one chart per device for each experiment that has a chart and at least one ok row.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
-/// One of our solvers on a topology of a model, and one baseline (member `rival`). `ratio` is the median over
-/// the rounds of the baseline's wall time divided by ours; `low` and `high` are its 95% interval.
-/// `processor_ratio` is the baseline's CPU time divided by our CPU time per core, 0 if unknown; other
-/// processes do not affect it.
+/// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. `ratio`
+/// is the median over the rounds of the baseline's wall time divided by ours; `low` and `high` are its 95%
+/// interval. `processor_ratio` is the baseline's CPU time divided by our CPU time per core, or 0 if a CPU
+/// time is unknown. Other processes do not affect CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;
 };
-/// Returns a line for every baseline of every ok row without overrides. The lines are sorted by model,
-/// topology, solver and substeps.
+/// Returns one line per baseline for every ok row without overrides. The lines are sorted by model, topology,
+/// solver and substeps.
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);

@@ -1,4 +1,4 @@
-// A table of the cost of each topology on each model: the frame and simulation times of all topologies.
+// A table of the cost of each mass-spring topology on each model: the frame and simulation times.
 #pragma once
 #include <optional>
 #include <string>
@@ -12,9 +12,10 @@ namespace pelage {
 struct TopologyTable {
   struct Entry {
     Cell cell;
-    std::optional<double> simulate_ms, raster_ms;  ///< median event times of these phases, ms
-    /// Median frame time divided by that of the first topology in the row, which is "silva" if the row has
-    /// it.
+    /// Median event times of the simulation and of the rasterization, ms.
+    std::optional<double> simulate_ms, raster_ms;
+    /// Median frame time divided by the median frame time of the first topology in the table row. The first
+    /// topology is "silva" if the row contains it.
     std::optional<double> ratio;
   };
   struct Row {
@@ -23,10 +24,10 @@ struct TopologyTable {
     std::vector<std::optional<Entry>> entries;  ///< one per topology
   };
   struct Summary {
-    std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the rows
-    std::optional<double> simulate;  ///< median share of the simulation in the frame time, 0..1
-    std::optional<double> worst;     ///< largest share of the simulation
-    std::string worst_row;           ///< row of the largest share
+    std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the table rows
+    std::optional<double> simulate;  ///< median over the rows of simulation time / frame time, 0..1
+    std::optional<double> worst;     ///< largest value over the rows of simulation time / frame time
+    std::string worst_row;           ///< name of the table row with the largest value
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;
@@ -34,7 +35,7 @@ struct TopologyTable {
   std::vector<Summary> summary;
 };
 
-/// Returns true for a cell whose experiment has the topology as an axis.
+/// Returns true for a cell whose experiment varies dynamics.topology.
 bool has_topology_axis(const Cell& cell);
 
 /// Returns one table per experiment, device and host. It uses only cells without
@@ -42,7 +43,7 @@ bool has_topology_axis(const Cell& cell);
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);
-/// Returns one line per cell, for programs and for plots/topologies.py.
+/// Returns CSV with one line per cell of the table; plots/topologies.py also reads it.
 std::string csv_of(const TopologyTable& table);
 std::string latex_of(const TopologyTable& table);
 std::string html_of(const TopologyTable& table);

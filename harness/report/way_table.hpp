@@ -1,5 +1,5 @@
-// A table of the variants of an experiment that should draw the same picture ("ways"). It shows which variant
-// is fastest and which variants draw another picture.
+// A table of the variants of an experiment that should draw the same picture. Such variants are called ways.
+// The table shows which variant is fastest and which variants draw a different picture.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,15 +9,16 @@
 
 namespace pelage {
 
-/// The table has one row per variant ("way"), and one column per model, number of layers and picture size.
+/// The table has one row per variant, and one column per combination of model, number of layers and picture
+/// size.
 struct WayTable {
   struct Column {
     std::string model, layers, size;
-    double fastest_ms = 0;  ///< shortest median of the column's ok cells; 0 without an ok cell
+    double fastest_ms = 0;  ///< shortest median time of an ok cell in the column; 0 without an ok cell
   };
   struct Row {
     std::string way;
-    double times = 0;  ///< time over the column's fastest time, geometric mean over its ok cells
+    double times = 0;  ///< frame time / fastest_ms of the column, geometric mean over the row's ok cells
     std::vector<std::optional<Cell>> entries;  ///< one per column
   };
   std::string experiment, device, host;
@@ -25,12 +26,13 @@ struct WayTable {
   std::vector<Row> rows;        ///< sorted by speed, the fastest first; variants without a time are last
 };
 
-/// Smallest number of variants of an experiment whose results become a WayTable instead of a PaperTable.
+/// Smallest number of variants for which the results of an experiment become a WayTable instead of a
+/// PaperTable.
 constexpr std::size_t fewest_ways = 4;
 
 /// Returns true if the results of the cell's experiment become a WayTable. Such an experiment has at least
-/// `fewest_ways` variants and the axes model, layers and size. Its cells have no published figure, no ratio
-/// and no topology.
+/// `fewest_ways` variants and the axes model, layers and size. Its cells have no number from a paper, no
+/// opengl_ratio and no axis dynamics.topology.
 bool has_ways(const std::vector<Cell>& cells, const Cell& cell);
 
 /// Returns one table per device and host for each experiment for which has_ways() is true. Only cells without
@@ -38,7 +40,7 @@ bool has_ways(const std::vector<Cell>& cells, const Cell& cell);
 std::vector<WayTable> way_tables(const std::vector<Cell>& cells);
 
 std::string text_of(const WayTable& table);
-/// Returns one line per cell.
+/// Returns CSV with one line per cell of the table.
 std::string csv_of(const WayTable& table);
 std::string html_of(const WayTable& table);
 

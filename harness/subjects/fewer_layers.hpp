@@ -5,10 +5,11 @@
 
 namespace pelage {
 
-/// Draws in every round a frame with all of the case's layers, one with half of them and one with a quarter.
-/// `make` makes a subject for each, which is checked by itself. The row is that of all layers. It also holds
-/// the other times as phases "half" and "quarter" and, as metrics "half_ratio" and "quarter_ratio", the
-/// median over the rounds of the whole frame's time divided by theirs, with its 95% interval. Throws
+/// Returns a subject that draws three frames in every round: with all of the case's layers, with half of them
+/// and with a quarter of them. `make` makes one subject for each number of layers, and the picture of each
+/// subject is checked. The row of results contains the times with all layers. Its phases "half" and "quarter"
+/// contain the other times. Its metrics "half_ratio" and "quarter_ratio" are the frame time with all layers
+/// divided by the time with fewer layers: the median over the rounds, with its 95% interval. Throws
 /// InputError if the number of layers is not a multiple of 4.
 std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which);
 

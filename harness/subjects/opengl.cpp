@@ -40,7 +40,7 @@ class OpenGlSubject : public Subject {
     advance(frames_before(input_->scene.dynamics));
   }
 
-  /// The returned time does not contain the simulation of the strands.
+  /// Draws a frame. The returned time does not contain the simulation of the strands.
   FrameSample frame() override {
     advance(1);
     std::vector<glm::vec3> tips;

@@ -1,4 +1,4 @@
-// The OpenGL baseline as a subject: timed alone, or timed alternately with the OpenCL pipeline.
+// The OpenGL baseline as an object that the harness times: alone, or alternately with the OpenCL pipeline.
 #pragma once
 #include <string>
 
@@ -6,7 +6,7 @@
 
 namespace pelage {
 
-/// Returns the OpenGL baseline alone, with the implementation options of the case's `opengl` (docs/rival.md).
+/// Returns the OpenGL baseline alone, with the implementation options in the case's `opengl` (docs/rival.md).
 /// Throws Unsupported if OpenGL is unavailable.
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
 
@@ -14,9 +14,10 @@ std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which)
 void need_opengl();
 
 /// Returns a subject that draws in every round one frame of `ours` and then one frame of the baseline
-/// `rival`. The row is that of `ours`. It also contains the baseline's times as phase `phase`, a check that
-/// the two pictures agree (at least tolerance::other_filter_psnr), and the metric "<phase>_ratio": the median
-/// over the rounds, with its 95% interval, of the baseline's time divided by that of `ours`.
+/// `rival`. The row of results contains the times of `ours`. It also contains three additions: the baseline's
+/// times as the phase `phase`; a check that the two pictures agree (at least tolerance::other_filter_psnr);
+/// and the metric "<phase>_ratio". This metric is the baseline's time divided by the time of `ours`: the
+/// median over the rounds, with its 95% interval.
 std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
                               const std::string& phase);
 

@@ -55,8 +55,8 @@ class ShellsSubject : public Subject {
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
-    // The masses are checked in the state before the first timed frame. The timed picture is checked above
-    // with the masses of its own frame, so that errors of the simulation do not change the picture's check.
+    // The masses are checked in the state before the first timed frame. The picture check above starts from
+    // the simulated masses of the picture's own frame, so that errors of the simulation do not affect it.
     if (springs)
       for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
         checks.push_back(std::move(check));

@@ -4,8 +4,8 @@
 
 namespace pelage {
 
-/// Returns a subject that draws the case's scene on the context's device with the case's mapping. Its check()
-/// compares a timed picture with the reference.
+/// Returns a subject that draws the case's scene on the context's device with the case's mapping of pixels to
+/// work-items. Its check() compares a timed picture with the reference.
 std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-# Every build runs this script. It fills in the template `input` and writes the result to `output` if it changed.
+# Every build runs this script. It fills in the template `input` and writes `output` if the text changed.
 set(revision unknown)
 set(dirty false)
 file(STRINGS ${source}/harness/version/revision.txt archived LIMIT_COUNT 1)
@@ -7,8 +7,8 @@ if(archived MATCHES "^[0-9a-f]+$")
 endif()
 find_program(GIT git)
 if(GIT)
-  # A copy of pelage inside another git repository must not take that repository's commit, so the top folder of the
-  # repository must be the source folder.
+  # A copy of pelage inside another git repository must not record that repository's commit. The script therefore tests
+  # whether the top folder of the repository is the source folder.
   execute_process(COMMAND ${GIT} rev-parse --show-toplevel HEAD WORKING_DIRECTORY ${source}
                   OUTPUT_VARIABLE answer RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
   string(REPLACE "\n" ";" answer "${answer}")

@@ -190,7 +190,7 @@ TEST(BadInput, Images) {
   write_halves(folder);
   folder.write("text.png", "this is no picture\n");
   folder.write("text.gif", "this is no picture\n");
-  // The header of this file declares 2 000 000 x 2 000 000 pixels, but there are no pixels.
+  // The header of this file declares 2,000,000 x 2,000,000 pixels, but the file contains no pixels.
   folder.write(
       "huge.png",
       std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\x1e\x84\x80\0\x1e\x84\x80\x08\x02\0\0\0\x1f\x4e\x5f\x5f",

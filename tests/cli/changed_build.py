@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Builds pelage with new and changed source files, without touching the source tree.
 
-usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. Compiles
-its .cpp files with the options of BUILD and links them before the libraries of BUILD, as CHANGES/pelage. A changed header
-may only add declarations: files that include it and are not in CHANGES keep their object code.
+usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. The
+program compiles the .cpp files of CHANGES with the options of BUILD. It links them before the libraries of BUILD into
+CHANGES/pelage. A changed header may only add declarations, because a file that includes it but is not in CHANGES is not
+compiled again.
 """
 import json
 import shlex
@@ -26,7 +27,7 @@ def main(source, build, changes):
         out = file.with_suffix(".o")
         words[words.index("-o") + 1] = str(out)
         words[words.index("-c") + 1] = str(file)
-        words.insert(1, f"-I{changes}")  # before the source tree
+        words.insert(1, f"-I{changes}")  # searched before the source tree
         objects.append(str(out))
         if not out.exists() or out.stat().st_mtime < file.stat().st_mtime:
             subprocess.run(words, cwd=entry["directory"], check=True)

@@ -114,8 +114,9 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   }
   EXPECT_GT(moved, 0.005f);
 
-  // Without curl, the offset of the uppermost layer at a surface point is the area-weighted mean of the tips'
-  // offsets of the triangles around the point. Copies of a surface point have bitwise equal positions.
+  // Without curl, the offset of the uppermost layer at a surface point is a weighted mean over the triangles
+  // around the point: the mean of the offsets of their tips, weighted by area. All vertices at one surface
+  // point have bitwise equal positions.
   std::map<std::array<float, 3>, std::array<double, 4>> mean;
   const auto point = [&](std::size_t v) {
     return std::array{position.values[3 * v], position.values[3 * v + 1], position.values[3 * v + 2]};
@@ -165,7 +166,7 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   EXPECT_LT(std::abs(x), 4);
   EXPECT_LT(std::abs(y), 4);
 
-  // The dataset equals the picture that the same command wrote.
+  // The dataset "image" is equal to the picture that the same command wrote.
   const Dataset image = read(file, "image");
   EXPECT_EQ(image.shape, (Shape{30, 40, 4}));
   const Picture picture = read_picture(folder.path() / "image.exr");
@@ -234,7 +235,7 @@ TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
   const Folder folder;
   std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
                         std::filesystem::copy_options::recursive);
-  // The planted mistake halves the wetness of droplets.
+  // The test plants a mistake in a copy of the kernels: droplets have half their wetness.
   std::string text = folder.read("kernels/wet/equations.clh");
   const std::string right = ": drop.wetness;";
   const auto place = text.find(right);

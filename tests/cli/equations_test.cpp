@@ -50,7 +50,7 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      comment.clear();  // a comment may belong to two functions of one line each
+      comment.clear();  // not after a function, because two one-line functions may share a comment
     }
   }
   return anchors;

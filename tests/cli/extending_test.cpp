@@ -44,8 +44,8 @@ int run_in(const Folder& folder, const std::string& script, const std::filesyste
   return std::system(command.c_str());
 }
 
-/// The pairs "-old", "+new" of the diff as replacements in copies of the source files. Every old text must
-/// occur exactly once, so the document fails with the code that it quotes.
+/// Applies the diff to copies of the source files in `changes`: replaces the lines "-old" by the lines
+/// "+new". The test fails if the old text does not occur exactly once in the file.
 void apply(const std::string& diff, const std::filesystem::path& source,
            const std::filesystem::path& changes) {
   std::filesystem::path file;
@@ -83,7 +83,7 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
   const auto blocks = blocks_of(source / "docs/extending.md");
   ASSERT_GE(blocks.size(), 16u);
   std::filesystem::path binary = PELAGE_BINARY;
-  std::set<std::string> touched;  // existing files, since the last heading's build
+  std::set<std::string> touched;  // existing files that the document changed since the last build
   int shells = 0, builds = 0;
   bool changed = false;
   for (const Block& block : blocks) {
@@ -95,7 +95,7 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
             std::filesystem::path(PELAGE_BINARY).lexically_normal().parent_path().string() + "' '" +
             changes.string() + "'";
         ASSERT_EQ(run_in(folder, build, binary), 0) << folder.read("stdout") << folder.read("stderr");
-        EXPECT_LE(touched.size(), 3u);  // what an addition may touch besides its own files
+        EXPECT_LE(touched.size(), 3u);  // an addition may change at most three existing files
         touched.clear();
         binary = changes / "pelage";
         changed = false;

@@ -1,5 +1,5 @@
-// The scene's keys about the mesh change the picture. Defects of the mesh are reported on stderr and in the
-// rows.
+// Tests that the scene's mesh keys change the picture, and that defects of the mesh are reported on stderr
+// and in the rows.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"

@@ -10,7 +10,8 @@
 namespace pelage::cli {
 namespace {
 
-/// Returns "MASSES SPRINGS" of the row `name`; "" if there is no such row.
+/// Returns the numbers of masses and springs in the output row `name` as "MASSES SPRINGS"; "" without that
+/// row.
 std::string row_of(const std::string& text, const std::string& name) {
   std::smatch found;
   const std::regex row("(^|\n)" + name + " +([0-9]+) +([0-9]+) ");
@@ -31,7 +32,7 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
-  // The paper's counts are printed only for models and topologies that the paper counts.
+  // The paper's numbers are printed only for models and topologies for which the paper gives numbers.
   const auto ends_with = [&](const std::string& name, const std::string& end) {
     return std::regex_search(elephant.out, std::regex("\n" + name + " [^\n]* " + end + "\n"));
   };
@@ -47,7 +48,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// The drawing contains every spring of the four topologies once, and every triangle once per panel.
+// The test counts lines in the drawing: every spring of the four topologies occurs once, and every triangle
+// once per panel.
 TEST(TopologyCommand, DrawsWhatItCounts) {
   const Folder folder;
   const Outcome outcome = pelage(folder, "topology banisch-grass --draw grass.svg --length 0.4");

@@ -45,7 +45,7 @@ TEST(RowLine, ComesBackAsItWent) {
   EXPECT_EQ(nlohmann::json::parse(line)["axes"]["layers"], 16);
 }
 
-// Rows of earlier versions have no CPU times.
+// Rows that earlier versions wrote have no CPU times.
 TEST(RowLine, CpuTimesMayBeMissing) {
   const std::string body =  // the row up to its checksum
       R"({"schema":1,"run_id":"r","experiment":"e","case":"c","variant":"v","axes":{},"overrides":{},"device":"d",)"
@@ -166,8 +166,8 @@ TEST(Journal, ReadersPassOverATornTail) {
   EXPECT_FALSE(refusal([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
 }
 
-// These system calls fail as the tests set them up. They are plain functions, so their settings are global
-// variables.
+// Replacements for system calls, which fail as the variables below request. The journal takes plain
+// functions, so the variables are global.
 int g_interrupts = 0;
 std::size_t g_short = 0;
 int g_fail_write_after = -1;

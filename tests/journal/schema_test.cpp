@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the number of lines of `journal` that python3-jsonschema rejects by the schema.
+/// Returns the number of lines of `journal` that python3-jsonschema rejects with docs/row.schema.json.
 int refused_lines(const fs::path& journal, const fs::path& folder) {
   const std::string script = R"(
 import json, sys
@@ -53,7 +53,7 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
   EXPECT_EQ(refused_lines(file, folder.path), 0);
 }
 
-// Earlier revisions wrote these rows. Some have other phases, no CPU times, or no picture.
+// Earlier revisions wrote the rows in results/. Some rows have other phases, no CPU times, or no picture.
 TEST(Schema, HoldsTheRowsOfResults) {
   const test::Folder folder;
   int journals = 0;

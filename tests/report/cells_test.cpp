@@ -34,7 +34,8 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
   ASSERT_EQ(cells.size(), 32u);
   const Cell& torus = named(cells, "torus-16-800x600");
   EXPECT_EQ(torus.processes.size(), 2u);
-  // The times of the two processes differ by a factor of two, and the interval must contain both.
+  // The times of the two processes differ by a factor of two. The 95% interval must contain the times of
+  // both.
   EXPECT_GT(torus.interval_ms.high / torus.interval_ms.low, 1.9);
 }
 

@@ -1,5 +1,5 @@
-// Tests the paper's statements on Figures 9 to 11 with synthetic times for which they hold, fail, or are not
-// measured.
+// Tests the verdicts on the paper's statements about Figures 9 to 11. For the synthetic times a statement
+// holds, does not hold, or is not measured.
 #include "harness/report/claims.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,8 @@ TEST(Claims, HoldWhereTheTimesAreThePapers) {
   EXPECT_EQ(found, std::vector<Held>(6, Held::yes));
 }
 
-// In each planted row one claim is false in one cell. Only this claim fails, and its text names the cell.
+// The test replaces one row of the paper's times, so that one claim is false in one cell. Only this claim
+// must fail, and its text must name the model of the cell.
 TEST(Claims, FailWhereOneCellSpeaksAgainstThem) {
   struct Planted {
     std::size_t claim;
@@ -77,7 +78,7 @@ TEST(Claims, FailWhereOneCellSpeaksAgainstThem) {
 TEST(Claims, AreNotMeasuredWithoutTheirCells) {
   EXPECT_TRUE(claims_of({}).empty());
   std::vector<FoundRow> rows = as_the_paper_says();
-  rows[0].row.status = Status::failed_check;  // the elephant on sticks, explicit
+  rows[0].row.status = Status::failed_check;  // the elephant on sticks with the explicit solver
   const std::vector<Held> found = verdicts(rows);
   EXPECT_EQ(std::count(found.begin(), found.end(), Held::not_measured), 3);
   rows[1].row.overrides["dynamics.step"] = "0.1";

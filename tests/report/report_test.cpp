@@ -126,8 +126,8 @@ TEST(Csv, Quotes) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
 }
 
-/// Python's csv module reads the files. Every line has the same columns, and the numbers are those of the
-/// rows.
+/// Python's csv module reads the files. All lines of a file must have the same number of columns, and the
+/// numbers must be equal to those of the rows.
 TEST(Csv, PythonReadsIt) {
   const Folder folder;
   auto rows = table1_rows();
@@ -160,7 +160,7 @@ assert [r["median_ms"] for r in phases if r["status"] == "error"] == [""]
 TEST(Report, WritesEverythingItPromises) {
   const Folder folder;
   auto rows = table1_rows();
-  // pelage run would write the picture of this case to the same place.
+  // The test stores a picture at the path to which pelage run would write the picture of this case.
   const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
   fs::create_directories(journal.parent_path() / "images");
   std::ofstream(journal.parent_path() / "images" / "torus-64-800x600.png") << "png";

@@ -1,4 +1,4 @@
-// Tests the table of time ratios to the paper's own pipeline with rows of synthetic times.
+// Tests the table of the paper's pipeline time divided by our time. The rows have synthetic times.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace pelage {
 namespace {
 
-/// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. The
-/// time of OpenGL is 4 times ours on the torus; on other models it is 9 times ours with curls and 6 times for
-/// plain shells.
+/// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. On
+/// the torus, the time of OpenGL is 4 times our time. On the other models it is 9 times our time with curls
+/// and 6 times our time for plain shells.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
   for (FoundRow& found : rows) {

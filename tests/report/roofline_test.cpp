@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 const Ceilings ceilings{"a device, \"quoted\"", 40, 200};
 
 std::vector<FrameWork> one_frame() {
-  // The first kernel has 1 MB and 1e7 operations in 0.5 ms: 2 GB/s, 20 GFLOP/s and 10 operations per byte.
-  // The ceilings allow 200 GFLOP/s at this intensity.
+  // The first kernel reads and writes 1 MB and computes 1e7 operations in 0.5 ms: 2 GB/s, 20 GFLOP/s and 10
+  // operations per byte. At 10 operations per byte the ceilings allow 200 GFLOP/s.
   return {{"torus-16",
            9360,
            2.0,

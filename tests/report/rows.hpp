@@ -29,8 +29,9 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
   return rows;
 }
 
-/// Returns one row for each of the 32 cells. With F triangles, N layers and P pixels, the 21 frame times are
-/// spread by +-1% around factor (F + P) N / 1e6 ms.
+/// Returns one row for each of the 32 cases. The median of the 21 frame times is factor * (F + P) * N / 1e6
+/// ms, where F is the number of triangles, P of pixels and N of layers. The times differ from the median by
+/// up to 1%.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

@@ -1,5 +1,5 @@
-// Tests the report's text on the cost of more layers, and that the fit of plots/scaling.py finds the costs of
-// a synthetic table.
+// Tests the report's text on the cost of more layers. Tests also that the fit of plots/scaling.py finds the
+// coefficients from which a synthetic table was computed.
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns cells whose frame times are a sum of 1 ms per frame, 40 ns per triangle, 2 ns per triangle and
-/// layer, and 10 ns per pixel and layer, changed by up to 1%.
+/// Returns cells with the frame time 1 ms + 40 ns * triangles + 2 ns * triangles * layers + 10 ns * pixels *
+/// layers, changed by up to 1%.
 std::vector<Cell> cells() {
   std::vector<Cell> result;
   int i = 0;
@@ -99,7 +99,7 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
 
-/// Returns one cell of a model of 9360 triangles at 800x600 with the time `ms`.
+/// Returns one cell with the time `ms`. The model has 9360 triangles, and the picture has 800x600 pixels.
 Cell timed(const std::string& host, int layers, double ms) {
   Cell c = cells().at(1);
   c.host = host;
@@ -136,7 +136,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
   EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
   EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
-  // The fit uses some cases of every picture size and every number of layers.
+  // The fit must use some of the cases of every picture size and every number of layers.
   for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
     int left_out = 0;
     for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {

@@ -1,4 +1,4 @@
-// Tests the table of the cost of each topology with rows of synthetic times.
+// Tests the table of the cost of each topology. The rows have synthetic times.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,8 @@ TEST(TopologyTable, IsNoneOfThePapersTablesAndTellsWhatHasNoTime) {
   rows[0].row.samples.clear();
   const TopologyTable table = topology_tables(rows)[0];
   EXPECT_NE(text_of(table).find("diverged"), std::string::npos);
-  EXPECT_FALSE(table.rows.front().entries[1]->ratio);  // the first topology of the row has no time
+  EXPECT_FALSE(
+      table.rows.front().entries[1]->ratio);  // no ratio, because the row's first topology has no time
   rows[0].row.overrides["fur.length"] = "0.1";
   EXPECT_FALSE(topology_tables(rows)[0].rows.front().entries[0]);
 }

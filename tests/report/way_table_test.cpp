@@ -1,4 +1,4 @@
-// Tests the table of variants that draw the same picture with rows of synthetic times.
+// Tests the table of variants that draw the same picture. The rows have synthetic times.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Tests the subject that also draws half and a quarter of the layers. Its ratios are medians over the rounds.
-// If a picture with fewer layers fails its check, the row fails.
+// Tests the subject that draws frames with all, with half and with a quarter of the layers. The ratios must
+// be medians over the rounds. If one of the three pictures fails its check, the row must fail.
 #include <gtest/gtest.h>
 
 #include "harness/subjects/fewer_layers.hpp"
@@ -28,7 +28,8 @@ TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {
   const Row row = row_of(64);
   EXPECT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("half").wall_ms.size(), row.samples.at("frame").wall_ms.size());
-  // Each of the at most ten synthetic frames takes 0.001 ms longer than the frame before.
+  // Each synthetic frame takes 0.001 ms longer than the frame before it. At most ten frames are drawn, so the
+  // times increase by at most 0.01 ms.
   EXPECT_NEAR(row.metrics.at("half_ratio").value, 2, 2 * 0.01 / 32);
   EXPECT_NEAR(row.metrics.at("quarter_ratio").value, 4, 4 * 0.01 / 16);
   EXPECT_LE(row.metrics.at("half_ratio").low, row.metrics.at("half_ratio").value);

@@ -16,7 +16,7 @@
 namespace pelage {
 namespace {
 
-/// Draws a grey square. The frames take 10 ms, 11 ms, 12 ms, ... times `factor`.
+/// A subject that draws a grey square. Its frames take 10 * factor ms, 11 * factor ms, 12 * factor ms, ...
 class Grey : public Subject {
  public:
   Grey(double factor, float grey, std::string* order) : factor_(factor), grey_(grey), order_(order) {}
@@ -56,7 +56,7 @@ Row fought(float rivals_grey, std::string* order) {
 TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
   std::string order;
   const Row row = fought(0.5f, &order);
-  EXPECT_EQ(order, "orororororororor");  // one cold round, one round of warm-up and six samples
+  EXPECT_EQ(order, "orororororororor");  // o: ours, r: rival; one cold round, one warm-up round, six samples
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("frame").wall_ms, (std::vector<double>{12, 13, 14, 15, 16, 17}));
   EXPECT_EQ(row.samples.at("opengl").wall_ms, (std::vector<double>{96, 104, 112, 120, 128, 136}));
@@ -89,7 +89,7 @@ TEST(Pipelines, AnUnknownOneIsUnsupported) {
   }
 }
 
-// The table of pipelines contains every pipeline that a shipped experiment names.
+// The table of pipelines must contain every pipeline that a shipped experiment uses.
 TEST(Pipelines, OfTheExperimentsAreThere) {
   std::set<std::string> known;
   for (const Pipeline& pipeline : pipelines()) EXPECT_TRUE(known.insert(std::string(pipeline.name)).second);
@@ -105,7 +105,7 @@ TEST(Pipelines, OfTheExperimentsAreThere) {
   EXPECT_GE(named.size(), 5u);
 }
 
-// The experiments with the baseline draw exactly the scenes of Table 1.
+// The scenes of the experiments with the baseline must be exactly those of Table 1.
 TEST(Rivals, MeetOnTheSceneOfTable1) {
   const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
   const Experiment table = read_experiment(folder / "silva2010-table1.toml");

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the frame time against triangles, per layer count and picture size, beside the paper's times (log-log).
+"""Draws our frame times and the paper's against the number of triangles (log-log), with a panel per number of layers.
 
 usage: frame_time.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -54,7 +54,8 @@ def main(table, outputs):
                     x, y, yerr=error, color=colour, marker=marker, markersize=5, linewidth=1.4, capsize=2)
             paper = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] != "<"]
             if paper:
-                # A published whole number of frames per second represents all values that round to it: the error bars.
+                # A published whole number of frames per second represents all values that round to it. The error bars
+                # show this range.
                 y = [1000 / float(r["paper_fps"]) for r in paper]
                 error = [[m - 1000 / (number(r["paper_fps_high"]) or 1000 / m) for m, r in zip(y, paper)],
                          [1000 / (number(r["paper_fps_low"]) or 1000 / m) - m for m, r in zip(y, paper)]]

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws the time of the paper's OpenGL pipeline divided by ours, per model, number of layers and picture size.
+"""Draws the time of the paper's OpenGL pipeline divided by that of ours, per model, layers and picture size.
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys

@@ -3,7 +3,7 @@
 
 usage: roofline.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -14,8 +14,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
-# Colour-blind readers can distinguish these colours of Okabe and Ito. In grey print, markers distinguish the cases and
-# hatchings the phases.
+# Colour-blind readers can distinguish these colours of Okabe and Ito. In grey print, markers distinguish the cases, and
+# hatchings distinguish the phases.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"]
 MARKERS = ["o", "s", "^", "D", "v", "P"]
 PHASES = ["simulate", "transform", "bin", "raster"]
@@ -71,7 +71,7 @@ def main(table, outputs):
             roof.plot(float(r["operations_per_byte"]), float(r["gflop_s"]), marker=MARKERS[i % 6],
                       color=COLOURS[i % 6], markersize=6, markeredgecolor="white", markeredgewidth=0.6,
                       linestyle="none", zorder=3)
-    # The name of a kernel is drawn below its lowest point, because the line of the roof is above the points.
+    # A kernel's name is drawn below its lowest point, because the roofline is above the points.
     for kernel in dict.fromkeys(r["kernel"] for r in counted):
         least = min((r for r in counted if r["kernel"] == kernel), key=lambda r: float(r["gflop_s"]))
         roof.annotate(kernel, (float(least["operations_per_byte"]), float(least["gflop_s"])), xytext=(0, -13),
@@ -80,7 +80,8 @@ def main(table, outputs):
     roof.set_yscale("log")
     roof.set_xlim(low / 1.5, high)
     roof.set_ylim(floor, peak * 2.5)
-    # The text has the angle of the sloped line, which depends on the axis limits and the shape of the panel.
+    # The label is parallel to the bandwidth line. The angle of this line depends on the axis limits and the shape of
+    # the panel.
     figure.canvas.draw()
     a = roof.transData.transform((low, low * bandwidth))
     b = roof.transData.transform((ridge, peak))

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws the frame time against layers, pixels and triangles. Fits a model to a part of the cases and tests it on the rest.
+"""Draws the frame time against layers, pixels and triangles. Fits a model to some cases and tests it on the others.
 
 usage: scaling.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program writes the fit beside the first output, as .txt.
+TABLE.csv is the table that a report stores next to this program. The program writes the fit next to the first output,
+as a .txt file.
 The model is this sum of costs with coefficients that are not negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
@@ -35,7 +36,7 @@ def features(case):
 
 
 def fitted(cases):
-    """Returns the coefficients of the fit. Removes the term with the most negative coefficient until none is negative."""
+    """Returns the fitted coefficients. Removes the term of the most negative coefficient until none is negative."""
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:
@@ -99,7 +100,7 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """Draws one panel with the abscissa x. Colours distinguish the values of `by`, markers the numbers of triangles."""
+    """Draws a panel with the abscissa x. Colours show the values of `by`, and markers show the numbers of triangles."""
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:

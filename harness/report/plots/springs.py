@@ -3,7 +3,7 @@
 
 usage: springs.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -104,7 +104,7 @@ def work_precision(rows):
             x, y = [float(r["median_ms"]) for r in line], [value(r, "metric.error_rms") for r in line]
             axis.plot(x, y, label=s, **style(s, SOLVERS))
             for r, a, b in zip(line, x, y):
-                if s == "rk4" and r in (line[0], line[-1]):  # all solvers have the same steps
+                if s == "rk4" and r in (line[0], line[-1]):  # only one solver has labels; all have the same steps
                     axis.annotate(f"{value(r, 'metric.step_ms'):.3g} ms", (a, b), xytext=(4, 4),
                                   textcoords="offset points", fontsize=6.5, color="0.35")
         axis.set_xscale("log")

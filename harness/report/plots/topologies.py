@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Draws simulation and frame times of each mass-spring topology against triangles, logarithmic, per layers and size.
+"""Draws the simulation and frame times of each mass-spring topology against the number of triangles (log-log).
 
 usage: topologies.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table beside this file in a report. The program needs only matplotlib.
+TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
 import sys
