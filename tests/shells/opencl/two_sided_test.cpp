@@ -50,7 +50,8 @@ TEST_P(TwoSided, IsTheReferencesPicture) {
 }
 
 TEST_P(TwoSided, LightsTheBackAndLeavesTheFront) {
-  const auto& [mapping, shading] = GetParam();
+  const char* mapping = std::get<0>(GetParam());
+  const char* shading = std::get<1>(GetParam());
   const auto drawn = [&](float side, const char* sides) {
     return drawn_by_device(square_seen_from(side, shading, sides), mapping);
   };
