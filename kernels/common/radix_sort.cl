@@ -1,18 +1,19 @@
-// A stable radix sort of pairs (key, value). Each pass sorts by SORT_BITS bits of the key: it counts digits, computes
-// prefix sums, and moves the pairs.
+// A stable radix sort of pairs (key, value). Each pass sorts by SORT_BITS bits of the key (a digit): it counts how
+// often each digit occurs, computes prefix sums, and moves the pairs.
 #include "common/prefix_sum.clh"
 
 // The host defines the same values (harness/cl/radix_sort.cpp).
 #ifndef SORT_BITS
 #define SORT_BITS 4                             // bits of the key per pass
-#define SORT_RUN 32                             // consecutive keys that a work-item moves in order
+#define SORT_RUN 32                             // number of consecutive keys (a run) that a work-item moves in order
 #endif
 #define SORT_DIGITS (1 << SORT_BITS)
 #define SORT_ITEMS 64
 
 static inline int digit_of(int key, int shift) { return key >> shift & (SORT_DIGITS - 1); }
 
-// Counts how often each digit occurs in each run of keys. count: [digit runs + run].
+// Counts how often each digit occurs in each run of SORT_RUN keys. The count of digit d in run r is stored in count[d *
+// runs + r].
 __kernel __attribute__((reqd_work_group_size(SORT_ITEMS, 1, 1)))
 void sort_count(int n, int shift, TABLE(int) key, __global int *count) {
   __local int mine[SORT_DIGITS][SORT_ITEMS];    // one column per work-item
@@ -24,7 +25,8 @@ void sort_count(int n, int shift, TABLE(int) key, __global int *count) {
   for (int d = 0; d < SORT_DIGITS; ++d) count[(size_t)d * runs + run] = mine[d][item];
 }
 
-// Moves the pairs to their places for this digit. start: prefix sums of the counts.
+// Moves the pairs to their positions in the order of this digit. start: exclusive prefix sums of the counts of
+// sort_count().
 __kernel __attribute__((reqd_work_group_size(SORT_ITEMS, 1, 1)))
 void sort_move(int n, int shift, TABLE(int) start, TABLE(int) key, TABLE(int) value, __global int *key_out,
                __global int *value_out) {

@@ -1,14 +1,16 @@
-// Kernels with which `pelage devices --measure` finds the limits of a device, and a load that checks its timer.
+// Benchmark kernels of `pelage devices --measure`, which measures the limits of a device, and a kernel with which the
+// device's timer is checked.
 #include "dialect.clh"
 
-// McCalpin's STREAM triad: 12 bytes and 2 operations per float.
+// McCalpin's STREAM triad, a = b + s c: 12 bytes and 2 operations per float.
 __kernel void triad(__global float *a, __global const float *b, __global const float *c, float s) {
   int block = (int)get_global_id(0);
   store_real(fma(REAL(s), load_real(c, block), load_real(b, block)), a, block);
 }
 
-// Eight independent chains hide the latency of fma on all devices tested. A work-item computes 16 LANES rounds
-// operations. x -> x / 2 + 1 stays near 2, so that no operand is denormal, infinite or known to the compiler.
+// Measures the arithmetic peak. Eight independent chains of fma hide the latency of fma on all devices tested. A
+// work-item computes 16 * LANES * rounds operations. The iteration x -> x / 2 + 1 stays near 2, so no operand is
+// denormal or infinite, and the compiler cannot precompute the result.
 __kernel void chains(int rounds, float half_, __global float *out) {
   int item = (int)get_global_id(0);
   real h = REAL(half_), one = REAL(1.0f);
@@ -31,8 +33,8 @@ __kernel void nothing(__global float *out) {
   if (get_global_id(0) == 0) out[0] = 1.0f;
 }
 
-// An empty kernel with seven buffers, about as many as the smaller mass-spring kernels have. OpenCL processes each
-// buffer at a launch.
+// An empty kernel with seven buffer arguments, about as many as the smaller mass-spring kernels have. OpenCL processes
+// every buffer argument at a launch, so this kernel measures that cost.
 __kernel void nothing_of_seven(__global float *a, __global float *b, __global float *c, __global float *d, __global float *e,
                                __global float *f, __global float *g) {
   if (get_global_id(0) == 0) a[0] = b[0] = c[0] = d[0] = e[0] = f[0] = g[0] = 1.0f;

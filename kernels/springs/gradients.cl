@@ -1,13 +1,14 @@
-// Shared prisms by backward Euler. The equations A x = b of all tops together, with x = dv, are solved by conjugate
-// gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The iteration starts
-// from the x of the last step. A work-item computes a chunk of units. Chunks do not depend on the work-group size, and
-// neither do the sums: each work-item that needs a sum adds its parts in the same order. A large model takes one launch
-// for each part of a step. A small model takes a single launch of one work-item for all parts (gradients_whole),
-// because the launches would take longer than the computation.
+// Shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The linear equations A x = b
+// of all tops together, where x is the change of velocity dv, are solved by the method of conjugate gradients. The
+// preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The iteration starts from the x of
+// the previous step. A work-item computes a chunk of tops. The chunks, and therefore the rounding of the sums, do not
+// depend on the work-group size: each work-item that needs a sum adds the sums of the chunks in the same order. A large
+// model takes one launch for each part of a step. A small model takes a single launch of one work-item for all parts
+// (gradients_whole), because many launches would take longer than the computation.
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
-#ifndef DOUBLE_SUMS  // 1 if the device has doubles
+#ifndef DOUBLE_SUMS  // 1: the device supports doubles, so the sums have double precision
 #define DOUBLE_SUMS 0
 #endif
 #if DOUBLE_SUMS
@@ -19,7 +20,7 @@ typedef double total;
 typedef float total;
 #endif
 
-// The sum of a chunk, kept lane by lane until the chunk's last unit.
+// The sums of a chunk, one per lane. total_of() adds them after the last unit of the chunk.
 #if LANES == 16 && DOUBLE_SUMS
 typedef double16 totals;
 #define to_totals convert_double16
@@ -43,8 +44,9 @@ static inline total total_of(totals v) {
 #endif
 }
 
-// Computes eight interleaved sums and adds them in order. Each addition waits for the one before it, so a work-item
-// waits for chunks / 8 additions instead of `chunks`.
+// Adds the sums of all chunks. Eight partial sums are computed independently, and then added in order. In a single sum
+// each addition would wait for the previous one, and a work-item would wait for `chunks` additions instead of chunks /
+// 8.
 static inline total sum_of(__global const total *sums, int row, int chunks) {
   total part[8] = {0, 0, 0, 0, 0, 0, 0, 0}, sum = 0;
   int k = 0;
@@ -55,7 +57,7 @@ static inline total sum_of(__global const total *sums, int row, int chunks) {
   return sum;
 }
 
-// A diagonal matrix block of A is stored as six columns.
+// Loads a diagonal 3 x 3 matrix block of A. Its six different elements are stored as six columns.
 static inline Symmetric load_block(TABLE(scalar) diagonal, int u) {
   real3 a = load3(diagonal, u, 6, 0), b = load3(diagonal, u, 6, 3);
   Symmetric m;
@@ -67,7 +69,7 @@ static inline void store_block(Symmetric m, __global scalar *diagonal, int u) {
   store3(vec3(m.xy, m.xz, m.yz), diagonal, u, 6, 3);
 }
 
-// Returns the inverse of a matrix block, which is the preconditioner.
+// Returns the inverse of a diagonal matrix block. The inverse is the preconditioner.
 INLINE Symmetric inverse_of(Symmetric m) {
   Factors f = factored(m);
   real3 x = solved(f, uniform3(1.0f, 0.0f, 0.0f)), y = solved(f, uniform3(0.0f, 1.0f, 0.0f));
@@ -77,19 +79,21 @@ INLINE Symmetric inverse_of(Symmetric m) {
   return i;
 }
 
-// The matrix block of A for two tops joined by a spring is -(even I + g g^T). g is stored, in three columns per entry.
-// even + g.g is the same for all springs, so even_of() computes `even` from g. g = 0 means that there is no spring.
+// Two tops joined by a spring have the matrix block -(even I + g g^T) in A. Only the vector g is stored, in three
+// columns per entry. The sum even + g.g is the same for all springs, so even_of() computes the number `even` from g. g
+// = 0 marks an entry without a spring.
 INLINE real even_of(TopologyParams p, real3 g) {
   real along = dot3(g, g);
   real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;
   return along > REAL(0.0f) ? even : REAL(0.0f);
 }
 
-// (even I + g g^T) w
+// Returns (even I + g g^T) w.
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
-// Computes A, the inverses of its diagonal blocks and b from the state; then r = b - A x, z = inverse r, d = z. at:
-// entry of the moment at the end of the step.
+// Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then computes the
+// residual r = b - A x, z = inverse r, and the search direction d = z. at: index, in the table of moments, of the time
+// at the end of the step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
@@ -109,7 +113,7 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
     for (int k = 0; k < width; ++k) {
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
-      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the entry only pads the slice
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the entry is padding
       real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
       real length = load_real(rest, e);
       force = add3(force, edge_force(p, apart, parting, length));
@@ -154,7 +158,7 @@ __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Momen
                  inverse, coupling, r, d, sums);
 }
 
-// Computes A d, and d.Ad per chunk.
+// Computes the product A d, and the sum d.Ad of each chunk.
 INLINE void product_chunk(TopologyParams p, int chunks, int chunk, TABLE(int) start, TABLE(int) neighbour,
                           TABLE(scalar) diagonal, TABLE(scalar) coupling, TABLE(scalar) d, __global scalar *product_d,
                           __global total *sums) {
@@ -178,15 +182,15 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
   if (chunk < chunks) product_chunk(p, chunks, chunk, start, neighbour, diagonal, coupling, d, product_d, sums);
 }
 
-// Returns r.z / d.Ad. odd: 1 if the number of the iteration is odd.
+// Returns the step length r.z / d.Ad of the conjugate gradients. odd: 1 if the number of the iteration is odd.
 static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
-  // If dad is NaN, then x becomes NaN too, and note_step() reports the diverged masses. With a factor of 0 they would
-  // stay in place unnoticed.
+  // If dad is NaN, the result and x become NaN too, so note_step() reports the diverged masses. A result of 0 would
+  // leave these masses in place, and the divergence would go unnoticed.
   return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 
-// Computes r -= alpha A d, and writes z = inverse r over A d.
+// Computes r -= alpha A d, and overwrites the buffer of A d by z = inverse r.
 INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
                           __global scalar *product_d, __global scalar *r, __global total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
@@ -208,7 +212,7 @@ __kernel void gradients_advance(TopologyParams p, int chunks, int odd, TABLE(sca
   if (chunk < chunks) advance_chunk(p, chunks, chunk, odd, inverse, product_d, r, sums);
 }
 
-// Computes x += alpha d and then d = z + beta d, where beta is the new r.z divided by the old one.
+// Computes x += alpha d, and then the next search direction d = z + beta d. beta is the new r.z divided by the old r.z.
 INLINE void turn_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) z, __global scalar *d,
                        __global scalar *x, __global const total *sums) {
   real alpha = alpha_of(sums, chunks, odd);
@@ -227,7 +231,7 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
   if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
 }
 
-// Computes v += x and then q += h v.
+// Computes the new velocity v += x, and then the new position q += h v.
 INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
                        __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
                        __global int *first) {
@@ -248,9 +252,9 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
   if (chunk < chunks) move_chunk(p, chunk, number, sites, x, offset, speed, tip, diverged_at, first);
 }
 
-// Computes all substeps of a launch in one work-item. Each substep iterates until |r| <= residual |b| or `most`
-// iterations are done. The whole model is one chunk. solved: the number of all iterations, the greatest number in one
-// substep, and the greatest |r| / |b| at the end of a substep.
+// Computes all substeps of a launch in one work-item. Each substep iterates until |r| <= residual |b|, but at most
+// `most` times. The whole model is one chunk. solved: receives the number of all iterations, the greatest number of
+// iterations in one substep, and the greatest |r| / |b| at the end of a substep.
 __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                               __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
@@ -264,7 +268,8 @@ __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE
                  diagonal, inverse, coupling, r, d, sums);
     total bb = sums[SUM_BB];
     int done = 0;
-    // At least one iteration is done: if a sum is infinite or NaN, masses have diverged, and the iteration makes x NaN.
+    // At least one iteration is computed. If masses have diverged, a sum is infinite or NaN, and this iteration makes x
+    // NaN.
     for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
       product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
       advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);
