@@ -5,53 +5,57 @@
 typedef struct {
   // Picture and camera (docs/frame.md, section 4).
   int width, height;
-  float row_x[4], row_y[4], row_w[4];         // dot(row, (p, 1)) is x w, y w (pixels from the centre) or w
+  // Rows of the camera matrix. Their products with (p, 1) are x w, y w and w; x and y are pixels from the image centre.
+  float row_x[4], row_y[4], row_w[4];
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
   float near_depth;                           // view depth of the near plane, R
   // Geometry.
-  int vertices;                               // length of a column: vertices or corners, padded to a multiple of 16
+  int vertices;                               // length of a column: number of vertices or corners, a multiple of 16
   int triangles;
   int layers;                                 // N
-  int uniform_spacing;                        // parameter of a layer; 0: t = h; 1: t = 1 - sqrt(1 - h)
+  // Bezier parameter t of a layer at height h. 0: t = h; 1: t = 1 - sqrt(1 - h).
+  int uniform_spacing;
   int sticks;                                 // 1: layers follow B Eq. 4 instead of the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
   // Tiles and their triangles.
   int tiles_x, tiles_y;
-  int layer_batch;                            // layers per batch; a tile selects its visible triangles once per batch
-  int layer_batches;                          // number of layer batches of the pass, including the base
-  int first_layer, end_layer;                 // layers of this pass; not all N if they need too much memory
-  int chunk;                                  // number of triangles per chunk; one work-item counts a chunk
+  int layer_batch;                            // layers per layer batch; a tile selects visible triangles once per batch
+  int layer_batches;                          // number of layer batches of this pass, including the base
+  // Layers of this pass: first_layer <= n < end_layer. If N layers need too much memory, several passes draw them.
+  int first_layer, end_layer;
+  int chunk;                                  // number of triangles per chunk; a work-item counts one chunk
   int chunks;
-  int every_layer;                            // 1: triangles are also drawn in layers that their clumps do not reach
+  // 1: triangles are also drawn in the layers in which their clumps discard all fragments.
+  int every_layer;
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
   float clump_shape;                          // w
   float clump_gain;
-  int clump_literal;                          // 1: scale by r_mask instead of the gain
-  int clump_separate;                         // 1: discard a fragment if the texel at p + d has another clump's centre
+  int clump_literal;                          // 1: scale clumps by r_mask, as printed, instead of clump_gain
+  int clump_separate;                         // 1: discard a fragment if the texel at p + d is in another clump
   float log_layers;                           // k = ln N
   // Textures.
   int fur_size, fur_levels;
-  float fur_scale[2];                         // repeats of the texture per unit of u and v
-  float footprint;                            // texels of level 0 per pixel at view depth 1, times 2^bias
-  int substeps;                               // samples per fragment of a layer: 1, 2, 4 or 8
+  float fur_scale[2];                         // repeats of the fur texture per unit of u and of v
+  float footprint;                            // texels of mip level 0 per pixel at view depth 1, times 2^bias
+  int substeps;                               // texture samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
-  // Light (S Eq. 6; W Eq. 2-5) for the models of shading in harness/scene/shading_models.cpp. "curling" has
-  // surface_light 0; "wet" and "lambert" have surface_light 1. For "lambert" the host sets specular, wrap and darkening
+  // Light (S Eq. 6; W Eq. 2-5) for the shading models in harness/scene/shading_models.cpp. surface_light is 0 for the
+  // model "curling" and 1 for the models "wet" and "lambert". For "lambert" the host sets specular, wrap and darkening
   // to 0.
-  int surface_light;                          // 1: diffuse light and shadow by W Eq. 2-5; 0: by S Eq. 6
+  int surface_light;                          // 1: diffuse light and self-shadow by W Eq. 2-5; 0: by S Eq. 6
   int two_sided;                              // 1: normals that face away from the eye are reversed for lighting
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
   float exponent;                             // p
-  int whole_exponent;                         // p if it is a whole number and equal for all fragments, else 0
+  int whole_exponent;                         // p if it is an integer and equal for all fragments, else 0
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
-  float drawn;                                // sign of the clump's drift in W Eq. 4: +1 as printed, -1 as drawn
+  float drawn;                                // sign of the clump's drift in W Eq. 4: +1 as printed, -1 reversed
   int lights;
   union {                                     // unit vectors towards the lights
-    // The flat array comes first, because rusticl (Mesa 22.3) takes only the outer length, 2, for the size of
+    // The flat array comes first because rusticl (Mesa 22.3) takes only the outer length, 2, as the size of
     // light[2][3].
     float lights_flat[6];
     float light[2][3];
@@ -60,17 +64,19 @@ typedef struct {
   float skin[3], background[3];
 } RasterParams;
 
-// Values of a layer that only the host computes, so that all devices use the same bits.
+// Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array: position, A = sum weight L0 normal, and the curl frame.
+// Columns of the vertex array: the position; A, which is the weighted mean of the strands' L0 n; and the two axes of
+// the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
-// Number of floats in a vertex's row of an attribute buffer: u, v, A, B; or dX/du, dX/dv; or the curl's frame.
+// Number of floats in a vertex's row of an attribute buffer. Rows hold u, v, A, B; or dX/du, dX/dv; or the two axes of
+// the curl.
 #define RECORD 8
 
-// Pixels per side of a tile: multiples of 4, at most 32 (tuning axes).
+// Width and height of a tile in pixels: multiples of 4, at most 32 (tuning axes).
 #ifndef TILE_W
 #define TILE_W 32
 #endif
@@ -79,7 +85,7 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 #endif
 
 #define SUBPIXEL 256            // screen coordinates are rounded to 1/256 pixel
-#define GUARD 16384.0f          // pixels from the image centre; triangles beyond are clipped
-#define OPAQUE 0.001953125f     // a pixel is complete when its transmittance is at most 1/512
+#define GUARD 16384.0f          // guard band: greatest distance from the image centre, in pixels, before clipping
+#define OPAQUE 0.001953125f     // transmittance at or below which a pixel is complete, 1/512
 
 #endif

@@ -1,16 +1,17 @@
-// The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, lists them at
-// the blocks of 4 x 4 pixels that they cover, and shades LANES neighbouring pixels at once. Layers are drawn from the
-// outermost to the innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers
-// write no depth, so 'under' in reverse order equals the paper's 'over'. A pixel is complete when its transmittance is
-// at most OPAQUE. These are the stages in the order in which a tile runs them:
+// The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, adds each
+// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once.
+// Layers are drawn from the outermost to the innermost, and the triangles of a layer in reverse order, with
+// front-to-back compositing. Layers write no depth, so the 'under' operator in reverse order gives the same result as
+// the paper's 'over' operator. A pixel is complete when its transmittance is at most OPAQUE. A tile runs these stages
+// in this order:
 //
 //   draw_layer sets up the triangles of a layer (below, coverage/).
-//   keep and cover_pixels list the triangles at the blocks that they cover (fragments.clh).
+// keep and cover_pixels add the triangles to the lists of the blocks that they cover (fragments.clh).
 //   find_next selects the next triangle of each pixel (lists.clh).
 //   points_at locates the pixels on their triangles (points.clh, coverage/perspective.clh).
-//   shade and flush compute attributes, clump, fur and light, and blend (blocks.clh, shading/).
-//   find_hidden finds the depths that the base hides, after the base is drawn (hidden.clh).
-//   may_be_seen selects the triangles of a layer batch that may be visible (hidden.clh).
+// shade and flush compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
+// find_hidden finds the depths behind which the base hides fragments, after the base is drawn (hidden.clh).
+// may_be_seen selects the triangles that may be visible in a layer batch (hidden.clh).
 //   resolve adds the base surface or the background (blocks.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/cells.clh"
@@ -23,7 +24,7 @@
 #include "rasterize/tile/blocks.clh"
 #include "rasterize/tile/hidden.clh"
 
-// Draws the triangles of the polygon that remains of a clipped triangle, one by one. The lists of the blocks must be
+// Clips a triangle, and draws the fan of triangles of the remaining polygon one by one. The lists of the blocks must be
 // empty. Returns the number of covered fragments.
 static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
@@ -31,7 +32,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
   int corners = clipped_triangle(pass->s, m, pass->layer, v0, v1, v2, polygon);
   int covered = 0;
   for (int i = 1; i + 1 < corners; ++i) {
-    // All lanes set up the same piece. Clipping is rare, so its speed does not matter.
+    // All lanes set up the same triangle of the fan. Clipping is rare, so its speed does not matter.
     Triangles b;
     int index[3] = {0, i, i + 1};
     for (int c = 0; c < 3; ++c) b.corner[c] = cut_on_screen(polygon[index[c]], place->origin_x, place->origin_y);
@@ -53,8 +54,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
   return covered;
 }
 
-// Draws a batch in which some triangles need clipping, which is rare. It draws one triangle at a time to keep the
-// order.
+// Draws LANES triangles of which some need clipping, which is rare. It draws them one by one to keep their order.
 static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);
   truth outside = needs_clip(b);
@@ -89,11 +89,11 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
   }
 }
 
-// Draws `entries` triangles of the pass's layer. Returns the number of covered fragments.
+// Draws `entries` triangles of the layer of `pass`. Returns the number of covered fragments.
 static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
-  real4 next_corners;                    // corner rows of the next batch, if fetched ahead
+  real4 next_corners;                    // rows of m.corners of the next LANES triangles, if prefetched
   bool fetched = false;
   for (int done = 0; done < entries; done += LANES) {
     int begin = n < 0 ? done : (entries - 1) / LANES * LANES - done;
@@ -119,13 +119,13 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
     if (covering == 0) continue;
     int slot = d->used;
     d->used += LANES;
-    // Lists the triangles that may cover a pixel, in drawing order.
+    // Adds the triangles that may cover a pixel to the lists of their blocks, in drawing order.
     while (covering != 0) {
       int lane = n < 0 ? first_lane(covering) : last_lane(covering);
       covering ^= 1u << lane;
       if (d->most == ENTRIES) {
         flush(pass, 0, d, tile);
-        d->used = slot + LANES;   // the rest of this batch is still in its slots
+        d->used = slot + LANES;   // the slots of this batch of triangles stay in use
       }
       covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
     }
@@ -141,7 +141,7 @@ static bool anything_seen_through(const Tile *tile) {
   return seen;
 }
 
-// Reads the colour and transmittance that the previous passes accumulated. Between passes the image holds them.
+// Reads the colour and transmittance that the previous passes accumulated. The image stores them between passes.
 static void resume(const RasterParams *s, const Place *place, Tile *tile, __global const float4 *image) {
   for (int j = 0; j < place->height; ++j)
     for (int i = 0; i < place->width; ++i) {
@@ -163,8 +163,8 @@ static void suspend(const RasterParams *s, const Place *place, const Tile *tile,
     }
 }
 
-// Draws the base, then the pass's layers from the outermost one. Returns the number of covered fragments of the layers
-// if COUNT_FRAGMENTS is defined.
+// Draws the base, then the layers of the pass from the outermost one inwards. If COUNT_FRAGMENTS is defined, it returns
+// the number of covered fragments of the layers.
 static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
                       __global float4 *image) {
   const RasterParams *s = pass->s;
@@ -221,9 +221,9 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   return fragments;
 }
 
-// shown: room for four times the entries of all lists, and 4 LANES more per tile. next: number of the next tile that no
-// work-item has taken, 0 at first. Each work-item takes one tile at a time, so that tiles with much fur are shared
-// among the work-items.
+// shown: buffer with room for 4 integers per entry of all lists, and 4 * LANES more per tile. next: number of the next
+// tile that no work-item has taken, initially 0. Each work-item takes one tile at a time, so that tiles with much fur
+// are distributed over the work-items.
 __kernel void tile_shells(RasterParams s, RASTER_BUFFERS, __global int *shown, __global int *next) {
   RasterBuffers of = RASTER_RECORD;
   Geometry m = of.geometry;
