@@ -1,11 +1,12 @@
 // Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of all layers, and the
-// boxes of each layer batch for binning. A work-item computes LANES vertices. Binning and the triangles' reach belong
-// to the same program, because PoCL preprocesses each program for 25 ms before it searches its cache.
+// boxes of each layer batch for binning. A work-item computes LANES vertices. The kernels of bin.clh and reach.clh are
+// part of the same program, because PoCL preprocesses each program for 25 ms before it searches its cache of compiled
+// programs.
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
 
-// Computes 1 - rho at each vertex, once per mask. mask_uv: a column of u, then a column of v.
+// Computes the dryness 1 - rho at each vertex, once per mask. mask_uv: a column of u, then a column of v.
 __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
@@ -13,9 +14,9 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
   store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
 }
 
-// Computes B = sum weight q over the strands of each vertex. Rows are padded per block of LANES vertices: entry e of
-// lane i of a block is at (slice[block] + e) LANES + i. Entries beyond the end of a row have weight 0. tips: columns
-// q_x, q_y, q_z of length strand_stride.
+// Computes the tip B = sum weight * q over the strands of each vertex. Rows of strands are padded per block of LANES
+// vertices: entry e of lane i is at (slice[block] + e) * LANES + i. Entries beyond the end of a row have weight 0.
+// tips: columns q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
@@ -43,8 +44,8 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 }
 
 // For each of LANES vertices, the box of its positions in some layers, in pixels from the image's top left corner. left
-// and top are rounded up, right and bottom down.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w
+// and top are rounded up, right and bottom are rounded down.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w in these layers
 
 static inline Bounds nothing(void) {
   Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
@@ -56,7 +57,7 @@ static inline Bounds both(Bounds a, Bounds b) {
   return c;
 }
 
-// A vertex that needs clipping may be anywhere, so its box is unlimited.
+// Returns the box of one position. A vertex that needs clipping may be anywhere, so its box is unlimited.
 static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   truth clipped = v.iw == REAL(0.0f);
   whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);
@@ -76,9 +77,10 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
   store_rows(row, box, block);
 }
 
-// Computes the vertices of the base and of the pass's layers. screen: from screen_row(n) on, rows of x and y (1/256
-// pixel from the image centre, bits of integers) and 1/w. box: rows of bounds at [(g vertices + i) 4] for each layer
-// batch g, and last for all batches together. A vertex that needs clipping has 1/w = 0 and an infinite greatest 1/w.
+// Computes the vertices of the base and of the pass's layers. screen: rows of x and y (1/256 pixel from the image
+// centre, integers as float bits) and 1/w; the rows of layer n start at screen_row(n). box: the bounds of vertex i in
+// layer batch g are at 4 * (g * vertices + i); the bounds in all layers together follow as batch number layer_batches.
+// A vertex that needs clipping has 1/w = 0 in `screen` and an infinite greatest 1/w in `box`.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box) {
   int block = (int)get_global_id(0);
@@ -101,7 +103,7 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
   store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
 }
 
-// Writes the attribute record of each vertex: u, v, A, B.
+// Writes the attribute row of each vertex: u, v, A, B.
 __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;
@@ -115,8 +117,8 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
   }
 }
 
-// Writes the curl's frame at each vertex times its dryness: (1 - rho) u and (1 - rho) v, where u and v are unit
-// vectors.
+// Writes the two axes of the curl at each vertex, multiplied by the vertex's dryness: (1 - rho) u and (1 - rho) v,
+// where u and v are unit vectors.
 __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;

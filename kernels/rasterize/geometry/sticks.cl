@@ -2,8 +2,8 @@
 // vertices.
 #include "rasterize/geometry/transform.clh"
 
-// stick: for each vertex the index in `offset` of its stick's q_x. q_y and q_z are 16 and 32 entries further (slices of
-// sixteen sticks). level: 1 for the tangential form of B Eq. 4.
+// stick: for each vertex, the index in `offset` of its stick's q_x. q_y and q_z are 16 and 32 entries later, because
+// sticks are stored in slices of sixteen. level: 1 for the tangential form of B Eq. 4.
 __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(float) offset, TABLE(float) vertex,
                          __global float *tip) {
   int block = (int)get_global_id(0);
@@ -11,8 +11,8 @@ __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(floa
   whole i = load_whole(stick, block);
   real3 a = column3(vertex, ROOT_X, s.vertices, block);
   real3 q = vec3(gather(offset, i), gather(offset + 16, i), gather(offset + 32, i));
-  // Diverged masses are replaced by their rest position, so that binning stays bounded. The host detects them after the
-  // frame.
+  // The rest position replaces the position of a diverged mass, so that the triangle's list of tiles stays bounded. The
+  // host detects diverged masses after the frame.
   truth sound = dot3(q, q) < REAL(1e30f);
   real3 b = stick_tip(choose3(sound, q, a), a);
   if (level) b = level_tip(b, a);

@@ -1,6 +1,6 @@
-// The pixel mapping: a work-item per pixel reads the list of its tile for every layer and shades each fragment
-// immediately. It is the simplest form of the same equations, on one lane. On every device the other mappings are
-// compared with it.
+// The pixel mapping: for every layer, a work-item per pixel reads the triangle list of its tile and shades each
+// fragment immediately. This mapping is the simplest implementation of the equations, on one lane. Tests compare the
+// other mappings with it on every device.
 //
 //   triangles_at reads a triangle's vertices in the layer (coverage/fan.clh).
 //   triangle_hit tests coverage and locates the pixel on the triangle (below, coverage/).
@@ -14,7 +14,7 @@
 
 typedef struct { bool covered; Perspective at; } Hit;
 
-// Evaluates a triangle at the pixel whose centre is the origin of the setup's coordinates.
+// Evaluates a triangle at the pixel whose centre is the origin of the coordinates of t.
 static Hit hit_at(Setup t) {
   Hit h;
   h.covered = t.live && t.edge[0].at >= 0 && t.edge[1].at >= 0 && t.edge[2].at >= 0;
@@ -27,7 +27,8 @@ static Hit hit_at(Setup t) {
   return h;
 }
 
-// Evaluates a triangle of layer n at the pixel whose centre is the origin, after clipping it if necessary.
+// Evaluates a triangle of layer n at the pixel whose centre is (origin_x, origin_y), after clipping the triangle if
+// necessary.
 static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
   Triangles b = triangles_at(s, m, n, gather_rows(m.corners, triangle), origin_x, origin_y);
   for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];
@@ -51,7 +52,7 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
 #ifdef TALLY
-  // Only a random sample of the pixels is drawn, one in TALLY.
+  // Only a random sample of the pixels is drawn: one pixel in TALLY.
   uint pick = (uint)i * 0x9e3779b1u ^ (uint)j * 0x85ebca77u;
   pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
   if ((pick ^ pick >> 12) % TALLY != 0) return;
@@ -69,7 +70,8 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
     Hit h = triangle_hit(&s, of.geometry, base, -1, list[k], origin_x, origin_y, vertices);
     if (!h.covered || h.at.iw <= nearest.at.iw) continue;
-    // `nearest = h` would fail: rusticl (Mesa 22.3) also copies a struct in the lanes that took the other branch.
+    // `nearest = h` would be wrong on rusticl (Mesa 22.3), which also copies the struct in lanes that took the other
+    // branch.
     nearest.covered = true;
     nearest.at.iw = h.at.iw;
     nearest.at.w = h.at.w;

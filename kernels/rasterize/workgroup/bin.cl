@@ -1,7 +1,8 @@
-// Bins of the workgroup mapping: lists of the triangles that may touch each tile of TILE_W x TILE_H pixels, per layer
-// batch and in the mesh's order. Each triangle counts its tiles. A prefix sum gives the positions of its entries, which
-// are written as pairs of list and triangle. A stable sort (common/radix_sort.cl) groups the pairs by list. No capacity
-// is fixed in advance, so the number of triangles is not limited.
+// Bins of the workgroup mapping: for each layer batch, a list of the triangles that may touch each tile of TILE_W x
+// TILE_H pixels, in the mesh's order. The first kernel counts the tiles of each triangle. A prefix sum of the counts
+// gives the positions at which the second kernel writes pairs of list and triangle. A stable sort
+// (common/radix_sort.cl) groups the pairs by list. No capacity is fixed in advance, so the number of triangles is not
+// limited.
 #include "rasterize/geometry/boxes.clh"
 
 typedef struct { int left, top, right, bottom; } Span;

@@ -1,8 +1,9 @@
-// The workgroup mapping, for GPUs: a work-group draws a tile, a work-item draws a pixel. Triangles come in batches.
-// Each work-item sets up one triangle and finds the pixels that it covers, as bits of a word. Triangles without pixels
-// are dropped. Then each work-item draws the triangles that cover its pixel. Layers are drawn from the outermost to the
-// innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers write no depth, so
-// 'under' in reverse order equals the paper's 'over'.
+// The workgroup mapping, for GPUs: a work-group draws a tile, and a work-item draws a pixel. Triangles are drawn in
+// batches, one triangle per work-item. Each work-item sets up its triangle and finds the pixels that the triangle
+// covers, as bits of a word. Triangles that cover no pixel are dropped. Then each work-item draws the triangles that
+// cover its pixel. Layers are drawn from the outermost to the innermost, and the triangles of a layer in reverse order,
+// with front-to-back compositing. Layers write no depth, so the 'under' operator in reverse order gives the same result
+// as the paper's 'over' operator.
 //
 //   put_triangle sets up one triangle and the mask of its pixels (batch.clh, coverage/).
 //   draw_clipped draws a triangle that needs clipping (below, coverage/fan.clh).
