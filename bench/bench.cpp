@@ -1,5 +1,5 @@
-// pelage-bench: times every kernel of a frame with Google Benchmark, by the device's own timer. Google
-// Benchmark's option --benchmark_out and its compare.py work as usual.
+// pelage-bench: times every kernel of a frame with Google Benchmark. The times come from the device's own
+// timer. Google Benchmark's option --benchmark_out and its script compare.py work as usual.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -30,7 +30,8 @@ struct Options {
   double seconds = 0.5;
 };
 
-/// A scene for timing. Each iteration draws one frame, and the kernels' times come from their events.
+/// A scene that is timed. Each iteration of a benchmark draws one frame. The kernels' times come from their
+/// OpenCL events.
 struct Bench {
   std::shared_ptr<const FrameInput> input;
   Shells shells;
@@ -48,7 +49,7 @@ struct Bench {
   }
 };
 
-/// Returns the milliseconds and bytes of a kernel in one frame, summed over its launches.
+/// Returns the milliseconds and the bytes of a kernel in one frame, summed over the kernel's launches.
 KernelTime of_kernel(const FrameTiming& timing, const std::string& kernel) {
   KernelTime sum{kernel, "", 0, 0};
   for (const KernelTime& k : timing.kernels) {
@@ -119,8 +120,9 @@ Scene scene_of(const Options& options) {
   return scene;
 }
 
-/// The number of iterations is fixed from a pilot frame. The library would increase it until the time is long
-/// enough, which never ends if the timer is wrong.
+/// Registers one benchmark per kernel. The number of iterations is computed from the time of a pilot frame.
+/// Google Benchmark would increase the number until the total time is long enough, which never ends if the
+/// device's timer is wrong.
 void register_all(Bench& bench, const Options& options, bool timer) {
   const FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {

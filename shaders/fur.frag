@@ -1,5 +1,6 @@
-// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). The constants,
-// shaders/layers.glsl and shaders/light.glsl are put before this file. shell.vert lists the papers S and W.
+// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). The host puts the
+// constants, shaders/layers.glsl and shaders/light.glsl before this file. shell.vert gives the titles of the papers S
+// and W.
 in vec2 uv;
 in vec3 normal, rise;
 #ifdef WET_MODEL
@@ -10,9 +11,9 @@ flat in vec4 look;
 #else
 #define look LAYER_LOOK
 #endif
-layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage, green: shade / 2
+layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage; green: half of the shade
 layout(binding = 1) uniform sampler2D coat;
-layout(binding = 2) uniform sampler2D mask;   // c_u, c_v, r, rho; NEAREST
+layout(binding = 2) uniform sampler2D mask;   // c_u, c_v, r, rho; sampled with NEAREST
 layout(location = 0) out vec4 colour;
 
 #if defined(FUR_ARRAY)
@@ -25,7 +26,7 @@ layout(location = 0) out vec4 colour;
 
 vec2 fur_texel(vec2 p, float level) {
 #ifdef TWO_LEVELS
-  // Trilinear filtering in the shader, since drivers may round the weight between levels.
+  // The shader filters between mip levels itself, because drivers may round the weight of a level.
   float fine = clamp(level, 0.0, float(FUR_LEVELS - 1));
   float base = floor(fine);
   return mix(textureLod(fur, FUR_AT(p), base).rg, textureLod(fur, FUR_AT(p), base + 1.0).rg, fine - base);
@@ -34,7 +35,7 @@ vec2 fur_texel(vec2 p, float level) {
 #endif
 }
 
-// x^EXPONENT, x >= 0
+// Returns x^exponent for x >= 0. Without the wet model the exponent is EXPONENT.
 float power(float x, float exponent) {
 #if defined(WHOLE_EXPONENT) && !defined(WET_MODEL)
   float y = 1.0;
@@ -48,7 +49,7 @@ float power(float x, float exponent) {
 #endif
 }
 
-// S Eq. 6 and W Eq. 3: adds the diffuse and specular light of one source. t, nu, e and light are unit vectors.
+// S Eq. 6 and W Eq. 3: adds the diffuse and specular light of one source to `sum`. t, nu, e and light are unit vectors.
 void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float exponent, inout vec2 sum) {
   float n_l = dot(nu, light), t_l = dot(t, light), t_e = dot(t, e);
   float sine_l = sqrt(max(0.0, 1.0 - t_l * t_l)), sine_e = sqrt(max(0.0, 1.0 - t_e * t_e));
@@ -64,9 +65,9 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
 void main() {
   vec2 at = uv;
   float rho = 0.0;
-  vec2 pull = vec2(0.0);  // the clump's shift per unit of f(h)
+  vec2 pull = vec2(0.0);  // the clump's shift divided by f(h)
 #ifdef CLUMPS
-  // S Eq. 5 and Algorithm 2. rho = 0 where the texel is dry, so that the shift is 0 there.
+  // S Eq. 5 and S Algorithm 2. At a dry texel rho is 0, so the shift is 0 too.
   vec4 here = textureLod(mask, uv, 0.0);
   vec2 from = uv - here.xy;
   rho = here.w;
@@ -85,7 +86,7 @@ void main() {
 #endif
 
   vec3 nu = unit(normal), e = view();
-  // level is log2 of a pixel's footprint on the surface, in texels of level 0. gl_FragCoord.w is 1/w.
+  // level is log2 of a pixel's footprint on the surface, in texels of mip level 0. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
   if (texel.r == 0.0) discard;
@@ -108,7 +109,7 @@ void main() {
 #ifdef WET_MODEL
   gamma *= 1.0 - DARKENING * rho;  // W Eq. 5
 #endif
-  vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // shade: the byte / 127.5
-  // The colour is multiplied by coverage here, so that all four channels are blended alike.
+  vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // the shade is the byte / 127.5
+  // The colour is multiplied by the coverage here, so that all four channels are blended in the same way.
   colour = texel.r * vec4(gamma * (light.x * hair + light.y * SPECULAR), 1.0);
 }

@@ -1,6 +1,6 @@
-// Values of a layer for its vertices and fragments: three rows that the host computes
+// Values of a layer for its vertices and fragments. The host computes three rows per layer
 // (harness/shells/opengl/scene_glsl.cpp).
-//   bend holds the factors of A, B and of the curl's u and v.
+//   bend holds the factors of A, B and of the curl's axes u and v.
 //   step holds the factors of A and B in dB(n).
 //   look holds f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n) and n.
 #ifdef INSTANCED

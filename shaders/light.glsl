@@ -1,11 +1,12 @@
-// Lighting of docs/frame.md, section 6, shared by both papers' models and the base surface.
-vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // returns 0 for 0
+// Lighting of docs/frame.md, section 6. The fragments of both papers' models and of the base surface use these
+// functions.
+vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zero vector stays zero
 
-// Returns the unit vector from the eye to the surface. RAY is the ray through the window's origin.
+// Returns the unit vector from the eye to the surface. RAY is the view ray through the origin of window coordinates.
 vec3 view() { return unit(RAY + gl_FragCoord.x * RAY_DX + gl_FragCoord.y * RAY_DY); }
 
-// Returns the normal for lighting, reversed with TWO_SIDED if it faces away from the eye. e points from the eye to the
-// surface.
+// Returns the normal for lighting. With TWO_SIDED, a normal that faces away from the eye is reversed. e points from the
+// eye to the surface.
 vec3 lit_normal(vec3 nu, vec3 e) {
 #ifdef TWO_SIDED
   if (dot(nu, e) > 0.0) return -nu;
@@ -13,11 +14,11 @@ vec3 lit_normal(vec3 nu, vec3 e) {
   return nu;
 }
 
-// max(0, (n.l + .4) / 1.4)
+// Returns max(0, (n.l + .4) / 1.4), light that wraps around the surface.
 float wrapped(float n_dot_l) { return max(0.0, (n_dot_l + 0.4) / 1.4); }
 
-// W Eq. 2, C_d per unit of light and colour.
+// W Eq. 2: returns C_d per unit of light and of colour.
 float lambert(float n_dot_l) { return (1.0 - WRAP) * max(0.0, n_dot_l) + WRAP * wrapped(n_dot_l); }
 
-// Returns g_l per unit of the light's intensity.
+// Returns the factor g_l of docs/frame.md, section 6, divided by the light's intensity.
 float dimmed(float n_dot_l) { return 1.0 + WRAP * (wrapped(n_dot_l) - 1.0); }

@@ -1,13 +1,13 @@
 // Transforms a vertex of a layer or of the base surface (S section 4, "vertex shader"; docs/frame.md, sections 3 and
-// 4). S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Real-Time Rendering of Wet
-// Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
+// 4). S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time
+// Rendering of Wet Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
 layout(location = 0) in vec3 position;  // R
 layout(location = 1) in vec2 surface_uv;
-layout(location = 2) in vec3 a;         // A: vector from the root to p0, along the normal
-layout(location = 3) in vec3 b;         // B: vector from the root to p
+layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, along the normal, R
+layout(location = 3) in vec3 b;         // B: vector from the strand's root to p, R
 layout(location = 4) in vec3 curl_u;    // (1 - rho) K_alpha u, R
 layout(location = 5) in vec3 curl_v;
-layout(location = 6) in vec3 dx_du;     // R per UV unit
+layout(location = 6) in vec3 dx_du;     // dX/du, R per unit of u
 layout(location = 7) in vec3 dx_dv;
 
 out vec2 uv;
@@ -44,11 +44,11 @@ void main() {
   vec4 at = vec4(p, 1.0);
   vec3 eye = vec3(dot(CAMERA_X, at), dot(CAMERA_Y, at), dot(CAMERA_W, at));
 #ifdef SNAP
-  // Rounds to 1/256 pixel from the picture's centre. Drivers round in this way for coverage, but interpolate from
-  // unrounded positions.
+  // Rounds to 1/256 pixel from the picture's centre. Drivers round positions in the same way for coverage, but
+  // interpolate from unrounded positions.
   if (eye.z >= NEAR) eye.xy = roundEven(eye.xy / eye.z * GRID) / GRID * eye.z;
 #endif
-  // z = near becomes near / w after the division, so that the depth test compares 1/w. y points down, since the top row
-  // is stored first.
+  // The division by w turns z = near into near / w, so the depth test compares 1/w. y points down, because the top row
+  // of pixels is stored first.
   gl_Position = vec4(eye.xy, NEAR, eye.z);
 }

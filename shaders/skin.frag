@@ -1,4 +1,5 @@
-// Draws the base surface (docs/frame.md, section 7). The constants and shaders/light.glsl are put before this file.
+// Draws the base surface (docs/frame.md, section 7). The host puts the constants and shaders/light.glsl before this
+// file.
 in vec2 uv;
 in vec3 normal;
 layout(binding = 1) uniform sampler2D coat;

@@ -3,19 +3,19 @@
 #define PELAGE_SIMULATE_PARAMS_H
 
 typedef struct {
-  float length;                        // L0, R
+  float length;                        // length L0 of a strand, R
   float stiffness;                     // k, N/m
   float drag;                          // c, N s/m
   float inverse_mass;                  // 1/m, 1/kg
   float step;                          // dt, s
   float weight_x, weight_y, weight_z;  // m g, N
-  float wind_x, wind_y, wind_z;        // direction times strength, N
-  float gust;                          // amplitude of the gusts as a fraction of the wind
-  int stride;                          // strands in a column of the arrays: F rounded up to a multiple of 16
+  float wind_x, wind_y, wind_z;        // direction of the wind times its force, N
+  float gust;                          // amplitude of the gusts as a fraction of the mean wind
+  int stride;                          // length of a column: the number of strands, rounded up to a multiple of 16
   int substeps;
 } SimulateParams;
 
-// Columns of the array of constants: normal, anchor, gust phase. Columns of the state: q = p - root, v.
+// Columns of the array of constants: normal, anchor, gust phase. The columns of the state are q = p - root and v.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };
 

@@ -1,4 +1,4 @@
-// Sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks at once.
+// Sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks of sticks at once.
 #include "springs/block.clh"
 #include "springs/places.clh"
 
@@ -25,9 +25,10 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
   return a;
 }
 
-// moment: entry 2 i is the start of substep i, entry 2 i + 1 its middle. offset, speed: the state, q and v. Every
-// substep tests whether a mass diverged. If a mass did, a second run finds the substep. It is a function of its own, so
-// that it takes no registers from the first run.
+// Defines the kernel of a scheme. moment: entry 2 i of the launch's moments is for the start of substep i, entry 2 i +
+// 1 for its middle. offset, speed: the state of the tops, q and v. Every substep tests whether a mass diverged. If a
+// mass diverged, a second run of the block finds the substep. The second run is a separate function, so that it takes
+// no registers from the first run.
 #define FRAME(name, stepped)                                                                                          \
   static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
                                                     TABLE(scalar) push, TABLE(scalar) sides,                          \

@@ -4,39 +4,42 @@
 
 typedef struct {
   float length;          // L0, R
-  float mass;            // m of a top, kg
+  float mass;            // mass m of a top, kg
   float inverse_mass;    // 1/m, 1/kg
-  float stiffness;       // k of a stick, N/m
-  float damping;         // damping of a stick along itself, N s/m
-  float edge_stiffness;  // k of a spring between tops, N/m
-  float edge_damping;    // damping of a spring between tops along itself, N s/m
-  float drag;            // c of the drag against the air, N s/m
-  float return_weight;   // w of B Eq. 5, N
+  float stiffness;       // spring constant k of a stick, N/m
+  float damping;         // damping along a stick, N s/m
+  float edge_stiffness;  // spring constant k of a spring between tops, N/m
+  float edge_damping;    // damping along a spring between tops, N s/m
+  float drag;            // drag coefficient c against the air, N s/m
+  float return_weight;   // weight w of the return force in B Eq. 5, N
   float step;            // dt, s
-  float most_square;     // a stick diverges when its squared length exceeds this, R^2
+  float most_square;     // squared length above which a stick counts as diverged, R^2
   int substeps;          // number of substeps in this launch
   int first_step;        // number of the launch's first substep
-  int first_moment;      // entry in the table of moments at which the launch starts
-  int moving;            // 1: the object turns, so its frame is not inertial
+  int first_moment;      // index in the table of moments at which the launch starts
+  int moving;            // 1: the object rotates, so its frame is not inertial
   int pushed;            // 1: some local forces are not zero
-  int sticks;            // number of sticks; rows beyond it are padding
-  int blocks;            // number of slices of 16 sticks, or of 16 triangles on separable prisms
-  int blocks_per_item;   // number of units (LANES neighbours) that a work-item computes
+  int sticks;            // number of sticks; entries beyond it are padding
+  int blocks;            // number of slices of 16 sticks; on separable prisms, of 16 triangles
+  int blocks_per_item;   // number of units that a work-item computes; a unit is LANES adjacent sticks or triangles
 } TopologyParams;
 
-// The forces on a top at rest in the object's frame, and the motion of this frame, at one moment.
+// A moment holds values that depend only on time: the uniform forces on a top, and the rotation of the object's frame.
 typedef struct {
-  float steady_x, steady_y, steady_z;        // weight, inertia of the object's acceleration, drag of the mean wind; N
-  float gust_x, gust_y, gust_z;              // amplitude of the gusts' drag, N
+  // Weight, inertial force of the object's acceleration, and drag of the mean wind, in newtons.
+  float steady_x, steady_y, steady_z;
+  float gust_x, gust_y, gust_z;              // amplitude of the drag force of gusts, in newtons
   float gust_sin, gust_cos;                  // sine and cosine of 2 pi f t
   float turn_x, turn_y, turn_z;              // the object's angular velocity, rad/s
   float turn_up_x, turn_up_y, turn_up_z;     // derivative of the angular velocity, rad/s^2
 } Moment;
 
-// Columns of the constants of a stick: root and normal have three each; the phase is that of the gust at the root.
+// Columns of the constants of a stick. Root and normal have three columns each. The phase is that of the gust at the
+// root.
 enum { SITE_ROOT = 0, SITE_NORMAL = 3, SITE_PHASE_COS = 6, SITE_PHASE_SIN, SITE_COLUMNS };
 
-// Rows of the partial sums of the conjugate gradients: r.z of even and odd iterations, d.Ad, r.r, b.b.
+// Rows of the partial sums of the conjugate gradients: r.z of even iterations, r.z of odd iterations, d.Ad, r.r and
+// b.b.
 enum { SUM_RZ_EVEN, SUM_RZ_ODD, SUM_DAD, SUM_RR, SUM_BB, SUM_ROWS };
 
 #endif

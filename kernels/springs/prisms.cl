@@ -1,7 +1,7 @@
-// Shared prisms by explicit schemes. Every top reads the old state of its neighbours, so a launch evaluates the forces
-// once. A small model takes one launch of one work-item for all substeps (prism_*_whole), because the launches would
-// take longer than the computation. The state is q and v. Neighbours read v and the tips, root + q, which are stored in
-// rows.
+// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. Every top reads the old
+// state of its neighbours, so a launch evaluates the forces only once. A small model takes one launch of one work-item
+// for all substeps (prism_*_whole), because many launches would take longer than the computation. The state of a top is
+// q and v. Neighbours read its v and its tip (root + q), which are stored in rows of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -11,8 +11,8 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// Computes one step of explicit (in_turn 0) or semi-implicit (in_turn 1) Euler. at: entry of the moment. number: number
-// of the step.
+// Computes one step of Euler's method, explicit if in_turn is 0 and semi-implicit if in_turn is 1. at: index of the
+// step's time in the table of moments. number: number of the step.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
@@ -39,7 +39,7 @@ __kernel void prism_euler(TopologyParams p, int in_turn, int at, int number, TAB
               tip, speed, offset, next_tip, next_speed, diverged_at, first);
 }
 
-// Computes all substeps. After an odd number of substeps the state is in other_*.
+// Computes all substeps. After an odd number of substeps the resulting state is in other_tip and other_speed.
 __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) moments, TABLE(scalar) sites,
                                 TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                                 __global scalar *tip, __global scalar *speed, __global scalar *offset,
@@ -54,9 +54,9 @@ __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) mom
   }
 }
 
-// Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of the stage. base_*:
-// state at the start of the step, and after stage 3 at its end. sum_*: the start plus the weighted rates so far.
-// next_*: state of the next stage.
+// Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of this stage. base_*:
+// state at the start of the step; after stage 3, state at the end of the step. sum_*: the state at the start plus the
+// weighted rates of the stages so far. next_*: state of the next stage.
 INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
                       TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                       TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,
@@ -102,8 +102,8 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
             first);
 }
 
-// Computes all substeps. The tips and speeds of the stages alternate between other_* and spare_*. Those of the step
-// stay in tip and speed.
+// Computes all substeps. The tips and speeds of the stages alternate between the buffers other_* and spare_*. The tips
+// and speeds at the end of a step are in tip and speed.
 __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,

@@ -3,8 +3,8 @@
 #define PELAGE_WET_PARAMS_H
 
 typedef struct {
-  int size;    // texels per side
-  int bucket;  // texels per side of a bucket of droplets
+  int size;    // number of texels per side of the mask
+  int bucket;  // number of texels per side of a bucket of droplets
 } WetParams;
 
 // Columns of the droplet array.

@@ -1,8 +1,9 @@
-// Algorithm 1 over the mask: one work-item per texel applies the droplets of its bucket, in their order.
+// S and W, Algorithm 1, for the whole mask: each work-item computes one texel and applies the droplets of its bucket in
+// order.
 #include "wet/equations.clh"
 
-// bucket_row: index of the first entry of each bucket in bucket_drop, then the number of all entries. surface: x, y, z
-// of the surface point under each texel, R.
+// bucket_row: index of the first entry of each bucket in bucket_drop; its last element is the number of all entries.
+// surface: x, y, z of the surface point under each texel, R.
 __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket_row, TABLE(int) bucket_drop,
                            TABLE(float) surface, __global float *mask) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);

@@ -11,8 +11,8 @@ __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(floa
   whole i = load_whole(stick, block);
   real3 a = column3(vertex, ROOT_X, s.vertices, block);
   real3 q = vec3(gather(offset, i), gather(offset + 16, i), gather(offset + 32, i));
-  // The rest position replaces the position of a diverged mass, so that the triangle's list of tiles stays bounded. The
-  // host detects diverged masses after the frame.
+  // A diverged mass is replaced by its rest position, so that its triangles cover few tiles. The host detects diverged
+  // masses after the frame.
   truth sound = dot3(q, q) < REAL(1e30f);
   real3 b = stick_tip(choose3(sound, q, a), a);
   if (level) b = level_tip(b, a);

@@ -6,12 +6,12 @@
 // in this order:
 //
 //   draw_layer sets up the triangles of a layer (below, coverage/).
-// keep and cover_pixels add the triangles to the lists of the blocks that they cover (fragments.clh).
+//   keep and cover_pixels add the triangles to the lists of the blocks that they cover (fragments.clh).
 //   find_next selects the next triangle of each pixel (lists.clh).
 //   points_at locates the pixels on their triangles (points.clh, coverage/perspective.clh).
-// shade and flush compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
-// find_hidden finds the depths behind which the base hides fragments, after the base is drawn (hidden.clh).
-// may_be_seen selects the triangles that may be visible in a layer batch (hidden.clh).
+//   shade and flush compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
+//   find_hidden finds the depths behind which the base hides fragments, after the base is drawn (hidden.clh).
+//   may_be_seen selects the triangles that may be visible in a layer batch (hidden.clh).
 //   resolve adds the base surface or the background (blocks.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/cells.clh"

@@ -7,14 +7,15 @@
 
 typedef struct { int left, top, right, bottom; } Span;
 
-// Returns the tiles that triangle t may touch in batch g; right < left if it covers no pixel centre there.
+// Returns the tiles that triangle t may touch in layer batch g. right < left if t covers no pixel centre in this batch.
 static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) box, int g, int t) {
   Box b = box_of(s, load_rows(corners, t), box, g);
   Span tiles = {b.left / TILE_W, b.top / TILE_H, b.live ? b.right / TILE_W : -1, b.live ? b.bottom / TILE_H : -1};
   return tiles;
 }
 
-// Counts the tiles of each triangle in each layer batch. count: [g triangles + t].
+// Counts the tiles of each triangle in each layer batch. The result for triangle t in layer batch g is stored in
+// count[g * triangles + t].
 __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
   int i = (int)get_global_id(0);
   if (i >= s.layer_batches * s.triangles) return;
@@ -22,8 +23,8 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
 
-// Writes the pairs. start: prefix sums of the counts. key: the pair's list, g tiles + tile. triangle: the pair's
-// triangle.
+// Writes the pairs of list and triangle. start: prefix sums of the counts. key: the number of the pair's list, g *
+// tiles + tile for layer batch g. triangle: the number of the pair's triangle.
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);
@@ -37,7 +38,8 @@ __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box,
     }
 }
 
-// Finds the start of each list among `count` sorted keys. The last entry is the end of the last list.
+// Finds the start of each list in `count` sorted keys. list_start has one more entry, which is the end of the last
+// list.
 __kernel void group_starts(RasterParams s, int count, TABLE(int) key, __global int *list_start) {
   int i = (int)get_global_id(0);
   if (i > count) return;

@@ -9,33 +9,33 @@
 //   draw_clipped draws a triangle that needs clipping (below, coverage/fan.clh).
 //   perspective_in locates the pixel on the triangle (batch.clh, coverage/perspective.clh).
 //   draw keeps the nearest triangle of the base, or shades and blends a layer (below).
-//   blend_under computes clump, fur texture and light, and blends (shading/one_pixel.clh).
+//   blend_under computes clump, fur texture and light of a fragment, and blends it (shading/one_pixel.clh).
 //   over_base adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
 #include "rasterize/shading/one_pixel.clh"
 #include "rasterize/workgroup/batch.clh"
 
-// The parameters with which the triangles of a layer are drawn.
+// The parameters with which the triangles of one layer are drawn.
 typedef struct {
   const RasterParams *s;
   Attributes from;
   Textures textures;
-  int n;                                     // number of the layer, -1 for the base
+  int n;                                     // number of the layer, -1 for the base surface
   Layer layer;
 } Pass;
 
 typedef struct {
-  int x, y;                                  // position in the tile
-  float from_centre_x, from_centre_y;        // pixels from the image centre
-  float depth;                               // 1/w of the base, 0 where the base is absent
+  int x, y;                                  // position of the pixel in the tile
+  float from_centre_x, from_centre_y;        // position of the pixel's centre, in pixels from the image centre
+  float depth;                               // 1/w of the base, 0 where no base triangle covers the pixel
   Perspective base;
   int vertex[3];                             // vertices of the base triangle
   float4 front;                              // accumulated colour and transmittance
-  uint fragments;                            // number of fragments of layers that cover the pixel, visible or not
+  uint fragments;                            // number of layer fragments that cover the pixel, visible or not
 } Pixel;
 
-// Draws the triangle in a slot at a pixel that it covers.
+// Draws the triangle in slot number `slot` at a pixel that it covers.
 INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective h, Pixel *p) {
   int vertex[3] = {d->v0[slot], d->v1[slot], d->v2[slot]};
   if (pass->n < 0) {
@@ -52,8 +52,9 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective
 #endif
 }
 
-// Draws the fan of the polygon that remains of the clipped triangle in `slot`. One work-item clips, a few set up the
-// pieces, and all draw them. All work-items of the group must call it together.
+// Clips the triangle in `slot`, and draws the fan of triangles of the remaining polygon. One work-item clips, a few
+// work-items set up one triangle of the fan each, and all work-items draw. All work-items of the group must call this
+// function together.
 INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot, int item, int origin_x, int origin_y,
                          int width, int height, Pixel *p) {
   barrier(CLK_LOCAL_MEM_FENCE);              // waits until the previous fan has been drawn
@@ -107,7 +108,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   float least_iw = 0.0f;
   int turn = 0;
 
-  // n = -1, the base, in the mesh's order; then the pass's layers from the outermost one, in reverse order.
+  // Step -1 draws the base (n = -1) in the mesh's order. The next steps draw the pass's layers from the outermost one,
+  // and the triangles of a layer in reverse order.
   for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
     int n = step < 0 ? -1 : s.end_layer - 1 - step;
     int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
@@ -115,8 +117,10 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     pass.n = n;
     pass.layer = layer_at(&s, layer_table, n);
     for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
-      barrier(CLK_LOCAL_MEM_FENCE);          // waits until the previous batch has been drawn
-      if (item == 0) clear(&work, 1 - turn); // all have read it, and the next batch uses it
+      // Waits until the previous batch of triangles has been drawn.
+      barrier(CLK_LOCAL_MEM_FENCE);
+      // All work-items have read these masks, and the next batch of triangles writes them.
+      if (item == 0) clear(&work, 1 - turn);
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
         put_triangle(&work, turn, item, n, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
@@ -128,7 +132,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
         mine |= (work.drawn.covered[slot] >> item & 1) << slot;
       }
       if (n >= 0) p.fragments += (uint)popcount(mine);
-      // Triangles that come before one that needs clipping are drawn before it.
+      // The triangles that come before a triangle that needs clipping must be drawn before it.
       for (;;) {
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {
@@ -142,14 +146,14 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     }
 #ifndef COUNT_FRAGMENTS
     if (n < 0) {
-      // Fragments behind the least 1/w of the base in the tile are hidden.
+      // A fragment with 1/w below the least 1/w of the base in the tile is hidden.
       barrier(CLK_LOCAL_MEM_FENCE);
       if (inside) atomic_min(&work.least, as_int(p.depth));
       barrier(CLK_LOCAL_MEM_FENCE);
       least_iw = as_float(work.least);
     } else if (first < last) {
-      // After an empty layer the test is skipped: no pixel has changed, and no barrier separates it from the previous
-      // test.
+      // After a layer without triangles the test is skipped: no pixel has changed, and no barrier separates this test
+      // from the previous one.
       if (!finished && (!inside || p.front.w <= OPAQUE)) {
         finished = true;
         atomic_inc(&work.finished);
