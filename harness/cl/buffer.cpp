@@ -32,7 +32,8 @@ void Queue::finish() const {
 }
 
 Memory::Memory(const Device& device, std::size_t bytes) : bytes_(bytes) {
-  // Drivers allocate lazily and fail later, inside a kernel, where the size is not known: test the size here.
+  // The size is tested here, because drivers allocate lazily. They would fail later, in a kernel launch,
+  // without naming the size.
   if (bytes > device.info().max_allocation)
     throw DeviceError(
         fmt::format("clCreateBuffer: {} MB requested, but {} allocates at most {} MB at once: try a smaller "
@@ -58,7 +59,8 @@ Memory& Memory::operator=(Memory&& other) noexcept {
 
 void Memory::write(const Queue& queue, const void* source, std::size_t bytes) {
   if (bytes > bytes_)
-    throw DeviceError(fmt::format("clEnqueueWriteBuffer: {} bytes into a buffer of {}", bytes, bytes_));
+    throw DeviceError(
+        fmt::format("clEnqueueWriteBuffer: {} bytes do not fit into a buffer of {} bytes", bytes, bytes_));
   if (bytes == 0) return;
   check(clEnqueueWriteBuffer(queue.get(), memory_, CL_TRUE, 0, bytes, source, 0, nullptr, nullptr),
         "clEnqueueWriteBuffer");
@@ -67,7 +69,8 @@ void Memory::write(const Queue& queue, const void* source, std::size_t bytes) {
 void Memory::read(const Queue& queue, void* target, std::size_t bytes, std::size_t offset) const {
   if (offset > bytes_ || bytes > bytes_ - offset)
     throw DeviceError(
-        fmt::format("clEnqueueReadBuffer: {} bytes at {} from a buffer of {}", bytes, offset, bytes_));
+        fmt::format("clEnqueueReadBuffer: {} bytes from offset {} on exceed a buffer of {} bytes", bytes,
+                    offset, bytes_));
   if (bytes == 0) return;
   check(clEnqueueReadBuffer(queue.get(), memory_, CL_TRUE, offset, bytes, target, 0, nullptr, nullptr),
         "clEnqueueReadBuffer");

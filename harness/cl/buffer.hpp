@@ -1,4 +1,4 @@
-// Move-only classes for device memory and command queues.
+// Classes for device memory and command queues. Objects can be moved but not copied.
 #pragma once
 #include <span>
 
@@ -9,12 +9,13 @@ namespace pelage::cl {
 /// Returns the name of an OpenCL error code, as in CL/cl.h.
 std::string error_name(cl_int code);
 
-/// Throws DeviceError if `code` is an error. The message names the call, the OpenCL error and the remedy.
+/// Throws DeviceError if `code` is an error. The message names the OpenCL call and the error, and says what
+/// the user can do.
 void check(cl_int code, std::string_view call);
 
 class Queue {
  public:
-  explicit Queue(const Device& device);  ///< in-order queue with profiling
+  explicit Queue(const Device& device);  ///< creates an in-order queue with profiling
   ~Queue();
   Queue(Queue&& other) noexcept;
   Queue& operator=(Queue&& other) noexcept;
@@ -31,7 +32,7 @@ class Queue {
 class Memory {
  public:
   Memory() = default;
-  Memory(const Device& device, std::size_t bytes);  ///< allocates at least one byte
+  Memory(const Device& device, std::size_t bytes);  ///< allocates `bytes` bytes, at least one
   ~Memory();
   Memory(Memory&& other) noexcept;
   Memory& operator=(Memory&& other) noexcept;
@@ -45,7 +46,7 @@ class Memory {
   std::size_t bytes_ = 0;
 };
 
-/// Memory for `count` values of T on the device.
+/// Device memory for `count` values of type T.
 template <class T>
 class Buffer {
  public:

@@ -50,8 +50,8 @@ std::optional<int> number(std::string_view text) {
   return std::stoi(std::string(text));
 }
 
-// Returns the devices that match "PLATFORM:INDEX", or an empty optional if `wanted` has another form.
-// PLATFORM is an index, a part of the platform's name, or the loader's short name of the platform.
+// Returns the devices that match "PLATFORM:INDEX", or an empty optional if `wanted` does not have this form.
+// PLATFORM is an index, a part of the platform's name, or the OpenCL loader's short name of the platform.
 std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo>& all,
                                                     std::string_view wanted) {
   const auto colon = wanted.rfind(':');
@@ -66,8 +66,9 @@ std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo
   });
 }
 
-// Returns the devices with the complete name `wanted`; if there are none, those whose name contains `wanted`;
-// if there are none, those of a platform with such a name.
+// Returns the devices whose complete name is `wanted`. If there are none, returns the devices whose name
+// contains `wanted`. If there are none either, returns the devices of the platforms whose name contains
+// `wanted`.
 std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string_view wanted) {
   const Test tests[] = {[&](const DeviceInfo& info) { return lower(info.name) == lower(wanted); },
                         [&](const DeviceInfo& info) { return contains(info.name, wanted); },
@@ -96,8 +97,8 @@ std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, 
   if (found.empty())
     throw InputError(fmt::format("{} {}: no such device; available: {}", origin, wanted,
                                  described(all, matching(all, [](const DeviceInfo&) { return true; }))));
-  throw InputError(fmt::format("{} {}: names several devices, write PLATFORM:INDEX: {}", origin, wanted,
-                               described(all, found)));
+  throw InputError(fmt::format("{} {}: several devices match; write one of these as PLATFORM:INDEX: {}",
+                               origin, wanted, described(all, found)));
 }
 
 }  // namespace pelage::cl

@@ -1,4 +1,4 @@
-// Selects a device by the user's text.
+// Selects a device by the text that the user gave.
 #pragma once
 #include <vector>
 
@@ -6,9 +6,10 @@
 
 namespace pelage::cl {
 
-/// Returns the index in `all` of the device that `wanted` names, by the rules of choose_device. If `wanted`
-/// is empty, it returns the first GPU, else the first CPU, else the first device. Throws InputError if
-/// `wanted` names no device or several devices; the message begins with `origin` (--device, PELAGE_DEVICE).
+/// Returns the index in `all` of the device that `wanted` names, by the rules of choose_device(). If `wanted`
+/// is empty, it returns the first GPU; without a GPU the first CPU; else the first device. Throws InputError
+/// if `wanted` names no device or several devices. The message begins with `origin`, which says where the
+/// user gave the text (--device or PELAGE_DEVICE).
 std::size_t choose(const std::vector<DeviceInfo>& all, std::string_view wanted, std::string_view origin);
 
 }  // namespace pelage::cl

@@ -18,8 +18,9 @@ namespace pelage::cl {
 struct Device::State {
   cl_device_id id = nullptr;
   DeviceInfo info;
-  std::string platform_suffix;  // cl_khr_icd's short name: POCL, NV, MESA; empty without the extension
-  // Created on first use, because listing devices must not occupy every GPU of a shared machine.
+  std::string platform_suffix;  // short name by cl_khr_icd: POCL, NV, MESA; else empty
+  // The context is created on its first use, because listing the devices must not occupy every GPU of a
+  // shared machine.
   mutable std::once_flag created;
   mutable cl_context context = nullptr;
 
@@ -63,8 +64,8 @@ T device_value(cl_device_id device, cl_device_info key) {
   return value;
 }
 
-// Sixteen lanes per work-item are faster on CPU devices of PoCL only; other tested compilers handle them
-// badly.
+// Sixteen lanes per work-item are faster only on CPU devices of PoCL. The other tested compilers generate
+// slow code for them.
 int lanes_of(const DeviceInfo& info) {
   if (const char* forced = std::getenv("PELAGE_LANES"); forced != nullptr && *forced != '\0') {
     const std::string_view value = forced;
@@ -102,7 +103,7 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
 std::vector<cl_platform_id> platform_ids() {
   announce_drivers();
   cl_uint count = 0;
-  // The loader returns -1001 (no platform found) instead of a count of 0.
+  // Without platforms the loader returns the error -1001 (no platform found) instead of the count 0.
   const cl_int code = clGetPlatformIDs(0, nullptr, &count);
   if (code == -1001 || count == 0) return {};
   check(code, "clGetPlatformIDs");
@@ -113,7 +114,7 @@ std::vector<cl_platform_id> platform_ids() {
 
 std::vector<cl_device_id> device_ids(cl_platform_id platform) {
   cl_uint count = 0;
-  // After a failure here this platform counts as one without devices; the other platforms remain usable.
+  // If this call fails, the platform counts as one without devices, and the other platforms remain usable.
   if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count) != CL_SUCCESS || count == 0) return {};
   std::vector<cl_device_id> ids(count);
   if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, count, ids.data(), nullptr) != CL_SUCCESS) return {};

@@ -1,4 +1,5 @@
-// OpenCL devices, which callers list and pass explicitly. There is no default device and no static state.
+// OpenCL devices. Callers list the devices and pass them explicitly. There is no default device and no static
+// state.
 #pragma once
 #include <CL/cl.h>
 
@@ -13,19 +14,19 @@ namespace pelage::cl {
 struct DeviceInfo {
   std::string platform_suffix;  ///< the loader's short name of the platform ("POCL", "NV"); may be empty
   std::string platform, platform_version, name, vendor, version, c_version, driver;
-  int platform_index = 0, device_index = 0;  ///< device_index counts the devices of the platform
+  int platform_index = 0, device_index = 0;  ///< device_index counts the devices of one platform
   bool gpu = false, cpu = false;
   unsigned compute_units = 0;
   std::uint64_t global_memory = 0, local_memory = 0, max_allocation = 0;
   std::size_t max_work_group = 0;
-  std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real timer
+  std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real event timer
   bool fp64 = false;
-  int lanes = 1;  ///< lanes per work-item: 16 where this is faster (CPU devices of PoCL), else 1
+  int lanes = 1;  ///< lanes per work-item: 16 if this is faster (CPU devices of PoCL), else 1
 
-  std::string spec() const;  ///< platform and device index, such as "0:0", as --device accepts them
+  std::string spec() const;  ///< platform index and device index, such as "0:0", as --device accepts them
 };
 
-/// A device with its own context. Copies share both.
+/// A device with its own context. Copies of the object share the device and the context.
 class Device {
  public:
   const DeviceInfo& info() const;
@@ -46,17 +47,19 @@ struct PlatformInfo {
   int devices = 0;  ///< 0 for Mesa's Clover, and for rusticl if RUSTICL_ENABLE names no driver
 };
 
-/// Returns every platform that the loader knows, in its order; none if it finds no driver.
+/// Returns every platform that the OpenCL loader knows, in the loader's order. The result is empty if the
+/// loader finds no driver.
 std::vector<PlatformInfo> platforms();
 
-/// Returns every device of every platform, platforms in the loader's order. Skips platforms without
-/// devices.
+/// Returns every device of every platform, with the platforms in the loader's order. Platforms without
+/// devices are skipped.
 std::vector<Device> devices();
 
-/// Returns the device that `wanted` names: "PLATFORM:INDEX" (part of the platform's name, or its index), or
-/// part of a device's name, or part of its platform's name if no device's name matches. If `wanted` is empty,
-/// the device is $PELAGE_DEVICE, else the first GPU, else the first CPU. Throws InputError with the
-/// candidates if no device or several devices match, and NoDeviceError if there are no devices.
+/// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" (where PLATFORM is part of the
+/// platform's name, or its index), or part of a device's name. If no device has that name, it may be part of
+/// a platform's name. If `wanted` is empty, $PELAGE_DEVICE replaces it; if this is also empty, the result is
+/// the first GPU, else the first CPU. Throws InputError with the candidates if no device or several devices
+/// match, and NoDeviceError if there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

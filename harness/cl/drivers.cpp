@@ -104,7 +104,8 @@ void announce_drivers() {
     for (fs::directory_iterator entry(vendors, failed), end; !failed && entry != end; entry.increment(failed))
       fs::copy_file(entry->path(), folder / entry->path().filename(), failed);
     std::ofstream(folder / "nvidia.icd") << fs::absolute(*library).string() << '\n';
-    // The loader reads the folder at its first call only. Child processes run this search themselves.
+    // The OpenCL loader reads this variable and its folder only at its first call. The old value is restored
+    // afterwards, because child processes search for themselves.
     const std::string before = text_of("OPENCL_VENDOR_PATH");
     ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
     cl_uint count = 0;

@@ -1,4 +1,5 @@
-// Settings for drivers before they start, and registration of drivers that the OpenCL loader does not know.
+// Changes driver settings before the drivers are loaded, and registers drivers that the OpenCL loader does
+// not know.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -6,28 +7,30 @@
 
 namespace pelage::cl {
 
-/// Returns NVIDIA's OpenCL library in the first of `folders` that contains one: libnvidia-opencl.so.1, else
-/// the versioned file.
+/// Returns the path of NVIDIA's OpenCL library in the first of `folders` that contains it. The library is
+/// libnvidia-opencl.so.1, or else the file with a version number in its name.
 std::optional<std::filesystem::path> nvidia_library(const std::vector<std::filesystem::path>& folders);
 
-/// Returns true if an entry (.icd) of `vendors` already names that library.
+/// Returns true if a file *.icd in the folder `vendors` already names NVIDIA's library.
 bool names_nvidia(const std::filesystem::path& vendors);
 
-/// Returns true if a process that runs on `cores` may pin thread i to core i, that is, if `cores` are all
-/// cores of the machine, 0 .. online - 1.
+/// Returns true if a process that may run on `cores` may pin thread i to core i. This holds if `cores`
+/// contains all cores of the machine, 0 .. online - 1.
 bool may_pin(const std::vector<int>& cores, int online);
 
-/// Sets POCL_AFFINITY=1 unless the variable is set, so PoCL pins each of its threads to a separate core.
-/// Otherwise, if one core has just become idle, Linux wakes two threads on the other core and leaves them
-/// there for some milliseconds: launches of 0.2 to 10 ms took up to twice their time (docs/performance.md).
-/// Does nothing if the process may use only some cores, because PoCL counts from core 0.
+/// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins each of its threads to a separate core.
+/// Without pinning, Linux sometimes wakes two threads on one core although another core has just become idle,
+/// and leaves them there for some milliseconds. Launches of 0.2 to 10 ms then took up to twice their time
+/// (docs/performance.md). The function does nothing if the process may use only some cores, because PoCL
+/// numbers cores from 0.
 void pin_threads();
 
 /// Calls pin_threads() and registers NVIDIA's driver. Containers receive this driver without the file in
 /// /etc/OpenCL/vendors that names its library. If one of the driver's folders contains the library, this
-/// function adds it to the loader's existing entries. Must run before the first OpenCL call; later calls have
-/// no effect. Folders: $PELAGE_DRIVERS (separated by colons), $LD_LIBRARY_PATH, and the folders that
-/// distributions and containers use for the driver. Does nothing to the loader if OCL_ICD_VENDORS is set.
+/// function adds the library to the loader's existing entries. The function must run before the first OpenCL
+/// call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS (separated by colons) and
+/// $LD_LIBRARY_PATH, and the folders that distributions and containers use for the driver. If OCL_ICD_VENDORS
+/// is set, the function does not change the loader's entries.
 void announce_drivers();
 
 }  // namespace pelage::cl

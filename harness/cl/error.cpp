@@ -1,4 +1,4 @@
-// OpenCL's error codes by name, and the remedy for each.
+// The names of OpenCL's error codes, and a remedy for each error.
 #include "harness/error.hpp"
 
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ struct Named {
   const char* name;
 };
 
-// The codes of CL/cl.h of OpenCL 1.2, the loader's code of cl_khr_icd, and NVIDIA's code for a kernel that
+// Error codes of OpenCL 1.2 (CL/cl.h), the code of cl_khr_icd's loader, and NVIDIA's code for a kernel that
 // accessed memory outside its buffers.
 constexpr Named names[] = {
     {-1, "CL_DEVICE_NOT_FOUND"},
@@ -78,7 +78,7 @@ constexpr Named names[] = {
     {-67, "CL_INVALID_LINKER_OPTIONS"},
     {-68, "CL_INVALID_DEVICE_PARTITION_COUNT"},
     {-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
-    {-9999, "NVIDIA's illegal memory access in a kernel"},
+    {-9999, "illegal memory access in a kernel (code of NVIDIA)"},
 };
 
 const char* advice(cl_int code) {
@@ -99,7 +99,7 @@ const char* advice(cl_int code) {
     case CL_INVALID_WORK_GROUP_SIZE:
     case CL_INVALID_WORK_ITEM_SIZE:
     case CL_INVALID_GLOBAL_WORK_SIZE:
-      return "this device takes no work-group of that size: use the default tuning or another --device";
+      return "this device does not support that work-group size: use the default tuning or another --device";
     case CL_INVALID_COMMAND_QUEUE:
     case CL_INVALID_CONTEXT:
     case CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST:

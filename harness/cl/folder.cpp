@@ -1,4 +1,4 @@
-// The search for the folder of kernel sources.
+// Searches for the folder of kernel sources.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -10,7 +10,7 @@ namespace pelage::cl {
 namespace fs = std::filesystem;
 namespace {
 
-// --kernels and $PELAGE_DATA each name one folder for the whole process.
+// The folder given by --kernels, for the whole process; empty without the option.
 fs::path& chosen() {
   static fs::path folder;
   return folder;
@@ -31,12 +31,12 @@ fs::path kernel_folder() {
   if (const char* data = std::getenv("PELAGE_DATA"); data != nullptr && *data != '\0') {
     const fs::path folder = fs::absolute(fs::path(data) / "kernels");
     if (!fs::is_directory(folder, ignored))
-      throw InputError(fmt::format("PELAGE_DATA is {}: there is no folder kernels in it", data));
+      throw InputError(fmt::format("PELAGE_DATA is {}: it contains no folder named kernels", data));
     return folder;
   }
   const fs::path source = fs::path(PELAGE_SOURCE_DIR) / "kernels";
   if (fs::is_directory(source, ignored)) return source;
-  // Installed: <prefix>/bin/pelage beside <prefix>/share/pelage/kernels.
+  // Installed files: <prefix>/bin/pelage uses <prefix>/share/pelage/kernels.
   const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path shared = binary.parent_path().parent_path() / "share" / "pelage" / "kernels";
   if (fs::is_directory(shared, ignored)) return shared;

@@ -17,7 +17,8 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Returns the least time of `times` runs, after one run that includes compilation and first touch of memory.
+// Returns the least time of `times` runs. A run before them is not timed; it includes compilation and the
+// first access to memory.
 double best_seconds(int times, const std::function<void()>& work) {
   work();
   double best = seconds(work);
@@ -27,14 +28,16 @@ double best_seconds(int times, const std::function<void()>& work) {
 
 double triad(const Queue& queue, const Program& program, std::size_t lanes) {
   const DeviceInfo& info = queue.device().info();
-  // 256 MiB per array is several times the largest cache of current devices; less if memory is short.
+  // 256 MiB per array are several times the largest cache of current devices. The arrays are smaller if
+  // memory is short.
   std::size_t floats = std::size_t{64} << 20;
   while (floats > 4096 &&
          (floats * sizeof(float) > info.max_allocation || 12 * floats > info.global_memory / 4))
     floats /= 2;
   const Buffer<float> a(queue.device(), floats), b(queue.device(), floats), c(queue.device(), floats);
   Kernel clear(program, "triad"), kernel(program, "triad");
-  // Each array is written once, so that no page is the operating system's shared page of zeros.
+  // Every array is written once. Otherwise its pages could all be the operating system's shared page of
+  // zeros.
   for (const auto* array : {&b, &c}) clear.with(*array, a, a, 0.0f).enqueue(queue, floats / lanes);
   kernel.with(a, b, c, 0.5f);
   const double best = best_seconds(7, [&] {

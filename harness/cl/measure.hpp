@@ -1,4 +1,4 @@
-// Measures the peak rates of a device through OpenCL. The speed of a kernel is compared with these rates.
+// Measures the peak rates of a device through OpenCL. Reports compare the speed of kernels with these rates.
 #pragma once
 #include "harness/cl/timer.hpp"
 
@@ -6,15 +6,16 @@ namespace pelage::cl {
 
 struct DeviceSpeed {
   TimerCheck timer;
-  double triad_gb_s =
-      0;  ///< 1e9 bytes read and written per second by a = b + s c over arrays beyond any cache
-  double fma_gflop_s = 0;       ///< 1e9 single-precision operations per second, an fma counted as two
-  double launch_us = 0;         ///< an empty kernel, from the enqueue to the end of clFinish: median of 200
-  double queued_launch_us = 0;  ///< the same per kernel if 200 are enqueued before one clFinish
+  /// Memory bandwidth in GB/s: bytes read and written by a = b + s c over arrays larger than any cache.
+  double triad_gb_s = 0;
+  double fma_gflop_s = 0;       ///< 1e9 single-precision operations per second; an fma counts as two
+  double launch_us = 0;         ///< an empty kernel from its enqueue to the end of clFinish: median of 200
+  double queued_launch_us = 0;  ///< time per launch if 200 launches are enqueued before one clFinish
 };
 
-/// Takes about two seconds. Bandwidth and peak are the best of several launches by the wall clock, so a fake
-/// event timer has no effect. Throws DeviceError if the device cannot run the kernels.
+/// Measures a device, which takes about two seconds. Bandwidth and arithmetic peak are the best of several
+/// launches, timed by the wall clock, so a fake event timer has no effect. Throws DeviceError if the device
+/// cannot run the kernels.
 DeviceSpeed measure_device(const Device& device);
 
 }  // namespace pelage::cl

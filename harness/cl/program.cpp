@@ -35,8 +35,8 @@ std::string build_log(cl_program program, cl_device_id device) {
   return log;
 }
 
-// Drivers split build options at spaces, and PoCL does not parse quotes. A folder with a space in its name is
-// therefore passed as a symbolic link, which exists until the build ends.
+// Drivers split build options at spaces, and PoCL does not parse quotes. If the folder's name contains a
+// space, the option therefore names a symbolic link to the folder. The link exists until the build ends.
 class IncludePath {
  public:
   explicit IncludePath(const fs::path& folder) : path_(folder) {
@@ -100,8 +100,8 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   const std::size_t length = source.size();
   std::string all =
       fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
-  // NVIDIA's binary cache does not check included files. The hash of these files in the options makes the
-  // driver compile again after a change.
+  // NVIDIA's cache of binaries does not detect changes in included files. The hash of these files is part of
+  // the options, so the driver compiles again after a change.
   if (device.info().platform.find("NVIDIA") != std::string::npos)
     all += " -D PELAGE_KERNELS=0x" + hash_of(sources_);
 

@@ -1,4 +1,5 @@
-// Programs built from the files of kernels/, kernels with typed arguments, events with their times.
+// Programs built from the files of kernels/, kernels with typed arguments, and events that report the time of
+// a launch.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,26 +15,27 @@
 
 namespace pelage::cl {
 
-/// Returns the folder of kernel sources: --kernels / set_kernel_folder, else $PELAGE_DATA/kernels, else the
-/// folder of the binary's source tree, else the installed share folder. Throws InputError if none exists.
+/// Returns the folder of kernel sources. It is the folder given by --kernels or set_kernel_folder(), else
+/// $PELAGE_DATA/kernels, else kernels/ in the source tree of the binary, else the installed share folder.
+/// Throws InputError if no such folder exists.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
-/// Kernel files by their path in the kernel folder, each with the hash of its contents.
+/// Kernel files: for each path in the kernel folder, the hash of the file's contents.
 using Sources = std::map<std::string, std::uint64_t>;
 
-/// Returns `file` and every file that it includes, directly or indirectly. Throws InputError for a missing
-/// file.
+/// Returns the hashes of `file` and of every file that it includes, directly or indirectly. Throws InputError
+/// if a file is missing.
 Sources sources_of(const std::filesystem::path& file);
 
-/// Returns 16 hex digits (FNV-1a) over the paths and contents of the files. Equal files give equal digits;
-/// the order in which programs were built has no influence.
+/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files. Equal files give equal
+/// digits, in whatever order the programs were built.
 std::string hash_of(const Sources& sources);
 
 class Program {
  public:
-  /// Builds kernels/<file> with -I kernels and `options`. Throws DeviceError with the build log and the
-  /// options.
+  /// Builds kernels/<file> with the options -I kernels and `options`. If the build fails, throws DeviceError
+  /// with the build log and the options.
   Program(const Device& device, const std::filesystem::path& file, const std::string& options = {});
   ~Program();
   Program(Program&& other) noexcept;
@@ -50,7 +52,7 @@ class Program {
   double build_ms_ = 0;
 };
 
-/// Returns such a hash over the sources of all these programs.
+/// Returns the hash, as above, of the source files of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
 
 class Event {
@@ -61,11 +63,11 @@ class Event {
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
-  /// Returns the duration of the command in ms, after it has finished. Empty if the device's timer is not
-  /// real (resolution 0, or end <= start).
+  /// Returns the duration of the command in ms, once the command has finished. The result is empty if the
+  /// device's timer is not real (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
-  const std::string& kernel() const { return kernel_; }  ///< name of the kernel of this launch
+  const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched
   std::size_t bytes() const { return bytes_; }           ///< bytes of the launch's buffers, each counted once
 
  private:
@@ -81,8 +83,8 @@ class Kernel {
   Kernel(Kernel&& other) noexcept;
   Kernel& operator=(Kernel&& other) noexcept;
 
-  /// Sets every argument in order: Buffer<T>, Memory, or a trivially copyable value (scalars, records of
-  /// params.h).
+  /// Sets all arguments in order. An argument is a Buffer<T>, a Memory, or a trivially copyable value (a
+  /// number or a struct of params.h).
   template <class... A>
   Kernel& with(const A&... values) {
     cl_uint index = 0;
@@ -90,7 +92,7 @@ class Kernel {
     (set(index++, values), ...);
     return *this;
   }
-  /// Enqueues over `global` work-items; local 0 leaves the work-group size to the device.
+  /// Enqueues the kernel over `global` work-items. If `local` is 0, the driver selects the work-group size.
   Event enqueue(const Queue& queue, std::array<std::size_t, 2> global,
                 std::array<std::size_t, 2> local = {0, 0}) const;
   Event enqueue(const Queue& queue, std::size_t global, std::size_t local = 0) const;

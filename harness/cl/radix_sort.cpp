@@ -9,7 +9,7 @@
 namespace pelage::cl {
 namespace {
 
-// Build constants of the kernels (kernels/common/prefix_sum.clh, radix_sort.cl).
+// Constants with which the kernels are built (kernels/common/prefix_sum.clh, radix_sort.cl).
 constexpr std::size_t scan_items = 64, scan_block = scan_items * 16;
 constexpr std::size_t sort_items = 64, sort_run = 32;
 constexpr int sort_bits = 4;
@@ -39,8 +39,8 @@ RadixSort::RadixSort(const Device& device)
 
 std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
                              std::vector<Event>* events, bool read_sum) {
-  // Computes the sums of blocks, then of blocks of blocks, until one block is left. Then it adds the offsets
-  // down to the values.
+  // Computes the sums of blocks of values, then of blocks of these sums, until one block is left. Then adds
+  // the prefix sums of each level to the level below, down to the values.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

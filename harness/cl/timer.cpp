@@ -61,8 +61,8 @@ TimerCheck check_timer(const Queue& queue) {
   constexpr std::size_t items = 1 << 14;
   const Buffer<float> out(queue.device(), items);
 
-  // The number of rounds is doubled until one launch takes 20 ms. This is short enough to wait for, and long
-  // enough that the cost of the launch is negligible.
+  // The number of rounds is doubled until one launch takes 20 ms. The cost of a launch is negligible in this
+  // time, and the test remains short.
   const auto run = [&](int rounds) {
     const auto start = std::chrono::steady_clock::now();
     load.with(rounds, 0.5f, out).enqueue(queue, items);

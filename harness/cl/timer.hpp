@@ -1,4 +1,4 @@
-// Tests whether a device's event timer is real. Some drivers count calls instead of time.
+// Tests whether a device's event timer is real. With a fake timer, the driver counts calls instead of time.
 #pragma once
 #include <span>
 #include <string>
@@ -7,25 +7,27 @@
 
 namespace pelage::cl {
 
-/// The profiling stamps of one command, in ns of the device's clock.
+/// The profiling timestamps of one command, in ns of the device's clock.
 struct Stamps {
   std::uint64_t queued = 0, submitted = 0, started = 0, ended = 0;
 };
 
 struct TimerCheck {
-  bool real = false;    ///< true: event times may be published
-  std::string reason;   ///< why the timer is not real, in one line; empty if real
-  double event_ms = 0;  ///< sum of the batch's event times
+  bool real = false;    ///< true: event times are reliable enough to be published
+  std::string reason;   ///< reason why the timer is not real, in one line; empty if it is real
+  double event_ms = 0;  ///< sum of the event times of the tested commands
   double wall_ms = 0;   ///< wall time from the first enqueue to the end of clFinish
 };
 
-/// Tests a batch of commands of an in-order queue that kept the device busy for `wall_ms`. A real timer has a
-/// resolution above 0, stamps in order within and between commands, and a sum of event times between half the
-/// wall time and the whole wall time (plus 2% for the clocks' drift).
+/// Tests the timestamps of a batch of commands in an in-order queue. The batch kept the device busy for
+/// `wall_ms`. A real timer meets three conditions: its resolution is above 0; the timestamps of each command
+/// and of successive commands are in order; and the sum of the event times is between half the wall time and
+/// the whole wall time (plus 2% for the drift between the clocks).
 TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batch, double wall_ms);
 
-/// Runs such a batch of about 0.2 s on the queue's device and tests it. Other work on the machine may delay
-/// the batch, so the function tries up to three batches; a fake timer fails all of them.
+/// Runs a batch of commands of about 0.2 s on the queue's device, and tests its timestamps by judge_timer().
+/// Other processes may delay the batch, so the function tries up to three batches. A fake timer fails in all
+/// of them.
 TimerCheck check_timer(const Queue& queue);
 
 }  // namespace pelage::cl

@@ -15,10 +15,10 @@ namespace {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-constexpr hsize_t chunk_values = 1 << 18;  // a megabyte of floats
+constexpr hsize_t chunk_values = 1 << 18;  // 2^18 values, a megabyte of floats
 constexpr unsigned deflate_level = 1;
 
-/// An HDF5 handle that closes itself.
+/// Owns an HDF5 handle and closes it in the destructor.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
@@ -49,7 +49,7 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
 }  // namespace
 
 Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
-  // pelage reports errors as exceptions, not as HDF5's error stack on stderr.
+  // Turns off HDF5's error messages on stderr, because pelage throws exceptions.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (file_ < 0) throw InputError(name_ + ": cannot be written");
@@ -91,7 +91,7 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
                          const std::string& description) {
   const std::string what = fmt::format("{}: dataset {}", name_, name);
   if (std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()) != count) {
-    throw InputError(fmt::format("{}: its shape does not match {} values", what, count));
+    throw InputError(fmt::format("{}: the shape does not match the number of values, {}", what, count));
   }
   std::vector<hsize_t> size(shape.begin(), shape.end());
   const Handle space(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, what);
@@ -100,7 +100,7 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
   if (count > 0) {
     std::vector<hsize_t> chunk = size;
-    // A chunk contains complete trailing dimensions, as many as fit.
+    // A chunk contains all values of the trailing dimensions, as many dimensions as fit into chunk_values.
     hsize_t held = std::accumulate(chunk.begin(), chunk.end(), hsize_t{1}, std::multiplies<>());
     for (hsize_t& side : chunk) {
       const hsize_t rest = held / side;

@@ -1,4 +1,4 @@
-// A writer of HDF5 files: named arrays with their units. Move-only; no other header includes HDF5.
+// Writes HDF5 files: named arrays with their units. No other header includes HDF5's headers.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -10,15 +10,17 @@ namespace pelage {
 
 class Hdf5File {
  public:
-  /// Creates or replaces the file. Error messages call it `name`. Throws InputError if it cannot be created.
+  /// Creates or replaces the file. `name` is the name of the file in error messages. Throws InputError if the
+  /// file cannot be created.
   Hdf5File(const std::filesystem::path& path, std::string name);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
   Hdf5File& operator=(Hdf5File&& other) noexcept;
 
-  /// Writes `values` as the compressed dataset `name` ("mesh/uv": creates groups as needed) of `shape`, with
-  /// the string attributes "units" and "description". Throws InputError if the product of `shape` is not the
-  /// number of values, or if the dataset cannot be written.
+  /// Writes `values` as the compressed dataset `name`. `name` may contain groups, which are created as needed
+  /// ("mesh/uv"). `shape` is the number of values in each dimension. The dataset receives the string
+  /// attributes "units" and "description". Throws InputError if the product of `shape` is not the number of
+  /// values, or if the dataset cannot be written.
   void write(const std::string& name, const std::vector<std::size_t>& shape, std::span<const float> values,
              const std::string& units, const std::string& description);
   void write(const std::string& name, const std::vector<std::size_t>& shape,
@@ -29,8 +31,8 @@ class Hdf5File {
   /// Writes a string attribute of the file.
   void note(const std::string& name, const std::string& text);
 
-  /// Flushes and closes. Throws InputError if the file cannot be written. The destructor closes without
-  /// errors.
+  /// Flushes and closes the file. Throws InputError if the file cannot be written. The destructor also closes
+  /// the file, but does not throw.
   void close();
 
  private:

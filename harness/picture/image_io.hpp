@@ -1,4 +1,5 @@
-// Picture files: libpng writes PNG; OpenImageIO, loaded on demand, reads and writes all other formats.
+// Picture files. libpng writes PNG. OpenImageIO, which is loaded on demand, reads all formats and writes the
+// other formats.
 #pragma once
 #include <filesystem>
 
@@ -6,21 +7,22 @@
 
 namespace pelage {
 
-/// The largest number of pixels per side of a picture, read or written.
+/// The largest number of pixels per side of a picture that is read or written.
 inline constexpr int most_pixels_per_side = 16384;
 
-/// Writes a picture in the format of the extension. PNG: 8-bit RGB, values clamped to [0, 1] and rounded
-/// (they are already in gamma space). EXR and TIFF: 32-bit float RGBA, unchanged. The write is atomic. Throws
-/// InputError for another extension, an empty picture, or a path that cannot be written.
+/// Writes a picture in the format that the extension of `path` selects. PNG: 8-bit RGB; the values, which are
+/// already in gamma space, are clamped to [0, 1] and rounded. EXR and TIFF: 32-bit float RGBA, unchanged. The
+/// write is atomic: the file appears complete or not at all. Throws InputError if the extension is another
+/// one, if the picture is empty, or if the path cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
-/// Throws InputError if write_picture cannot write this path because of its extension or folder. Callers use
-/// it before long work.
+/// Throws InputError if write_picture() could not write `path` because of its extension or its folder.
+/// Callers call this function before a long computation.
 void check_picture_path(const std::filesystem::path& path);
 
-/// Reads a PNG, JPEG, TIFF or EXR file without colour conversion; integers are scaled to [0, 1]. Grey becomes
-/// RGB; a missing alpha is 1. Throws InputError if the file is missing, of another format, malformed,
-/// truncated, or larger than most_pixels_per_side on a side.
+/// Reads a PNG, JPEG, TIFF or EXR file without colour conversion. Integer values are scaled to [0, 1]. A grey
+/// picture becomes RGB; a missing alpha channel becomes 1. Throws InputError if the file is missing, has
+/// another format, is malformed or truncated, or has more than most_pixels_per_side pixels on a side.
 Picture read_picture(const std::filesystem::path& path);
 
 }  // namespace pelage

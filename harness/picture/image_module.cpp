@@ -10,8 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Searches beside pelage, in the folder above the tests of a build folder, and in the installation folder. A
-// run path is not sufficient: under AddressSanitizer, dlopen does not use the run path of its caller.
+// Searches for the module in the folder of pelage, in the folder above the tests of a build folder, and in
+// the installation folder. A run path (RPATH) is not sufficient: under AddressSanitizer, dlopen() does not
+// use the run path of its caller.
 fs::path module_file() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* place : {".", "..", PELAGE_MODULE_FOLDER}) {
@@ -26,7 +27,7 @@ fs::path module_file() {
 }  // namespace
 
 const ImageModule& image_module() {
-  // The module is never closed, because OpenImageIO keeps its own threads.
+  // The module is never unloaded, because OpenImageIO keeps its own threads running.
   static const auto* const module = [] {
     void* const library = ::dlopen(module_file().c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = library ? ::dlsym(library, "pelage_image_module") : nullptr;

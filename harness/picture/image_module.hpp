@@ -7,9 +7,9 @@
 
 namespace pelage {
 
-/// Both functions throw InputError; its message calls the file `name`.
+/// The functions of the image module. They throw InputError; its message calls the file `name`.
 struct ImageModule {
-  /// Reads an existing file; `kind` is the format's usual extension without the dot.
+  /// Reads an existing file. `kind` is the usual extension of the file's format, without the dot.
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
   /// Writes 32-bit float RGBA in the format of the file's extension.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);

@@ -6,13 +6,14 @@
 
 namespace pelage {
 
-/// A rectangle of pixels; (x, y) is its top left pixel.
+/// A rectangle of pixels. (x, y) is its top left pixel.
 struct Window {
   int x, y, width, height;
 };
 
-/// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on background, 1 on the base surface,
-/// and the coverage of the fur elsewhere. The colour already includes the background. Values are not clamped.
+/// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on the background, 1 on the base
+/// surface, and the coverage of the fur elsewhere. The colour already includes the background. Values are not
+/// clamped.
 struct Picture {
   int width = 0;
   int height = 0;

@@ -18,7 +18,8 @@ namespace pelage {
 namespace {
 
 std::uint8_t to_byte(float value) {
-  // Both comparisons of clamp are false for NaN, which must not become an arbitrary byte.
+  // NaN must not become an arbitrary byte. std::clamp would return it unchanged, because both of its
+  // comparisons are false for NaN.
   if (std::isnan(value)) return 0;
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
@@ -32,7 +33,8 @@ std::vector<std::uint8_t> rgb_bytes(const Picture& picture) {
   return bytes;
 }
 
-// libpng reports errors by longjmp, so no object in the skipped scope may have a destructor.
+// libpng reports errors by longjmp(), which skips destructors. No object in the skipped scopes may have a
+// destructor.
 bool encode(png_structp png, png_infop info, std::FILE* file, const Picture& picture, const png_byte* rgb) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   const auto width = static_cast<png_uint_32>(picture.width),
@@ -41,7 +43,8 @@ bool encode(png_structp png, png_infop info, std::FILE* file, const Picture& pic
   png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
-  // Pictures of fur are noisy: libpng's defaults take three times as long and give files a tenth larger.
+  // Pictures of fur are noisy. For them, libpng's default settings take three times as long, and the files
+  // are a tenth larger.
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_AVG);
   png_set_compression_level(png, 1);
   png_write_info(png, info);

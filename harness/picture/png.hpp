@@ -1,4 +1,4 @@
-// Writes PNG files with libpng, so that a render does not load OpenImageIO.
+// Writes PNG files with libpng. A render therefore does not load OpenImageIO.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace pelage {
 
-/// Writes 8-bit RGB, marked as sRGB. Throws InputError if the file cannot be written; the message calls it
-/// `name`.
+/// Writes 8-bit RGB, marked as sRGB. Throws InputError if the file cannot be written. The message uses `name`
+/// as the file's name.
 void write_png(const std::filesystem::path& file, const std::string& name, const Picture& picture);
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// The image module, a separate shared library. OpenImageIO loads 250 libraries; if pelage were linked to
-// them, every start would take a third of a second longer.
+// The image module, a separate shared library. OpenImageIO loads 250 libraries. If pelage were linked to it,
+// every start of pelage would take a third of a second longer.
 #include "harness/picture/image_module.hpp"
 
 #include <OpenImageIO/imageio.h>
@@ -17,23 +17,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t densest_codec = 4096;  // raw bytes per byte of file, with a margin
+constexpr std::uintmax_t densest_codec = 4096;  // limit of raw bytes per byte of file, with a margin
 
-/// Returns the first line of OpenImageIO's message. The message repeats this line for every scanline.
+/// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
 std::string one_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
   return line.empty() ? "no reason given" : line;
 }
 
-/// Tests the end marker of PNG and JPEG, because OpenImageIO returns a truncated JPEG as a picture with grey
-/// areas.
+/// Tests whether a PNG or JPEG file contains its end marker. This is necessary because OpenImageIO returns a
+/// truncated JPEG as a picture with grey areas.
 void require_end(const fs::path& file, const std::string& kind) {
   using namespace std::string_literals;
   if (kind != "png" && kind != "jpeg") return;
   const std::string marker = kind == "png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.tellg();
-  // Some writers add padding after the marker.
+  // Some writers add padding after the end marker.
   std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
   stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
   stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
@@ -56,9 +56,8 @@ Picture read(const fs::path& file, const std::string& kind) {
         fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
                     file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
-  // The header of a small file must not make the reader allocate gigabytes. The strongest compression of
-  // these codecs is that of deflate, 1032 to 1.
-  // 1032.
+  // A damaged header of a small file must not make the reader allocate gigabytes. Of these codecs, deflate
+  // compresses most, by a factor of at most 1032.
   std::error_code error;
   if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
@@ -69,7 +68,7 @@ Picture read(const fs::path& file, const std::string& kind) {
   const int channels = std::min(spec.nchannels, 4);
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
   const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
-  // Reading a truncated TIFF succeeds and leaves only a message.
+  // For a truncated TIFF the read succeeds, and only an error message remains.
   const std::string complaint = input->geterror();
   if (!read || !complaint.empty()) {
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));
