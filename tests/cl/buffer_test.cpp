@@ -18,8 +18,8 @@ concept MoveOnly = std::is_nothrow_move_constructible_v<T> && std::is_nothrow_mo
 static_assert(MoveOnly<cl::Queue> && MoveOnly<cl::Memory> && MoveOnly<cl::Buffer<float>> &&
               MoveOnly<cl::Program> && MoveOnly<cl::Event> && MoveOnly<cl::Kernel>);
 
-// A kernel must receive the OpenCL handle of a buffer, never the bytes of the Buffer object or a host
-// pointer.
+// Types that Kernel::with() accepts as kernel arguments. A kernel must receive the OpenCL handle of a buffer,
+// never the bytes of the Buffer object or a host pointer.
 template <class T>
 concept Argument = requires(cl::Kernel kernel, const T& value) {
   kernel.with(value);

@@ -47,8 +47,8 @@ TEST(Devices, OneIsFoundByItsOwnSpecAndName) {
 
 namespace {
 
-// ocl-icd searches for drivers once per process. The test therefore runs in a new process, which finds an
-// empty folder.
+// The OpenCL loader ocl-icd searches for drivers once per process. Each test therefore runs in a new process,
+// whose folder of driver entries is empty.
 class WithoutDrivers : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -13,8 +13,8 @@ using namespace pelage;
 
 namespace {
 
-// Makes an empty folder of .icd files and a folder of drivers. Each test counts pelage's platforms in a new
-// process, because the loader searches once per process.
+// Creates an empty folder for the loader's .icd files and a folder for drivers. Each test counts the OpenCL
+// platforms in a new process, because the OpenCL loader searches for drivers once per process.
 class Drivers : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -35,7 +35,7 @@ class Drivers : public ::testing::Test {
   fs::path folder_;
 };
 
-/// PoCL's library, in NVIDIA's place.
+/// Returns the path of PoCL's library, which the tests use in place of NVIDIA's library.
 fs::path some_library() {
   std::ifstream entry("/etc/OpenCL/vendors/pocl.icd");
   std::string name;

@@ -1,4 +1,5 @@
-// Runs the same calls under oclgrind, which checks the rules of the API and every access to a buffer.
+// Runs some tests of this binary under oclgrind, which checks the rules of the OpenCL API and every access to
+// a buffer.
 #include "tests/support/oclgrind.hpp"
 
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
 }
 
-// Writes inside its buffer, unless the test above plants an index.
+// Writes to the last element of a buffer. The test above replaces the index by one outside the buffer.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();

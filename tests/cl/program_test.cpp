@@ -21,8 +21,8 @@ struct Pair {
   int shift;
 };
 
-// Builds kernels that the test writes to a temporary folder. The process's kernel folder is restored
-// afterwards.
+// A fixture for tests that write kernels to a temporary folder and build them. TearDown() restores the
+// process's kernel folder.
 class Programs : public ::testing::Test {
  protected:
   void SetUp() override {

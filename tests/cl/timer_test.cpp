@@ -10,8 +10,8 @@ using namespace pelage;
 
 namespace {
 
-// Stamps as a correct driver reports them: three commands of 10 ms each, one after another, in 30.4 ms of
-// wall time.
+// Timestamps that a correct driver would report: three commands of 10 ms each, one after another, in 30.4 ms
+// of wall time.
 std::vector<cl::Stamps> honest() {
   return {{1'000, 5'000, 200'000, 10'200'000},
           {2'000, 6'000, 10'210'000, 20'210'000},
@@ -52,7 +52,7 @@ TEST(Timer, FakesAreNot) {
 }
 
 TEST(Timer, OfEveryDeviceIsJudged) {
-  // If CTest runs this test in a process of its own, rusticl also offers its device.
+  // rusticl also offers its device if this is the first OpenCL call of the process, as it is under CTest.
   ::setenv("RUSTICL_ENABLE", "llvmpipe", 1);
   for (const cl::Device& device : cl::devices()) {
     const auto check = cl::check_timer(cl::Queue(device));

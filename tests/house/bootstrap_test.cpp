@@ -1,5 +1,5 @@
-// Tests bootstrap.sh with stubs in place of the system's commands: which calls it makes to apt, cmake, ctest
-// and pelage, and how it reacts to their results.
+// Tests bootstrap.sh with stub commands in place of apt, cmake, ctest and pelage. The tests check which
+// commands the script calls, and how it reacts to their results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -19,7 +19,7 @@ namespace {
 struct Outcome {
   int exit_code;
   std::string text;   // stdout and stderr
-  std::string calls;  // one line per command that a stub received
+  std::string calls;  // one line per call of a stub
 };
 
 class Bootstrap : public ::testing::Test {
@@ -35,8 +35,8 @@ class Bootstrap : public ::testing::Test {
     write(checkout() / "build/release/build.ninja", "");
     write(checkout() / "build/release/CMakeCache.txt",
           fmt::format("CMAKE_HOME_DIRECTORY:INTERNAL={}\n", checkout().string()));
-    // By default every package is installed, and apt and the build succeed. Tests replace the stubs that must
-    // behave differently.
+    // By default every package is installed, and the stubs of apt and of the build succeed. A test replaces a
+    // stub that must behave differently.
     stub(folder_ / "bin/dpkg-query", "echo -n installed");
     for (const char* tool : {"apt-get", "cmake", "ctest", "sudo"}) stub(folder_ / "bin" / tool, log_of(tool));
     stub(pelage(), log_of("pelage"));
@@ -103,7 +103,7 @@ TEST_F(Bootstrap, ListsWhatIsMissingAndTouchesNothing) {
 
 TEST_F(Bootstrap, InstallsWhatIsMissingOnly) {
   stub(folder_ / "bin/dpkg-query", "case $* in *libexample*) exit 1;; *) echo -n installed;; esac");
-  // This sudo runs its command with the same stubs.
+  // This stub of sudo runs its command with the same stubs.
   stub(folder_ / "bin/sudo", "exec \"$@\"");
   const Outcome outcome = run("setup");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;

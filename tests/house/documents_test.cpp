@@ -1,4 +1,4 @@
-// Tests that the functions, written `name()`, and the files that documents name in backticks exist.
+// Tests that every function `name()` and every file that the documents name in backticks exists.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,9 +29,9 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The names that documents may refer to.
+/// The names that a document may contain.
 struct Tree {
-  std::set<std::string> words;    // all words of the sources
+  std::set<std::string> words;    // all words of the source files
   std::set<std::string> kernels;  // names of the files under kernels/
 };
 
@@ -49,7 +49,7 @@ const Tree& tree() {
   return known;
 }
 
-/// Returns one line for each name in `text` that does not exist in the repository.
+/// Returns one line for each name in `text` that the repository does not contain.
 std::vector<std::string> gone(const std::string& text) {
   static const std::regex function(R"(`(?:\w+::)*(\w+)\(\)`)");
   static const std::regex placed(
@@ -70,7 +70,7 @@ std::vector<std::string> gone(const std::string& text) {
       faults.push_back(fmt::format("{}: the file has no such name", m.str()));
   });
   each(path, [&](const std::smatch& m) {
-    const std::string name = m[1].str();  // for a pattern such as grass-*.toml, only its folder must exist
+    const std::string name = m[1].str();  // a name may be a pattern, such as grass-*.toml
     if (!fs::exists(root /
                     (name.find('*') == std::string::npos ? fs::path(name) : fs::path(name).parent_path())))
       faults.push_back(fmt::format("{}: no such file", m.str()));

@@ -1,4 +1,4 @@
-// Tests the repository against its own rules, and tests that planted violations of each rule are found.
+// Tests that the repository obeys its own rules, and that the rules find planted violations.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,8 +19,8 @@ std::string read(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Returns the sources and documents of the checkout, relative to its root. results/ and pictures are data and
-// are left out.
+// Returns the source files and documents of the checkout, relative to its root. Pictures and files of
+// results/ are data and are left out.
 std::vector<std::string> written_files() {
   const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
                                     ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};

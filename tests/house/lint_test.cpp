@@ -1,5 +1,5 @@
-// Tests .ci/lint in a temporary checkout, with a stub in place of clang-tidy: the order of the files, the
-// time limit, and the effect of a finding.
+// Tests .ci/lint in a temporary checkout, with a stub in place of clang-tidy. The tests check the order of
+// the files, the time limit, and the effect of a finding.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -40,8 +40,8 @@ class Lint : public ::testing::Test {
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder_ / file) << text;
   }
-  // Installs a clang-tidy that records the name of its file and then runs `body`. nproc reports one
-  // processor, so that the records are in order.
+  // Installs a stub of clang-tidy that records the name of its file and then runs `body`. The stub of nproc
+  // reports one processor, so .ci/lint checks the files one after another and the records are in this order.
   void clang_tidy(const std::string& body) const {
     write("bin/clang-tidy", fmt::format("#!/bin/sh\nfor file; do :; done\necho \"$file\" >>'{}'\n{}\n",
                                         notes().string(), body));
@@ -63,7 +63,7 @@ class Lint : public ::testing::Test {
     std::ifstream stream(folder_ / "output");
     return {std::istreambuf_iterator<char>(stream), {}};
   }
-  // Returns the files that clang-tidy received, in order.
+  // Returns the files that the stub of clang-tidy received, in order.
   std::vector<std::string> linted() const {
     std::ifstream stream(notes());
     return {std::istream_iterator<std::string>(stream), {}};
@@ -73,9 +73,9 @@ class Lint : public ::testing::Test {
 
 TEST_F(Lint, TakesChangedFilesFirstAndThenAllOthersOnce) {
   write("checkout/harness/h.cpp", "int h;\n");
-  write("checkout/harness/c.hpp", "int c();\n");  // linted with c.cpp
+  write("checkout/harness/c.hpp", "int c();\n");  // for this header, c.cpp is linted
   ASSERT_EQ(shell("git add . && git commit -q -m change"), 0);
-  write("checkout/harness/f.cpp", "int f;\n");  // not yet committed
+  write("checkout/harness/f.cpp", "int f;\n");  // a file that is not yet committed
   ASSERT_EQ(shell(".ci/lint"), 0) << output();
   const std::vector<std::string> files = linted();
   ASSERT_EQ(files.size(), 10u);
@@ -107,8 +107,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// The order of unchanged files changes with every commit, so that runs with a time limit reach every file in
-// the end.
+// The order of unchanged files changes with every commit. Runs with a time limit therefore reach every file
+// after enough commits.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

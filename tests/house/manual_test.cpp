@@ -1,4 +1,4 @@
-// Tests that docs/pelage.1 describes exactly the commands and options that --help shows.
+// Tests that docs/pelage.1 describes exactly the commands and options that --help lists.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ Options from_help() {
   static const std::regex name("\n  ([a-z]+) ");
   Options options;
   for (std::sregex_iterator match(commands.begin(), commands.end(), name), end; match != end; ++match) {
-    // Option lines start with two blanks and a dash; descriptions may name other options.
+    // A line that describes an option starts with two blanks and a dash. Descriptions may name other options.
     std::string lines;
     static const std::regex line("\n  (-[^ ]+)");
     const std::string help = output_of((*match)[1].str() + " --help");
@@ -50,7 +50,8 @@ Options from_help() {
   return options;
 }
 
-// In a section of the page, the line after each .TP holds the names of an option.
+// Returns the options that the manual page lists. In a section of the page, the line after each .TP contains
+// the names of an option.
 Options from_page(std::string page) {
   page = std::regex_replace(page, std::regex("\\\\f[A-Z]"), "");
   page = std::regex_replace(page, std::regex("\\\\-"), "-");

@@ -1,4 +1,4 @@
-// Tests that the paths in docs/code.md exist, and that it names every folder with code.
+// Tests that the paths in docs/code.md exist, and that docs/code.md names every folder that contains code.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -17,7 +17,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Returns the paths of this repository that the document names in backticks.
+/// Returns the paths of this repository that `document` names in backticks.
 std::set<std::string> paths_of(const std::string& document) {
   static const std::regex quoted(
       "`((harness|kernels|shaders|tests|docs|experiments|examples|results)/[^`*]*)`");

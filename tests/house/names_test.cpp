@@ -1,5 +1,5 @@
-// Tests that each mapping, pipeline, solver, topology or model of shading is named in its own files, in one
-// table and in at most two further places.
+// Tests that the name of each mapping, pipeline, solver, topology and shading model occurs only in its own
+// files, in one table and in at most two other places.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

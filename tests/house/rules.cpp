@@ -19,8 +19,8 @@ bool ends_with(const std::string& text, const std::string& suffix) {
          text.compare(text.size() - suffix.size(), suffix.size(), suffix) == 0;
 }
 
-// Returns the first folder below `parent`. With the parent "harness", "harness/cl/device.hpp" gives "cl", and
-// "harness/error.hpp" gives "".
+// Returns the name of the folder directly below `parent` that contains `path`. With the parent "harness", it
+// returns "cl" for "harness/cl/device.hpp", and an empty string for "harness/error.hpp".
 std::string room_of(const std::string& path, const std::string& parent) {
   if (!starts_with(path, parent + "/")) return {};
   const std::string rest = path.substr(parent.size() + 1);
@@ -28,9 +28,9 @@ std::string room_of(const std::string& path, const std::string& parent) {
   return slash == std::string::npos ? std::string{} : rest.substr(0, slash);
 }
 
-// Returns the room (library) of a file under harness/. It is the longest leading part of its folder from
-// which CMakeLists.txt makes a library, with '_' in place of '/', else the first folder.
-// "harness/springs/model/network.hpp" is in "springs_model".
+// Returns the room of a file under harness/. A room is a library of CMakeLists.txt; its name is the path of
+// its folder with '_' in place of '/'. If several rooms contain the file, the longest path counts. If none
+// does, the result is the first folder. "harness/springs/model/network.hpp" is in the room "springs_model".
 std::string harness_room_of(const std::string& path, const Links& links) {
   if (!starts_with(path, "harness/")) return {};
   std::string folder = path.substr(8);
@@ -56,7 +56,7 @@ std::vector<Line> lines_of(const std::string& text) {
   return lines;
 }
 
-// Returns the reason why `path` must not include `what`, or an empty string if it may.
+// Returns the reason why the file `path` must not include the file `what`, or an empty string if it may.
 std::string kernel_fault(const std::string& path, const std::string& what) {
   const std::string room = room_of(path, "kernels");
   const bool common = room_of("kernels/" + what, "kernels") == "common" && ends_with(what, ".clh");
@@ -146,7 +146,7 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 }
 
 Faults text_faults(const std::string& path, const std::string& text) {
-  // The words are split, so that this file does not contain them.
+  // The strings are split so that this file does not contain the words that it searches for.
   static const std::regex later(
       "\\b(TO"
       "DO|FIX"

@@ -1,4 +1,4 @@
-// The rules of the repository, as functions that find the faults in a file's path and text.
+// The rules of the repository: functions that find violations in the path and the text of a file.
 #pragma once
 #include <map>
 #include <set>
@@ -7,18 +7,18 @@
 
 namespace pelage::house {
 
-using Faults = std::vector<std::string>;  ///< one line per fault, "path:line: what"
+using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 
-/// For each room (a library of CMakeLists.txt), the rooms whose headers it may include: those that its
-/// pelage_room() line links, and those that these link publicly.
+/// Maps each room (a library of CMakeLists.txt) to the rooms whose headers it may include. These are the
+/// rooms that its pelage_room() line links, and the rooms that those link publicly.
 using Links = std::map<std::string, std::set<std::string>>;
 Links room_links(const std::string& cmake_lists);
 
-/// Finds includes that the rules forbid. `path` is relative to the repository, with '/'.
+/// Finds includes that the rules forbid. `path` is relative to the repository and uses '/'.
 Faults include_faults(const std::string& path, const std::string& text, const Links& links);
 
-/// Finds files of more than 400 lines, notes for later work, paths of a private machine, a missing newline at
-/// the end, and blanks or tabs at the end of a line.
+/// Finds files of more than 400 lines, notes about work to be done later, paths of a private machine, a
+/// missing newline at the end, and blanks or tabs at the end of a line.
 Faults text_faults(const std::string& path, const std::string& text);
 
 }  // namespace pelage::house

@@ -1,5 +1,5 @@
-// Tests that harness/compare/tolerances.hpp contains all numbers by which a result is accepted, with their
-// reasons.
+// Tests that every number by which a result is accepted is defined in harness/compare/tolerances.hpp,
+// together with its reason.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,11 +19,11 @@ bool starts_with(const std::string& text, const std::string& prefix) {
   return text.rfind(prefix, 0) == 0;
 }
 
-/// Returns the lines of a source that define a tolerance. `path` is relative to the repository.
+/// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
   if (path == "harness/compare/tolerances.hpp") return {};
-  // The limit of a Check. A limit of 0, or a limit for a double(...) value, belongs to a count, so it is no
-  // tolerance.
+  // Matches the limit of a Check. A limit of 0 is not a tolerance. A limit for a double(...) value belongs to
+  // a count, so it is not a tolerance either.
   static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
   static const std::regex constant(
       R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");
@@ -32,7 +32,7 @@ std::vector<std::string> written_tolerances(const std::string& path, std::istrea
       R"(EXPECT_L[TE]\(.*\b(rms|percentile_99|worst|p999)\b, *[0-9]|EXPECT_GE\(.*\bpsnr, *[0-9]|)"
       R"(EXPECT_L[TE]\((largest_difference|error)\b.*[0-9]e-[0-9] \* double\(fur_length\))");
   const bool harness = starts_with(path, "harness/"), tests = starts_with(path, "tests/");
-  bool accepts = false;  // true if the folder decides whether results are accepted
+  bool accepts = false;  // true: code in this folder decides whether results are accepted
   for (const char* folder : {"compare", "commands", "subjects", "tuning", "springs/studies"})
     accepts = accepts || starts_with(path, fmt::format("harness/{}/", folder));
   std::vector<std::string> found;

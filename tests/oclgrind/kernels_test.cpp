@@ -33,16 +33,17 @@ std::set<std::string> matches(const std::string& text, const std::regex& pattern
   return found;
 }
 
-/// Returns the end of the tests' output, which shows their result. --inst-counts prints thousands of lines
-/// before it.
+/// Returns the end of the printed output, which shows the result of the tests. With --inst-counts, oclgrind
+/// prints thousands of lines before it.
 std::string last_words(const std::string& printed) {
   return printed.substr(printed.size() - std::min<std::size_t>(printed.size(), 1000));
 }
 
-/// Kernels are built without optimization: with it, oclgrind's compiler emits
-/// llvm.experimental.noalias.scope.decl, which its interpreter does not support. oclgrind runs on one thread,
-/// because --inst-counts of version 21.10 is not safe on two. (Its heap was corrupt in 17 of 42 runs of
-/// Group. It was intact in 12 runs on one thread and in 10 runs without the counts.)
+/// Runs `tests` under oclgrind. Kernels are built without optimization: with optimization, oclgrind's
+/// compiler generates the intrinsic llvm.experimental.noalias.scope.decl, which oclgrind's interpreter does
+/// not support. oclgrind runs on one thread, because --inst-counts of version 21.10 is not safe on two
+/// threads. (On two threads, 17 of 42 runs of the test Group corrupted oclgrind's heap. None of 12 runs on
+/// one thread did, nor any of 10 runs without --inst-counts.)
 Findings findings(const std::string& tests, const std::string& checks, const std::string& environment = "") {
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);
@@ -55,7 +56,7 @@ cl::Device device() {
   return cl::choose_device("");
 }
 
-/// A torus of 96 triangles with all features of a scene, 16 x 12 pixels.
+/// A torus of 96 triangles in a picture of 16 x 12 pixels, with all features of a scene.
 std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::string& solver, int substeps) {
   Scene scene = synthetic::lively_scene();
   scene.shading.model = substeps > 1 ? "curling" : "wet";
@@ -68,7 +69,7 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   scene.dynamics.topology = topology;
   scene.dynamics.solver = solver;
   if (topology != "silva") scene.dynamics.drag = .004f;
-  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // prism_euler_whole needs two substeps
+  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // prism_euler_whole runs only with two or more
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
@@ -85,7 +86,8 @@ void draw(const std::shared_ptr<const FrameInput>& input, const std::string& map
   }
 }
 
-// These tests run under oclgrind only. Other tests draw pictures without it.
+// These tests run only under oclgrind, started by the tests below. They do not check the pictures, which
+// other tests compare.
 TEST(DISABLED_Tiny, Names) {
   for (const auto& entry : fs::recursive_directory_iterator(cl::kernel_folder())) {
     if (entry.path().extension() != ".cl") continue;
@@ -125,7 +127,8 @@ TEST(DISABLED_Tiny, Topologies) {
       shells.frame();
     }
 }
-// A model of this size normally uses one launch of one work-item. Here every part of a step is a launch.
+// For a model of this size, one work-item normally computes all parts of a step in one launch. Here every
+// part of a step is a separate launch.
 TEST(DISABLED_Tiny, PrismsInManyLaunches) {
   const cl::Queue queue(device());
   const springs::SpringNetwork topology = springs::topology_of(*tiny("prisms", "rk4", 1));
@@ -169,7 +172,8 @@ TEST_F(Oclgrind, HasNothingToSayOfAnyKernel) {
 }
 
 TEST_F(Oclgrind, HasNothingToSayOfSixteenLanes) {
-  // --uninitialized is omitted: oclgrind 21.10 crashes with it on shuffles that change a vector's length.
+  // --uninitialized is omitted: with this option, oclgrind 21.10 crashes on shuffles that change a vector's
+  // length.
   const Findings found = findings("DISABLED_Tiny.Tile", "--data-races", "PELAGE_LANES=16");
   EXPECT_EQ(found.log, "");
   EXPECT_TRUE(found.ran.contains("tile_shells"));

@@ -1,5 +1,5 @@
-// Tests that written pictures are read back within the precision of the format, and that files are complete
-// or absent.
+// Tests that a written picture, when it is read again, has the same pixels within the precision of the
+// format, and that a file is complete or absent.
 #include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ Picture gradient(int width, int height) {
 
 TEST_F(ImageIo, FloatFormatsKeepEveryBit) {
   Picture picture = gradient(37, 23);
-  picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // values must be neither clamped nor premultiplied
+  picture.at(3, 4) = {-0.25f, 7.5f, 1e-20f, 0.0f};  // values must not be clamped or premultiplied
   for (const char* name : {"a.exr", "a.tif", "a.TIFF"}) {
     write_picture(folder / name, picture);
     const Picture again = read_picture(folder / name);
@@ -72,8 +72,8 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
   EXPECT_EQ(again.at(1, 1), glm::vec4(1, 0, 128.0f / 255.0f, 1));
 }
 
-// Viewers rely on these chunks: 8-bit RGB, not interlaced, sRGB, and for viewers that do not know sRGB its
-// gamma and primaries.
+// Viewers rely on these chunks of a PNG file: the header (8-bit RGB, not interlaced), the sRGB chunk, and the
+// gamma and primaries for viewers that do not know the sRGB chunk.
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
   write_picture(folder / "a.png", gradient(3, 2));
@@ -114,7 +114,7 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
 }
 
 TEST_F(ImageIo, AFullDiskIsNamed) {
-  // With SIGXFSZ ignored, a write beyond this limit fails like a write to a full disk.
+  // SIGXFSZ is ignored, so a write beyond this limit of the file size fails like a write to a full disk.
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{64, before.rlim_max};
@@ -142,8 +142,8 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
       const fs::path cut = folder / (std::string("cut") + name);
       std::ofstream(cut, std::ios::binary) << bytes.substr(0, size);
       try {
-        // A cut that loses only data after the pixels may pass without an error. A cut that loses pixels may
-        // not.
+        // A truncation that removes only data after the pixels may pass without an error. A truncation that
+        // removes pixels must cause an error.
         EXPECT_EQ(read_picture(cut).pixel, read_picture(folder / name).pixel) << name << " cut at " << size;
       } catch (const InputError& error) {
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();

@@ -1,4 +1,5 @@
-// Runs tests of this binary again with another OpenCL compiler, in a child process with another environment.
+// Runs tests of this binary with another OpenCL compiler. Each test runs in a child process whose environment
+// selects the compiler.
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -18,10 +19,11 @@
 
 namespace pelage::portability {
 
-/// A compiler of kernels, given by its platform and by the environment that selects it in a child process.
+/// A compiler of kernels, identified by its platform and by the environment variables that select it in a
+/// child process.
 struct Place {
   std::string name, platform, environment;
-  std::vector<std::string> mappings;  ///< mappings that work with it (docs/devices.md)
+  std::vector<std::string> mappings;  ///< mappings that this compiler supports (docs/devices.md)
   bool slow;                          ///< true: compiling takes minutes
 };
 
@@ -29,9 +31,10 @@ inline void PrintTo(const Place& place, std::ostream* out) {
   *out << place.name;
 }
 
-/// The compilers. PoCL has several methods of building a work-group from work-items. All other tests use its
-/// default, loops over the work-items with LLVM's vectorizer. This list adds loops without the vectorizer,
-/// and one copy of the kernel per work-item, which needs small work-groups (docs/devices.md).
+/// Returns the compilers. PoCL has several methods of combining work-items into a work-group. All other tests
+/// use its default method, which generates loops over the work-items and vectorizes them with LLVM. This list
+/// adds two methods: loops without vectorization ("loops"), and one copy of the kernel per work-item
+/// ("repl"), which needs small work-groups (docs/devices.md).
 inline const std::vector<Place>& places() {
   static const std::string pocl = "Portable Computing Language";
   static const std::vector<Place> all{
@@ -54,7 +57,7 @@ inline std::string obstacle(const Place& place, bool slow) {
   return {};
 }
 
-/// A temporary folder for the files of a child process, deleted at the end of the object's life.
+/// A temporary folder for the files of a child process. The destructor deletes it.
 class Elsewhere {
  public:
   Elsewhere() {
@@ -70,7 +73,7 @@ class Elsewhere {
   Elsewhere& operator=(const Elsewhere&) = delete;
 
   /// Runs the disabled test `test` with the compiler `place` for at most `seconds`. Returns an empty string
-  /// if it passed, else its exit status and the end of its output.
+  /// if the test passed, else its exit status and the end of its output.
   std::string run(const Place& place, const std::string& test, int seconds,
                   const std::string& variables = "") const {
     const std::string said = (folder_ / "said").string();
@@ -82,7 +85,7 @@ class Elsewhere {
     const int status = std::system(command.c_str());
     std::ifstream stream(said);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    // PoCL has then used its default method.
+    // After this message PoCL uses its default method.
     if (text.find("Unknown work group generation method") != std::string::npos)
       return "PoCL knows no such method";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
@@ -106,7 +109,7 @@ class Elsewhere {
   std::filesystem::path folder_;
 };
 
-/// Called by the child process. Writes values for Elsewhere::read().
+/// Writes values to a file that Elsewhere::read() reads. The child process calls this function.
 template <class T>
 void leave(const std::string& name, const std::vector<T>& values) {
   const char* folder = std::getenv("PELAGE_TEST_FOLDER");

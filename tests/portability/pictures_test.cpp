@@ -1,5 +1,5 @@
-// Draws the same pictures with every compiler of kernels and every mapping. They must agree with the
-// reference, and must cover the same pixels as on this machine's own device.
+// Draws the same pictures with every compiler of kernels and every mapping. The pictures must agree with the
+// reference, and must cover the same pixels as the pictures of this machine's default device.
 #include "tests/support/pictures.hpp"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ struct Sight {
   std::shared_ptr<const FrameInput> input;
 };
 
-/// Scenes of 160 x 100 pixels with few layers: combed, curly, wet and windy fur with either model, and a
-/// square so near that its triangles cross the near plane and the guard band.
+/// Returns scenes of 160 x 100 pixels with few layers: combed, curly, wet and windy fur with the curling and
+/// the wet model, and a square so near that its triangles cross the near plane and the guard band.
 std::vector<Sight> sights() {
   Scene near = synthetic::lively_scene();
   near.fur.length = .05f;
@@ -43,7 +43,7 @@ Picture drawn_by(const cl::Device& device, const FrameInput& input, const std::s
   return shells.read();
 }
 
-// The tests below run this one in a child process.
+// The tests below run this test in a child process.
 TEST(DISABLED_Elsewhere, Pictures) {
   const char* mapping = std::getenv("PELAGE_TEST_MAPPING");
   ASSERT_NE(mapping, nullptr);

@@ -1,5 +1,5 @@
-// Moves every topology with every solver and every compiler of kernels. The motion must agree with the
-// double-precision reference.
+// Computes the motion of every topology with every solver and every compiler of kernels. The motion must
+// agree with the double-precision reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::string file_of(Kind kind, Solver solver) {
   return std::string(name(kind)) + "-" + std::string(name(solver));
 }
 
-// The tests below run this one in a child process.
+// The tests below run this test in a child process.
 TEST(DISABLED_Elsewhere, Topologies) {
   const char* wanted = std::getenv("PELAGE_TEST_KIND");
   ASSERT_NE(wanted, nullptr);
@@ -41,7 +41,7 @@ struct Topologies : testing::TestWithParam<std::tuple<Place, Kind>> {};
 
 TEST_P(Topologies, MoveAsTheReferenceDoes) {
   const auto& [place, kind] = GetParam();
-  // Kernels of sticks are short, so even slow compilers take little time.
+  // The kernels of sticks are short, so even slow compilers need little time for them.
   const std::string why = obstacle(place, place.slow && kind != Kind::sticks);
   if (!why.empty()) GTEST_SKIP() << why;
   const Elsewhere elsewhere;

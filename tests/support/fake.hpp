@@ -1,5 +1,5 @@
-// A subject that needs no device, and cases for it. They test promises of the harness that hold for every
-// subject.
+// A fake pipeline that needs no device, and experiment cases for it. Tests use it for behaviour of the
+// harness that does not depend on the pipeline.
 #pragma once
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 
 namespace pelage::test {
 
-/// A temporary folder, deleted at the end of the object's life.
+/// A temporary folder, which the destructor deletes.
 struct Folder {
   std::filesystem::path path;
   Folder() {
@@ -53,7 +53,8 @@ inline Row sample_row(const std::string& name) {
   return row;
 }
 
-/// Draws a grey square. Its times increase from `first_ms` by 0.001 ms per frame.
+/// Returns a grey picture of 2 x 2 pixels. The reported frame time begins at `first_ms` and grows by 0.001 ms
+/// per frame.
 class FakeSubject : public Subject {
  public:
   explicit FakeSubject(double first_ms, double psnr = 80) : next_ms_(first_ms), psnr_(psnr) {}

@@ -1,4 +1,4 @@
-// Runs tests of this binary again under oclgrind.
+// Runs tests of this binary in a child process under oclgrind.
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,12 +14,13 @@ namespace pelage {
 
 struct UnderOclgrind {
   int status = 0;       ///< exit status of the tests
-  std::string log;      ///< oclgrind's messages; its own exit status is always 0
-  std::string printed;  ///< output of the tests and, with --inst-counts, of oclgrind
+  std::string log;      ///< oclgrind's messages; they are needed because oclgrind's exit status is always 0
+  std::string printed;  ///< output of the tests; with --inst-counts, also that of oclgrind
 };
 
-/// Runs the tests of this binary that match `filter`, including disabled ones. checks: oclgrind's options
-/// after --check-api. environment: "NAME=value" before the command, or nothing.
+/// Runs the tests of this binary that match `filter`, including disabled tests. checks: options that are
+/// passed to oclgrind after --check-api. environment: "NAME=value" to set before the command, or an empty
+/// string.
 inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string& checks,
                                     const std::string& environment = "") {
   namespace fs = std::filesystem;

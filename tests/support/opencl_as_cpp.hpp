@@ -1,7 +1,7 @@
 // Defines the names of kernels/dialect.clh for C++, with one lane in double precision. A test includes this
-// file and then, inside namespace pelage::in_double, the .clh files that it tests. It thus tests the device's
-// own source without a device. Kernel files are included once per translation unit, and kernels/ must be on
-// the include path.
+// file and then, inside namespace pelage::in_double, the .clh files that it tests. In this way it tests the
+// kernels' source without a device. A kernel file must be included only once per translation unit, and
+// kernels/ must be on the include path.
 #pragma once
 #include <algorithm>
 #include <cmath>

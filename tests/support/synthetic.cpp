@@ -46,7 +46,7 @@ StrandSet strands(const Scene& scene, const Mesh& mesh) {
   return set;
 }
 
-/// Returns the area-weighted normals of the surface points.
+/// Returns the unit normals of the surface points, weighted by the areas of the triangles.
 std::vector<glm::vec3> normals(const Mesh& mesh) {
   std::vector<glm::dvec3> sum(mesh.welded, glm::dvec3(0.0));
   for (const glm::uvec3& t : mesh.triangle) {
@@ -59,8 +59,8 @@ std::vector<glm::vec3> normals(const Mesh& mesh) {
   return unit;
 }
 
-/// Returns a fur texture of upright cones on a jittered, repeating grid, with one shade per cone. Coverage
-/// decreases to 0 over one texel.
+/// Returns a fur texture of upright cones on a jittered, repeating grid. Each cone has one shade. At the
+/// border of a cone the coverage decreases to 0 over one texel.
 FurTexture cones(int size, int layers) {
   FurTexture fur{size, layers, {}};
   const int cells = std::max(2, size / 6);
@@ -161,7 +161,7 @@ Mesh grid(const Surface& surface, int nu, int nv) {
       mesh.triangle.emplace_back(a, b, c);
       mesh.triangle.emplace_back(a, c, d);
     }
-  // Copies of one surface point must be equal to the bit.
+  // Vertex copies of one surface point must have exactly the same position.
   for (std::size_t v = 0; v < mesh.weld.size(); ++v)
     for (std::size_t w = 0; w < v; ++w)
       if (mesh.weld[w] == mesh.weld[v]) {
@@ -203,7 +203,7 @@ FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int
   input.curl.u.resize(mesh.welded);
   input.curl.v.resize(mesh.welded);
   input.curl.mask_uv.resize(mesh.welded);
-  // The loop runs backwards, so that the values of a point's first copy remain.
+  // The loop runs backwards, so that the values of a surface point's first vertex copy remain.
   for (std::size_t i = mesh.position.size(); i-- > 0;) {
     const glm::dvec2 uv(mesh.uv[i]);
     const glm::dvec3 t = derivative(surface, uv.x, uv.y, 1, 0), b = derivative(surface, uv.x, uv.y, 0, 1);
