@@ -1,5 +1,5 @@
-// Values of a layer for its vertices and fragments. The host computes three rows per layer
-// (harness/shells/opengl/scene_glsl.cpp).
+// Values of a layer for its vertices and fragments, with the symbols of docs/frame.md. The host computes three rows per
+// layer (harness/shells/opengl/scene_glsl.cpp).
 //   bend holds the factors of A, B and of the curl's axes u and v.
 //   step holds the factors of A and B in dB(n).
 //   look holds f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n) and n.

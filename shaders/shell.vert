@@ -3,11 +3,11 @@
 // Rendering of Wet Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
 layout(location = 0) in vec3 position;  // R
 layout(location = 1) in vec2 surface_uv;
-layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, along the normal, R
-layout(location = 3) in vec3 b;         // B: vector from the strand's root to p, R
+layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, along the normal
+layout(location = 3) in vec3 b;         // B: vector from the strand's root to its tip p
 layout(location = 4) in vec3 curl_u;    // (1 - rho) K_alpha u, R
 layout(location = 5) in vec3 curl_v;
-layout(location = 6) in vec3 dx_du;     // dX/du, R per unit of u
+layout(location = 6) in vec3 dx_du;     // dX/du, in mesh radii per unit of u
 layout(location = 7) in vec3 dx_dv;
 
 out vec2 uv;

@@ -8,7 +8,7 @@ typedef struct {
   // Rows of the camera matrix. Their products with (p, 1) are x w, y w and w; x and y are pixels from the image centre.
   float row_x[4], row_y[4], row_w[4];
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
-  float near_depth;                           // view depth of the near plane, R
+  float near_depth;                           // view depth of the near plane, in mesh radii
   // Geometry.
   int vertices;                               // length of a column: number of vertices or corners, a multiple of 16
   int triangles;
@@ -33,7 +33,7 @@ typedef struct {
   float clump_shape;                          // w
   float clump_gain;
   int clump_literal;                          // 1: scale clumps by r_mask, as printed, instead of clump_gain
-  int clump_separate;                         // 1: discard a fragment if the texel at p + d is in another clump
+  int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
   float log_layers;                           // k = ln N
   // Textures.
   int fur_size, fur_levels;
@@ -41,7 +41,7 @@ typedef struct {
   float footprint;                            // texels of mip level 0 per pixel at view depth 1, times 2^bias
   int substeps;                               // texture samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
-  // Light (S Eq. 6; W Eq. 2-5) for the shading models in harness/scene/shading_models.cpp. surface_light is 0 for the
+  // Light (S Eq. 6 or W Eq. 2-5) for the shading models in harness/scene/shading_models.cpp. surface_light is 0 for the
   // model "curling" and 1 for the models "wet" and "lambert". For "lambert" the host sets specular, wrap and darkening
   // to 0.
   int surface_light;                          // 1: diffuse light and self-shadow by W Eq. 2-5; 0: by S Eq. 6
@@ -67,13 +67,13 @@ typedef struct {
 // Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array: the position; A, which is the weighted mean of the strands' L0 n; and the two axes of
-// the curl.
+// Columns of the vertex array: the position, the vector A (weighted mean of the strands' L0 n), and the two axes of the
+// curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
-// Number of floats in a vertex's row of an attribute buffer. Rows hold u, v, A, B; or dX/du, dX/dv; or the two axes of
-// the curl.
+// Number of floats in a vertex's row of an attribute buffer. Depending on the buffer, a row holds u, v, A, B, or dX/du,
+// dX/dv, or the two axes of the curl (docs/frame.md, section 3).
 #define RECORD 8
 
 // Width and height of a tile in pixels: multiples of 4, at most 32 (tuning axes).

@@ -9,7 +9,7 @@ typedef struct {
   float inverse_mass;                  // 1/m, 1/kg
   float step;                          // dt, s
   float weight_x, weight_y, weight_z;  // m g, N
-  float wind_x, wind_y, wind_z;        // direction of the wind times its force, N
+  float wind_x, wind_y, wind_z;        // force of the mean wind, in newtons
   float gust;                          // amplitude of the gusts as a fraction of the mean wind
   int stride;                          // length of a column: the number of strands, rounded up to a multiple of 16
   int substeps;

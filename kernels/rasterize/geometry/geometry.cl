@@ -6,7 +6,8 @@
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
 
-// Computes the dryness 1 - rho at each vertex, once per mask. mask_uv: a column of u, then a column of v.
+// Computes the dryness 1 - rho at each vertex, once per wetness mask. rho is the wetness. mask_uv: a column of u, then
+// a column of v.
 __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
@@ -14,9 +15,9 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
   store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
 }
 
-// Computes the tip B = sum weight * q over the strands of each vertex. Rows of strands are padded per block of LANES
-// vertices: entry e of lane i is at (slice[block] + e) * LANES + i. Entries beyond the end of a row have weight 0.
-// tips: columns q_x, q_y, q_z of length strand_stride.
+// Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
+// its root. Rows of strands are padded per block of LANES vertices: entry e of lane i is at (slice[block] + e) * LANES
+// + i. Entries beyond the end of a row have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
@@ -103,7 +104,8 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
   store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
 }
 
-// Writes the attribute row of each vertex: u, v, A, B.
+// Writes the attribute row of each vertex: the texture coordinates u, v, and the vectors A and B of docs/frame.md,
+// section 3.
 __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) uv, __global float *record) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;
@@ -118,7 +120,7 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
 }
 
 // Writes the two axes of the curl at each vertex, multiplied by the vertex's dryness: (1 - rho) u and (1 - rho) v,
-// where u and v are unit vectors.
+// where rho is the wetness and u and v are unit vectors.
 __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
   int i = (int)get_global_id(0);
   if (i >= s.vertices) return;

@@ -1,5 +1,5 @@
-// Copies the tips of a topology's sticks to the vertices (docs/frame.md, section 3). A work-item computes LANES
-// vertices.
+// Copies the tips of a mass-spring topology's sticks to the vertices (docs/frame.md, section 3). A work-item computes
+// LANES vertices.
 #include "rasterize/geometry/transform.clh"
 
 // stick: for each vertex, the index in `offset` of its stick's q_x. q_y and q_z are 16 and 32 entries later, because
