@@ -1,10 +1,11 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The linear equations A x = b
-// of all tops together, where x is the change of velocity dv, are solved by the method of conjugate gradients. The
-// preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The iteration starts from the x of
-// the previous step. A work-item computes a chunk of tops. The chunks, and therefore the rounding of the sums, do not
-// depend on the work-group size: each work-item that needs a sum adds the sums of the chunks in the same order. A large
-// model takes one launch for each part of a step. A small model takes a single launch of one work-item for all parts
-// (gradients_whole), because many launches would take longer than the computation.
+// Shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of all sticks
+// have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method of
+// conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
+// iteration starts from the x of the previous step. A work-item computes a chunk of top masses. The chunks, and
+// therefore the rounding of the sums, do not depend on the work-group size: each work-item that needs a sum adds the
+// sums of the chunks in the same order. A large model takes one launch for each part of a step. A small model takes a
+// single launch of one work-item for all parts (gradients_whole), because many launches would take longer than the
+// computation.
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
@@ -20,7 +21,7 @@ typedef double total;
 typedef float total;
 #endif
 
-// The sums of a chunk, one per lane. total_of() adds them after the last unit of the chunk.
+// The sums of a chunk, one per lane. total_of() adds them after the last stick of the chunk.
 #if LANES == 16 && DOUBLE_SUMS
 typedef double16 totals;
 #define to_totals convert_double16
@@ -79,7 +80,7 @@ INLINE Symmetric inverse_of(Symmetric m) {
   return i;
 }
 
-// Two tops joined by a spring have the matrix block -(even I + g g^T) in A. Only the vector g is stored, in three
+// Two top masses joined by a spring have the matrix block -(even I + g g^T) in A. Only the vector g is stored, in three
 // columns per entry. The sum even + g.g is the same for all springs, so even_of() computes the number `even` from g. g
 // = 0 marks an entry without a spring.
 INLINE real even_of(TopologyParams p, real3 g) {
@@ -92,8 +93,8 @@ INLINE real even_of(TopologyParams p, real3 g) {
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
 // Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then computes the
-// residual r = b - A x, z = inverse r, and the search direction d = z. at: index, in the table of moments, of the time
-// at the end of the step.
+// residual r = b - A x, z = inverse r, and the search direction d = z. at: index in `moments` (wind, weight and object
+// motion at successive times) of the end of the step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
@@ -231,7 +232,7 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
   if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
 }
 
-// Computes the new velocity v += x, and then the new position q += h v.
+// Computes the new velocity v += x, and then the new position q += h v, where h is the time step.
 INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
                        __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
                        __global int *first) {

@@ -4,19 +4,19 @@
 
 typedef struct {
   float length;          // L0, R
-  float mass;            // mass m of a top, kg
+  float mass;            // mass m at the top of a stick, kg
   float inverse_mass;    // 1/m, 1/kg
   float stiffness;       // spring constant k of a stick, N/m
   float damping;         // damping along a stick, N s/m
-  float edge_stiffness;  // spring constant k of a spring between tops, N/m
-  float edge_damping;    // damping along a spring between tops, N s/m
+  float edge_stiffness;  // spring constant k of a spring between top masses, N/m
+  float edge_damping;    // damping along a spring between top masses, N s/m
   float drag;            // drag coefficient c against the air, N s/m
   float return_weight;   // weight w of the return force in B Eq. 5, N
   float step;            // dt, s
-  float most_square;     // squared length above which a stick counts as diverged, R^2
+  float most_square;     // squared length above which a stick counts as diverged
   int substeps;          // number of substeps in this launch
   int first_step;        // number of the launch's first substep
-  int first_moment;      // index in the table of moments at which the launch starts
+  int first_moment;      // index of the launch's start in the array of Moment
   int moving;            // 1: the object rotates, so its frame is not inertial
   int pushed;            // 1: some local forces are not zero
   int sticks;            // number of sticks; entries beyond it are padding
@@ -24,7 +24,8 @@ typedef struct {
   int blocks_per_item;   // number of units that a work-item computes; a unit is LANES adjacent sticks or triangles
 } TopologyParams;
 
-// A moment holds values that depend only on time: the uniform forces on a top, and the rotation of the object's frame.
+// A Moment holds the values of one time: the forces that are the same for all top masses, and the rotation of the
+// object's frame.
 typedef struct {
   // Weight, inertial force of the object's acceleration, and drag of the mean wind, in newtons.
   float steady_x, steady_y, steady_z;
@@ -35,7 +36,7 @@ typedef struct {
 } Moment;
 
 // Columns of the constants of a stick. Root and normal have three columns each. The phase is that of the gust at the
-// root.
+// stick's base.
 enum { SITE_ROOT = 0, SITE_NORMAL = 3, SITE_PHASE_COS = 6, SITE_PHASE_SIN, SITE_COLUMNS };
 
 // Rows of the partial sums of the conjugate gradients: r.z of even iterations, r.z of odd iterations, d.Ad, r.r and

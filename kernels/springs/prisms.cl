@@ -1,7 +1,8 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. Every top reads the old
-// state of its neighbours, so a launch evaluates the forces only once. A small model takes one launch of one work-item
-// for all substeps (prism_*_whole), because many launches would take longer than the computation. The state of a top is
-// q and v. Neighbours read its v and its tip (root + q), which are stored in rows of four floats.
+// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. Every top mass reads the
+// old state of its neighbours, so a launch evaluates the forces only once. A small model takes one launch of one
+// work-item for all substeps (prism_*_whole), because many launches would take longer than the computation. The state
+// of a top mass is its offset q from the stick's base and its velocity v. Neighbours read v and the position (base +
+// q), which are stored in rows of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -11,8 +12,8 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// Computes one step of Euler's method, explicit if in_turn is 0 and semi-implicit if in_turn is 1. at: index of the
-// step's time in the table of moments. number: number of the step.
+// Computes one step of Euler's method, explicit if in_turn is 0 and semi-implicit if in_turn is 1. at: index in
+// `moments` (wind, weight and object motion at successive times) of the step. number: number of the step.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
