@@ -41,8 +41,9 @@ void write_picture(const fs::path& path, const Picture& picture) {
       picture.height > most_pixels_per_side ||
       picture.pixel.size() !=
           static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height)) {
-    throw InputError(fmt::format("{}: a picture of {} x {} pixels cannot be written; each side is 1 to {}",
-                                 path.string(), picture.width, picture.height, most_pixels_per_side));
+    throw InputError(
+        fmt::format("{}: a picture of {} x {} pixels cannot be written; each side must have 1 to {}",
+                    path.string(), picture.width, picture.height, most_pixels_per_side));
   }
   write_atomically(path, [&](const fs::path& temporary) {
     if (extension(path) == ".png")

@@ -20,8 +20,8 @@ fs::path module_file() {
     if (fs::exists(file)) return file;
   }
   throw InputError(fmt::format(
-      "{} is missing; it reads pictures and writes EXR and TIFF: put it into {} or {}", PELAGE_IMAGE_MODULE,
-      folder.string(), (folder / PELAGE_MODULE_FOLDER).lexically_normal().string()));
+      "{} is missing: pelage needs it to read pictures and to write EXR and TIFF; put it into {} or {}",
+      PELAGE_IMAGE_MODULE, folder.string(), (folder / PELAGE_MODULE_FOLDER).lexically_normal().string()));
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
 }
 
-// Writes to the last element of a buffer. The test above replaces the index by one outside the buffer.
+// Writes to the last element of a buffer. The test above sets PELAGE_TEST_INDEX, so that the index is outside
+// the buffer.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();

@@ -42,8 +42,8 @@ std::string last_words(const std::string& printed) {
 /// Runs `tests` under oclgrind. Kernels are built without optimization: with optimization, oclgrind's
 /// compiler generates the intrinsic llvm.experimental.noalias.scope.decl, which oclgrind's interpreter does
 /// not support. oclgrind runs on one thread, because --inst-counts of version 21.10 is not safe on two
-/// threads. (On two threads, 17 of 42 runs of the test Group corrupted oclgrind's heap. None of 12 runs on
-/// one thread did, nor any of 10 runs without --inst-counts.)
+/// threads. (Runs of the test Group that corrupted oclgrind's heap: 17 of 42 on two threads, 0 of 12 on one
+/// thread, 0 of 10 without --inst-counts.)
 Findings findings(const std::string& tests, const std::string& checks, const std::string& environment = "") {
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);
@@ -69,7 +69,7 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   scene.dynamics.topology = topology;
   scene.dynamics.solver = solver;
   if (topology != "silva") scene.dynamics.drag = .004f;
-  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // prism_euler_whole runs only with two or more
+  scene.dynamics.substeps = topology == "prisms" ? 2 : 1;  // prism_euler_whole needs at least 2 substeps
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 

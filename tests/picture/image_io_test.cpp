@@ -1,5 +1,5 @@
-// Tests that a written picture, when it is read again, has the same pixels within the precision of the
-// format, and that a file is complete or absent.
+// Tests that a picture that was written and read again has the same pixels, within the precision of the
+// format, and that a failed write leaves no incomplete file.
 #include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>

@@ -52,9 +52,9 @@ Picture read(const fs::path& file, const std::string& kind) {
   }
   if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.width > most_pixels_per_side ||
       spec.height > most_pixels_per_side || spec.nchannels < 1 || spec.nchannels > 32) {
-    throw InputError(
-        fmt::format("{}: {} x {} pixels of {} channels; each side is 1 to {}, at most 32 channels",
-                    file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
+    throw InputError(fmt::format(
+        "{}: {} x {} pixels with {} channels; pelage reads 1 to {} pixels per side, and at most 32 channels",
+        file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
   // A damaged header of a small file must not make the reader allocate gigabytes. Of these codecs, deflate
   // compresses most, by a factor of at most 1032.
