@@ -52,7 +52,7 @@ class Program {
   double build_ms_ = 0;
 };
 
-/// Returns the hash, as above, of the source files of all these programs.
+/// Returns 16 hex digits: the hash of the source files of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
 
 class Event {
