@@ -5,13 +5,14 @@
 
 namespace pelage::shells {
 
-/// Values of tuning axes (kernels/*/tuning.toml) by name. An axis that is absent keeps its default value.
+/// Values of tuning axes by name. A tuning axis is a build-time parameter of the kernels that
+/// kernels/*/tuning.toml lists. An axis that is absent keeps its default value.
 using Tuning = std::map<std::string, int>;
 
 /// Returns the value of `axis` in `tuning`, or `otherwise` if `tuning` does not contain the axis.
 int tuned(const Tuning& tuning, const std::string& axis, int otherwise);
 
-/// Returns the options of an OpenCL build: "-D LANES=lanes -D NAME=value ...".
+/// Returns the build options of an OpenCL program: "-D LANES=lanes", and one "-D NAME=value" per tuning axis.
 std::string build_options(int lanes, const Tuning& tuning);
 
 }  // namespace pelage::shells

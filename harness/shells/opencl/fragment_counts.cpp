@@ -8,12 +8,14 @@
 namespace pelage::shells {
 
 std::vector<std::uint32_t> RasterStage::counted(const cl::Queue& queue, Mapping& mapping) {
-  // The counts start at 0, because the kernels write nothing for pixels that they skip. Temporary buffers
-  // keep the frame's own picture and counts unchanged.
+  // The counters start at 0, because the kernels write no counter for pixels that they skip. Temporary
+  // buffers replace buffers_.image and buffers_.covered, so that the picture of the last frame stays
+  // unchanged.
   const std::vector<std::uint32_t> zeros(mapping.counters(params_));
   auto covered = std::exchange(buffers_.covered, {queue, std::span<const std::uint32_t>(zeros)});
   auto image = std::exchange(buffers_.image, {queue.device(), buffers_.image.size()});
-  // Covered fragments are counted in all layers, also where Algorithm 2 discards a whole triangle.
+  // Without every_layer, the kernels skip a triangle in layers where S Algorithm 2 discards all its
+  // fragments. These fragments are counted, too.
   const int every_layer = std::exchange(params_.every_layer, 1);
   for (int pass = passes() - 1; pass >= 0; --pass) {
     begin_pass(queue, pass, mapping, nullptr);

@@ -12,7 +12,8 @@
 namespace pelage::shells {
 namespace {
 
-// Kernels index rows of up to eight 4-byte values with an int, so there can be at most 2^28 rows.
+// Returns `count` rounded up to a multiple of 16. A kernel's table has up to eight values per vertex or
+// triangle and is indexed with a 32-bit int. InputError is therefore thrown for counts near 2^28 and above.
 int padded(std::size_t count) {
   if (count > (std::size_t(1) << 28) - 16)
     throw InputError(
@@ -27,7 +28,8 @@ void set_column3(std::vector<float>& table, int first, int stride, int row, glm:
     table[std::size_t(first + k) * std::size_t(stride) + std::size_t(row)] = value[k];
 }
 
-// A drawn vertex: its vertex copy in the mesh, and the faces whose strands bend it, with their weights.
+// A drawn vertex: the index of its vertex in the mesh, the triangles whose strands bend it, and the weights
+// of these strands.
 struct Vertex {
   std::uint32_t copy;
   std::span<const std::uint32_t> faces;
@@ -41,8 +43,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<Vertex> vertices;
   if (parts(input.scene)) {
-    // Each triangle has three corners of its own. They are bent by the triangle's strand or by their own
-    // sticks.
+    // Each triangle has three vertices that it does not share. The triangle's strand bends all three, or each
+    // of them has its own stick.
     static_assert(sizeof(std::uint32_t) == 4);
     for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
       for (int k = 0; k < 3; ++k) vertices.push_back({mesh.triangle[f][k], {}, {&whole_weight, 1}});
@@ -61,7 +63,7 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
 void lay_out_corners(const Mesh& mesh, bool separate, Geometry& g) {
   const std::size_t faces = mesh.triangle.size();
   g.triangles = padded(faces);
-  // All corners of a padding triangle are the last padding vertex, so it covers no pixel.
+  // All three corners of a padding triangle are the same padding vertex, so the triangle covers no pixel.
   g.corner.assign(std::size_t(4) * std::size_t(g.triangles), g.vertices - 1);
   for (std::size_t f = 0; f < faces; ++f)
     for (std::size_t k = 0; k < 3; ++k)

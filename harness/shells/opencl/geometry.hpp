@@ -7,29 +7,31 @@
 
 namespace pelage::shells {
 
-/// Arrays of the drawn mesh. Its vertices are the mesh's vertex copies, or three corners per triangle if
-/// triangles do not share vertices (parts()).
+/// Arrays of the drawn mesh. The drawn vertices are the vertices of the mesh. If triangles do not share
+/// vertices (parts()), each triangle has three drawn vertices of its own instead.
 struct Geometry {
-  int vertices = 0;                  ///< number of vertices, padded to a multiple of 16 by at least one
-  int triangles = 0;                 ///< number of triangles, padded to a multiple of 16
-  int strands = 0;                   ///< number of strands, padded to a multiple of 16
-  std::vector<float> vertex;         ///< VERTEX_COLUMNS columns
-  std::vector<float> uv;             ///< u, v per vertex
-  std::vector<float> mask_uv;        ///< columns u and v: the UV at which a vertex samples the mask
-  std::vector<float> tangent;        ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
-  std::vector<std::int32_t> corner;  ///< four per triangle: three vertex indices and room for its reach
-  std::vector<std::uint32_t> stick;  ///< stick of each vertex, without padding; empty for Silva's strands
-  // The strands that bend each vertex, and their weights (Silva's model). Each vertex has a row of entries.
-  // All rows of a block of `lanes` vertices are padded to the same length.
-  std::vector<std::int32_t> slice;  ///< start of each block, in units of `lanes` entries; blocks + 1 values
+  int vertices = 0;            ///< number of vertices, padded to a multiple of 16, at least one of padding
+  int triangles = 0;           ///< number of triangles, padded to a multiple of 16
+  int strands = 0;             ///< number of strands, padded to a multiple of 16
+  std::vector<float> vertex;   ///< VERTEX_COLUMNS columns
+  std::vector<float> uv;       ///< u, v per vertex
+  std::vector<float> mask_uv;  ///< column u, then column v: where each vertex samples the wetness mask
+  std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
+  /// Four values per triangle: three vertex indices, and space for the number of layers in which the triangle
+  /// is drawn, which a kernel computes.
+  std::vector<std::int32_t> corner;
+  std::vector<std::uint32_t> stick;  ///< index of each vertex's stick, no padding; empty for Silva's strands
+  // The weights with which strands bend the vertices (Silva's model), as a sparse matrix. The row of a vertex
+  // has one entry per strand. Within a block of `lanes` vertices, all rows are padded to the same length.
+  std::vector<std::int32_t> slice;  ///< first entry of each block divided by `lanes`; blocks + 1 values
   std::vector<std::int32_t> strand;
   std::vector<float> weight;
   std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns
 };
 
 /// Converts the mesh and the strands of `input` to this layout. `lanes` is the number of lanes of the
-/// kernels, 1 or 16. Throws InputError for more than 2^28 vertices or triangles, and for a topology without
-/// normals.
+/// kernels, 1 or 16. Throws InputError for more than 2^28 vertices or triangles. Also throws it if the scene
+/// has a mass-spring topology and `input` does not have one stick normal per surface point.
 Geometry lay_out(const FrameInput& input, int lanes);
 
 }  // namespace pelage::shells

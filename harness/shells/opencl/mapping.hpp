@@ -1,5 +1,5 @@
-// A mapping assigns the pixels of a frame to the work-items of a device. Each mapping is a class with the
-// interface in this file.
+// A mapping assigns the pixels of a frame to the work-items of a device. Each mapping is a class that
+// implements the interface `Mapping`.
 #pragma once
 #include <map>
 #include <memory>
@@ -19,12 +19,12 @@ namespace pelage::shells {
 class Mapping {
  public:
   virtual ~Mapping() = default;
-  /// Makes the lists of the triangles that may touch each tile, in the mesh's order: buffers.list_start and
-  /// buffers.list. It reads buffers.corner and buffers.box, and enlarges the lists as needed. Throws
-  /// DeviceError for 2^31 entries or more.
+  /// Lists the triangles that may touch each tile, in the mesh's order. Reads buffers.corner and buffers.box.
+  /// Writes the lists to buffers.list_start and buffers.list, which it enlarges if necessary. Throws
+  /// DeviceError if all lists together have 2^31 entries or more.
   virtual void bin(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
                    PhaseEvents* events) = 0;
-  /// Draws the layers of the pass that `params` describes. It uses the lists that bin() made.
+  /// Draws one pass, which is the range of layers that `params` contains. It uses the lists that bin() wrote.
   virtual cl::Event draw(const cl::Queue& queue, const RasterParams& params,
                          const RasterBuffers& buffers) = 0;
   /// Returns the number of counters that buffers.covered needs.
@@ -32,7 +32,7 @@ class Mapping {
   virtual std::vector<const cl::Program*> programs() const = 0;
 };
 
-/// The arguments for making a mapping. `geometry` must outlive the mapping.
+/// The arguments of MappingKind::make(). `geometry` must outlive the mapping.
 struct MappingSetup {
   const cl::Device& device;
   const cl::Program& geometry;  ///< program built from rasterize/geometry/geometry.cl
@@ -40,26 +40,27 @@ struct MappingSetup {
 };
 
 struct MappingKind {
-  std::string_view name;                ///< name in --mapping, in experiment files and in result rows
-  std::string_view what;                ///< description for --help, one line
-  std::string_view kernel;              ///< name of the drawing kernel
-  bool one_eye_per_pixel;               ///< computes the view direction once per pixel; false: once per fragment
-  int (*lanes)(const cl::DeviceInfo&);  ///< lanes of its kernels and of the vertex kernels: 1 or 16
-  Tuning (*tuning)(Tuning);             ///< sets the axis values that this mapping fixes or prefers
+  std::string_view name;    ///< name in the option --mapping, in experiment files and in result rows
+  std::string_view what;    ///< description for --help, one line
+  std::string_view kernel;  ///< name of the drawing kernel
+  /// True if the kernel computes the view direction once per pixel, false if once per fragment.
+  bool one_eye_per_pixel;
+  int (*lanes)(const cl::DeviceInfo&);  ///< lanes of the mapping's kernels and of the vertex kernels: 1 or 16
+  Tuning (*tuning)(Tuning);             ///< adds the values of tuning axes that the mapping needs or prefers
   std::unique_ptr<Mapping> (*make)(const MappingSetup&);
 };
 
-// Each is defined in a file of its own. mappings.cpp lists them.
+// Each mapping is defined in its own file. mappings.cpp lists all mappings.
 extern const MappingKind tile_mapping, pixel_mapping, workgroup_mapping;
 
-extern const std::span<const MappingKind* const> mapping_kinds;  ///< all of them
+extern const std::span<const MappingKind* const> mapping_kinds;  ///< all mappings
 
 /// Returns the mapping called `name`, or the device's default mapping for "". Throws InputError with the list
 /// of names if no mapping has this name.
 const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device);
 
-/// Makes a mapping that counts the covered, shaded and blended fragments of about one pixel in `every`. It
-/// has three counters per pixel.
+/// Makes a mapping that draws a random sample of the pixels, about one in `every`. For each of these pixels
+/// it counts the covered, shaded and blended fragments in three counters.
 std::unique_ptr<Mapping> tally_mapping(MappingSetup setup, int every);
 
 }  // namespace pelage::shells

@@ -1,4 +1,5 @@
-// The list of all mappings. The first is the default on CPUs; the workgroup mapping is the default on GPUs.
+// The list of all mappings. The first mapping of the list is the default on CPUs. The workgroup mapping is
+// the default on GPUs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,4 @@
-// Textures in the layout of kernels/rasterize/shading/textures.clh.
+// Packs textures into the layout that kernels/rasterize/shading/textures.clh reads.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,13 +8,13 @@
 namespace pelage::shells {
 
 /// Packs the fur into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and shade of
-/// (x, y), then coverage and shade of (x, y + 1). The first texel of a row is repeated at its end. Mip levels
-/// follow each other.
+/// texel (x, y), then coverage and shade of texel (x, y + 1). Each row ends with a copy of its first word.
+/// The mip levels are stored one after the other, level 0 first.
 std::vector<std::int32_t> packed_fur(const FurTexture& fur);
 
-/// Packs the coat into two 32-bit words per texel. The first holds red and green of (x, y), then red and
-/// green of (x, y + 1). The second holds blue of both texels in bytes 0 and 2. A border of one texel repeats
-/// the texels of the opposite side, because the texture repeats.
+/// Packs the coat into two 32-bit words per texel. The first word holds red and green of texel (x, y), then
+/// red and green of texel (x, y + 1). The second word holds blue of both texels in bytes 0 and 2. A border of
+/// one texel copies the texels of the opposite side, because the texture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
 
 }  // namespace pelage::shells

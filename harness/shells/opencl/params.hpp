@@ -15,11 +15,12 @@ SimulateParams simulate_params(const Scene& scene, const Geometry& geometry);
 /// gust's frequency. Frame 0 starts at rest.
 std::vector<float> gust_table(const DynamicsScene& dynamics, int frame);
 
-/// Returns LAYER_COLUMNS floats per layer: h, cos(omega h), sin(omega h), ln h, and h^k of B Eq. 4. They are
-/// computed in double precision and rounded once.
+/// Returns LAYER_COLUMNS floats per layer: the height h of the layer, cos(omega h) and sin(omega h) of S Eq.
+/// 4, ln h, and h^k of B Eq. 4. All values are computed in double precision and rounded once to float.
 std::vector<float> layer_table(const Scene& scene);
 
-/// Returns the rasterizer's parameters except those of tiles, chunks and passes, which RasterStage sets.
+/// Returns the rasterizer's parameters. RasterStage adds the numbers of tiles, triangle chunks and layers per
+/// pass.
 RasterParams raster_params(const FrameInput& input, const Geometry& geometry);
 
 }  // namespace pelage::shells

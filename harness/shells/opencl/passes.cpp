@@ -1,6 +1,6 @@
-// If the screen positions of all layers need too much memory, the layers are drawn in several passes, from
-// the outermost layers inwards. Each pass transforms and bins its own layers. It then continues with the
-// pixel values of the previous pass.
+// If the screen positions of all layers need too much memory, the layers are drawn in several passes. The
+// first pass draws the outermost layers, the last pass the innermost. Each pass transforms and bins its own
+// layers, and then blends them with the pixel values of the previous pass.
 #include <algorithm>
 #include <utility>
 
@@ -9,8 +9,9 @@
 namespace pelage::shells {
 namespace {
 
-// Limit of the memory for screen positions, in bytes. 5 million triangles in 16 layers fit and take one pass.
-// The papers' largest case, the lion in 64 layers, needs a fifth of this memory.
+// Limit of the memory for screen positions, in bytes. A mesh of 5 million triangles in 16 layers needs less
+// and is drawn in one pass. The largest model of the papers, the lion in 64 layers, needs a fifth of the
+// limit.
 constexpr std::size_t most_screen_bytes = std::size_t(1) << 30;
 constexpr std::size_t screen_bytes = 16;  // bytes per vertex and layer
 

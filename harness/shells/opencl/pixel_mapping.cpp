@@ -47,8 +47,8 @@ const MappingKind pixel_mapping{.name = "pixel",
                                 .lanes = [](const cl::DeviceInfo&) { return 1; },
                                 .tuning =
                                     [](Tuning tuning) {
-                                      // For every layer, a pixel visits the whole list of its tile. Small
-                                      // tiles have shorter lists.
+                                      // For every layer, a work-item reads the whole triangle list of
+                                      // its tile. Small tiles have shorter lists.
                                       tuning.insert({{"TILE_W", 8}, {"TILE_H", 8}});
                                       return tuning;
                                     },

@@ -11,10 +11,11 @@ namespace pelage::shells {
 /// kernels/rasterize/buffers.clh declares the same buffers in the same order.
 struct RasterBuffers {
   cl::Buffer<float> layer_table;
-  cl::Buffer<std::int32_t> corner;  ///< four per triangle: three vertex indices and the triangle's reach
+  /// Four values per triangle: three vertex indices, and the number of layers in which the triangle is drawn.
+  cl::Buffer<std::int32_t> corner;
   cl::Buffer<float> screen, box;
   cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns
-  const cl::Buffer<float>* tip = nullptr;  ///< B of docs/frame.md, section 3, in three columns
+  const cl::Buffer<float>* tip = nullptr;  ///< tip offset B (docs/frame.md, section 3), columns x, y, z
   cl::Buffer<float> dry;
   cl::Buffer<std::int32_t> list_start, list;
   cl::Buffer<float> record, tangent, curl;

@@ -15,16 +15,17 @@
 namespace pelage::shells {
 namespace {
 
-// Returns the default number of layers per batch. A tile selects its visible triangles once per batch.
-// Smaller batches repeat this selection more often. Larger batches set up more triangles that are not
-// visible.
+// Returns the default number of layers per layer batch. The kernels select the visible triangles of a tile
+// once per layer batch. Smaller batches repeat this selection more often. Larger batches select more
+// triangles that are invisible on some layers of the batch.
 int default_batch(int layers) {
   return std::max(4, (layers + 5) / 6);
 }
 
-// Returns the side of a tile in pixels. It must be a multiple of 4, because tiles consist of pixel blocks of
-// 4 x 4. It must be at most 32, because coverage is exact only up to 32 pixels (edge_from in
-// rasterize/coverage/coverage.clh).
+// Returns the value of `axis`, which is a side of a tile in pixels. The side must be a multiple of 4, because
+// tiles consist of pixel blocks of 4 x 4. The side must be at most 32, because the kernels compute coverage
+// exactly only in tiles of up to 32 pixels per side (edge_from() in kernels/rasterize/coverage/coverage.clh).
+// Throws InputError for other sides.
 int tile_side(const Tuning& tuning, const std::string& axis, int otherwise) {
   const int side = tuned(tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)
@@ -65,7 +66,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       layers_(geometry_, "layer_vertices"),
       records_(geometry_, "vertex_records") {
   const cl::Device& device = queue.device();
-  // A second thread packs the fur while the mapping's programs are built.
+  // A second thread packs the fur texture while this thread builds the mapping's programs.
   auto packed = std::async(std::launch::async, [&] { return packed_fur(input.fur); });
   mapping_ = kind_.make(setup(device, build_options(lanes_, tuning_)));
   params_.layer_batch = std::min(params_.layer_batch, layers_at_once_);
@@ -86,7 +87,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.dry = cl::Buffer<float>(device, vertices);
   b.record = cl::Buffer<float>(device, RECORD * vertices);
   b.tangent = upload(queue, g.tangent);
-  // The kernels read b.curl only with sub-steps.
+  // The kernels read b.curl only if fragments have several sub-steps (fur.substeps > 1).
   b.curl = cl::Buffer<float>(device, params_.substeps > 1 ? RECORD * vertices : 1);
   b.fur = upload(queue, packed.get());
   b.coat = upload(queue, packed_coat(input.coat));
@@ -95,7 +96,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
   const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
   // The kernels run twice, because the first launch includes compilation on some platforms. per_mask_ms_
-  // keeps the second time.
+  // keeps the time of the second run.
   for (int i = 0; i < 2; ++i) prepare_mask(queue, mask_uv);
 }
 
@@ -103,8 +104,9 @@ MappingSetup RasterStage::setup(const cl::Device& device, const std::string& opt
   return {device, geometry_, options};
 }
 
-// Runs the kernels that are needed once per mask. They compute the dryness and the curl frame of each vertex,
-// and write the reach of each triangle to the fourth column of the corners.
+// Runs the kernels that are needed once per wetness mask. They compute the dryness and the curl frame of each
+// vertex. They also compute the number of layers in which each triangle is drawn, and write it as the fourth
+// value of the triangle to buffers_.corner.
 void RasterStage::prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv) {
   const auto begin = std::chrono::steady_clock::now();
   const auto vertices = std::size_t(params_.vertices);

@@ -15,35 +15,40 @@ class RasterStage {
  public:
   RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, const WetStage& wet,
               const ShellOptions& options);
-  /// Computes B of docs/frame.md, section 3, at every vertex: the weighted mean of q of the strands around
-  /// it. `strands` has STATE_COLUMNS columns of length `stride`. Returns three columns.
+  /// Computes the tip offset B of every vertex (docs/frame.md, section 3). B is the weighted mean of the tip
+  /// offsets q of the strands around the vertex. `strands` is the state of the strands in STATE_COLUMNS
+  /// columns of length `stride`. Returns the columns x, y and z of B, in R.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        PhaseEvents* events);
-  /// Draws one frame. `tips` has three columns, like the result of strand_tips(). It must stay valid until
-  /// the next call of frame(), because count() and tally() read it again.
+  /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
+  /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events);
   const RasterParams& params() const { return params_; }
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }  ///< VERTEX_COLUMNS columns
   /// Returns the number of covered fragments of the last frame in all layers. It draws the frame again to
   /// count them.
   std::uint64_t count(const cl::Queue& queue);
-  Tally tally(const cl::Queue& queue, int every);  ///< counts for the last frame; keeps its picture
+  /// Returns the fragment counts of the last frame, as Shells::tally() describes. It does not change the
+  /// picture.
+  Tally tally(const cl::Queue& queue, int every);
   Picture read(const cl::Queue& queue) const;
-  /// Wall time, in ms, of the kernels that run once per mask, measured after a warm-up run: dryness of the
-  /// vertices, curl frames, and the layers that each triangle reaches.
+  /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
+  /// run. They compute the dryness and the curl frame of each vertex, and the number of layers in which each
+  /// triangle is drawn.
   double per_mask_ms() const { return per_mask_ms_; }
   std::vector<const cl::Program*> programs() const;
 
  private:
   void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
-  // Draws all passes with the mapping, which counts into temporary buffers. Returns the counts.
+  // Draws all passes with `mapping`, which must count fragments. Picture and counters are temporary buffers.
+  // Returns the values of the counters.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
-  // If the screen positions of all layers do not fit in memory, the layers are drawn in several passes. Pass
-  // 0 has the innermost layers and is drawn last.
+  // Returns the number of passes. There are several if the screen positions of all layers do not fit in
+  // memory. Pass 0 has the innermost layers and is drawn last.
   int passes() const;
   void set_pass(int number);
-  // Transforms and bins the layers of pass `number`. The caller then calls draw().
+  // Transforms and bins the layers of pass `number`. The caller then calls mapping.draw().
   void begin_pass(const cl::Queue& queue, int number, Mapping& mapping, PhaseEvents* events);
 
   const MappingKind& kind_;
@@ -59,8 +64,9 @@ class RasterStage {
   double per_mask_ms_ = 0;
 };
 
-/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. A number
-/// above the layer batch is rounded down to whole batches, unless one pass can draw all layers.
+/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. If this
+/// number is less than the number of all layers but more than params.layer_batch, it is rounded down to a
+/// multiple of params.layer_batch.
 int layers_at_once(const RasterParams& params, int wanted, const cl::Device& device);
 
 }  // namespace pelage::shells

@@ -1,4 +1,5 @@
-// The simulation stage of a mass-spring topology. It replaces SimulateStage.
+// The simulation stage of a mass-spring topology. It is used instead of SimulateStage, which simulates
+// Silva's strands.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -18,11 +19,11 @@ namespace pelage::shells {
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
-  /// Advances the masses by one frame. It takes dynamics.substeps steps, or adaptive steps if the scene has a
-  /// tolerance.
+  /// Advances the masses by one frame. It takes dynamics.substeps steps, or steps of adaptive length if
+  /// dynamics.tolerance is above 0.
   void frame(const cl::Queue& queue, PhaseEvents* events);
-  /// Computes B of docs/frame.md, section 3, at every drawn vertex. `vertex` has VERTEX_COLUMNS columns.
-  /// Returns three columns of the same length.
+  /// Computes the tip offset B of every drawn vertex (docs/frame.md, section 3). `vertex` is the vertex table
+  /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, in R, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
                                 const cl::Buffer<float>& vertex, PhaseEvents* events);
   /// Throws springs::Diverged if any mass has diverged so far. Waits for the queue.
@@ -40,7 +41,7 @@ class SpringStage {
   cl::Buffer<std::int32_t> stick_;
   cl::Buffer<float> tip_;
   int substeps_, lanes_;
-  std::optional<springs::AdaptiveSteps> adaptive_;  // set if the scene has a tolerance
+  std::optional<springs::AdaptiveSteps> adaptive_;  // has a value if dynamics.tolerance is above 0
   std::int32_t level_;
 };
 

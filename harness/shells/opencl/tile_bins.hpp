@@ -5,16 +5,19 @@
 
 namespace pelage::shells {
 
-/// A parallel counting sort. One work-item per chunk of triangles counts the chunk's entries for each tile.
-/// Prefix sums give the position of these entries in the tile's list. Then the same work-items write the
+/// Sorts triangles into tiles by a parallel counting sort. In the first kernel, each work-item counts the
+/// entries of each tile for one chunk of triangles. Prefix sums of the counts give the position of the
+/// chunk's entries in the list of the tile. The last kernel, again with one work-item per chunk, writes the
 /// entries.
 class TileBins {
  public:
   /// `geometry` is the program built from rasterize/geometry/geometry.cl.
   explicit TileBins(const cl::Program& geometry);
-  /// Does the work of Mapping::bin(). It waits until the device has computed the total length of the lists.
+  /// Makes the lists that Mapping::bin() describes. It waits until the device has computed the total length
+  /// of the lists.
   void make(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers, PhaseEvents* events);
-  /// The number of the next tile to draw. Work-items increment it atomically; make() sets it to 0.
+  /// Returns the buffer with the number of the next tile to draw. Work-items increment this number
+  /// atomically. make() sets it to 0.
   const cl::Buffer<std::int32_t>& next_tile() const { return next_tile_; }
 
  private:

@@ -23,8 +23,8 @@ class TileMapping : public Mapping {
 
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p, shown_, bins_.next_tile());
-    // Each work-item draws tiles until none is left. Platforms assign several work-items to a thread at once,
-    // so more work-items than threads balance the load.
+    // Each work-item draws tiles until no tile is left. Platforms may assign several work-items to a thread
+    // at once. There are therefore many more work-items than threads, so that the load is balanced.
     const std::size_t items = 32 * std::size_t(queue.device().info().compute_units);
     return draw_.enqueue(queue, std::min(counters(p), items), 1);
   }
@@ -39,7 +39,7 @@ class TileMapping : public Mapping {
   cl::Program raster_;
   cl::Kernel draw_;
   std::size_t lanes_;
-  cl::Buffer<std::int32_t> shown_;  // visible triangles of a tile's current layer batch, in four columns
+  cl::Buffer<std::int32_t> shown_;  // per tile: visible triangles of its current layer batch, four columns
 };
 
 }  // namespace

@@ -9,8 +9,8 @@
 namespace pelage::shells {
 namespace {
 
-// Lists of droplets, one per bucket. A bucket is a square of texels. Its list holds the droplets whose discs
-// may touch it, in their original order.
+// Lists of droplets, one per bucket. A bucket is a square block of the mask's texels. The list of a bucket
+// holds the droplets whose discs may touch the bucket, in the order of blending.
 struct Buckets {
   std::vector<std::int32_t> row, drop;
 };
@@ -67,7 +67,7 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
   drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
   if (input.droplets.empty()) return;
   // The kernel runs twice, because the first launch includes compilation on some platforms. mask_ms_ keeps
-  // the second time.
+  // the time of the second run.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     const cl::Event event = run(queue);

@@ -8,15 +8,15 @@
 
 namespace pelage::shells {
 
-/// Computes the wetness mask by Algorithm 1. Without droplets the mask is zero everywhere, and no kernel is
-/// built.
+/// Computes the wetness mask by Algorithm 1 of S and W. If the scene has no droplets, the mask is zero
+/// everywhere, and no kernel is built.
 class WetStage {
  public:
   WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning = {});
-  cl::Event run(const cl::Queue& queue);                   ///< computes the mask; the constructor calls it
+  cl::Event run(const cl::Queue& queue);                   ///< computes the mask; the constructor calls run()
   const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
-  double mask_ms() const { return mask_ms_; }  ///< wall time in ms after a warm-up; 0 without droplets
+  double mask_ms() const { return mask_ms_; }  ///< wall time of the mask's kernel in ms; 0 without droplets
 
  private:
   int size_, bucket_;  // sides of the mask and of a bucket, in texels

@@ -8,32 +8,34 @@
 
 namespace pelage::shells {
 
-/// Floating-point operations per item. An fma counts as two operations. A division, a square root or a power
-/// of two counts as one. Comparisons, selections and conversions are not counted.
-/// tests/shells/opencl/work_test.cpp checks these numbers against the kernels' source. Coverage and texture
-/// addresses use integers and are not counted. The blending of two rows of texels also uses integers, but
-/// counts as the two products and one sum that floats would need.
+/// Numbers of floating-point operations for one vertex, fragment and so on. An fma counts as two operations.
+/// A division, a square root or a rounding to an integer counts as one. Comparisons, selections and
+/// conversions are not counted. tests/shells/opencl/work_test.cpp checks these numbers against the kernels'
+/// source. Coverage and texture addresses are computed in integers and not counted. The blending of two rows
+/// of texels is also computed in integers. It counts as three operations, because floats would need two
+/// products and a sum.
 namespace operations {
 inline constexpr double strand_substep = 89;  ///< S Eq. 2 and 3
-inline constexpr double tip_entry = 6;        ///< one entry of a vertex's strand weights
-inline constexpr double vertex_layer = 53;    ///< S Eq. 1 and 4 and the projection, per vertex and layer
+inline constexpr double tip_entry = 6;        ///< one strand's term of a vertex's weighted mean
+inline constexpr double vertex_layer = 53;    ///< position by S Eq. 1 and 4, and projection, of one vertex
 inline constexpr double point = 17;           ///< depth and barycentrics at a pixel
 inline constexpr double record = 48;          ///< interpolation of eight attributes
 inline constexpr double eye = 22;             ///< view direction of a pixel
 inline constexpr double square = 5;           ///< squared length of the normal
-inline constexpr double dry_fragment = 107;   ///< level of detail, and fur in two mip levels
-inline constexpr double clump = 24;           ///< Algorithm 2, in addition for a wet fragment
-inline constexpr double substeps = 98;        ///< shift along the ray, in addition with sub-steps
+inline constexpr double dry_fragment = 107;   ///< mip level, and lookup of the fur in two mip levels
+inline constexpr double clump = 24;           ///< S Algorithm 2, only for a wet fragment
+inline constexpr double substeps = 98;        ///< shift along the view ray, only with sub-steps
 inline constexpr double substep = 70;         ///< each sub-step after the first
-inline constexpr double colour = 113;         ///< coat, tangent, shadow, two highlights of exponent 24
+inline constexpr double colour = 113;         ///< coat, tangent, shadow, two highlights with exponent 24
 inline constexpr double light = 35;           ///< remaining terms of S Eq. 6, per light
 inline constexpr double wet_colour = 122;     ///< W Eq. 2 to 5; replaces `colour` in the wet model
 inline constexpr double wet_light = 40;
 inline constexpr double blend = 8;
 }  // namespace operations
 
-/// Returns the number of operations by kernel name. `wet_share` is the wet share of the surface, 0 to 1; it
-/// is also used as the wet share of the fragments.
+/// Returns the number of floating-point operations of each kernel in one frame, by kernel name. `tally` has
+/// the frame's fragment counts. `wet_share` is the wet fraction of the surface, 0 to 1. The function assumes
+/// that the same fraction of the fragments is wet.
 std::map<std::string, double> frame_operations(const RasterParams& raster, const SimulateParams& simulate,
                                                const Geometry& geometry, const Tally& tally,
                                                double wet_share);

@@ -13,7 +13,7 @@
 namespace pelage::shells {
 namespace {
 
-// Pixels per side of a tile. With 8, the coverage of a tile by a triangle fits in one 64-bit word.
+// Pixels per side of a tile. One 64-bit word holds which of the 8 x 8 pixels a triangle covers.
 constexpr int tile_side = 8;
 constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
 
@@ -44,7 +44,8 @@ class WorkgroupMapping : public Mapping {
     count_.with(p, b.corner, b.box, offset_);
     keep(count_.enqueue(queue, items));
     const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
-    // Above this limit, the end index of the sort's last run of keys would overflow an int.
+    // The sort kernels round the number of entries up to whole runs of keys. Above this limit, the end index
+    // of the last run would overflow an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
       throw DeviceError(
           "the triangle lists of the tiles would have 2^31 entries or more: use a smaller picture or more "
@@ -93,7 +94,7 @@ const MappingKind workgroup_mapping{
     .lanes = [](const cl::DeviceInfo&) { return 1; },
     .tuning =
         [](Tuning tuning) {
-          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support no other side
+          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support only this side
           return tuning;
         },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
