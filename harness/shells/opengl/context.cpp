@@ -20,10 +20,10 @@ bool lists(const char* extensions, std::string_view name) {
   return padded.find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
-/// Returns the client extensions of EGL. libepoxy ends the program if libEGL or a function is missing, so
-/// this function checks for them first.
+/// Returns the client extensions of EGL. Throws InputError if libEGL or an EGL driver is missing, because
+/// libepoxy would end the program in these cases.
 const char* client_extensions() {
-  // The library is never closed, because libepoxy continues to use it.
+  // libEGL is never closed, because libepoxy continues to use it.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr)
     throw InputError(fmt::format("no OpenGL: libEGL.so.1 is missing; {}", what_to_do));
   const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -32,7 +32,8 @@ const char* client_extensions() {
   return extensions;
 }
 
-/// Returns the displays to try in this order: hardware devices, then Mesa's surfaceless platform.
+/// Returns the EGL displays that can be used, the preferred ones first: hardware devices, then Mesa's
+/// surfaceless platform.
 std::vector<EGLDisplay> displays(const char* client) {
   std::vector<EGLDisplay> found;
   if (lists(client, "EGL_EXT_device_enumeration") && lists(client, "EGL_EXT_device_query") &&
@@ -98,7 +99,7 @@ Context::Context() {
       fmt::format("no OpenGL: no EGL display provides OpenGL 4.5 without a window; {}", what_to_do));
 }
 
-// The destructor does not terminate the display, because EGL returns the same display to all contexts.
+// The destructor does not terminate the EGL display, because other contexts may use the same display.
 Context::~Context() {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);

@@ -7,9 +7,10 @@
 
 namespace pelage::rivals {
 
-/// An OpenGL 4.5 core context without a surface. It uses the first EGL device that is hardware, else Mesa's
-/// surfaceless platform, which is llvmpipe on a machine without a GPU. The constructor makes the context
-/// current. It throws InputError if there is no such context.
+/// An OpenGL 4.5 core context without a surface. It uses the first hardware device that EGL lists. If there
+/// is none, it uses Mesa's surfaceless platform, which draws with llvmpipe on a machine without a GPU. The
+/// constructor makes the context current. The constructor throws InputError if no such context can be
+/// created.
 class Context {
  public:
   Context();
@@ -17,7 +18,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
   void make_current() const;
-  std::string renderer() const;  ///< the driver's name and version; the context must be current
+  std::string renderer() const;  ///< name and OpenGL version of the driver; the context must be current
 
  private:
   EGLDisplay display_ = EGL_NO_DISPLAY;

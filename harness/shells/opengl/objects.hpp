@@ -1,4 +1,4 @@
-// RAII owners of OpenGL objects. The object's context must be current when its destructor runs.
+// RAII owners of OpenGL objects. The OpenGL context must be current when the destructor of an owner runs.
 #pragma once
 #include <epoxy/gl.h>
 

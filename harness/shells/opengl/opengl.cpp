@@ -58,7 +58,7 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
 struct OpenGl::State {
   std::shared_ptr<const FrameInput> input;
   OpenGlOptions options;
-  Context context;  // declared before the OpenGL objects that need it
+  Context context;  // declared before the OpenGL objects, so that it is destroyed after them
   Vertices vertices;
   std::vector<glm::vec3> bent;
   std::vector<glm::vec4> layers;
@@ -128,7 +128,8 @@ struct OpenGl::State {
     attribute(7, 3, offsetof(Vertex, dx_dv), 0);
   }
 
-  /// Sets the OpenGL state that is the same for all frames. The context belongs to this scene alone.
+  /// Sets the OpenGL state that is the same for all frames. It stays set, because no other scene uses this
+  /// context.
   void fix_state() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glBindVertexArray(arrays.id());
@@ -141,7 +142,7 @@ struct OpenGl::State {
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the shader multiplies colours by their coverage
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);  // the shader's colours are premultiplied by coverage
     glClearDepth(0.0);
     const glm::vec3 background = input->scene.image.background;
     glClearColor(background.x, background.y, background.z, 0.0f);

@@ -1,6 +1,6 @@
-// The OpenGL baseline: the pipeline of the papers, with N passes over the mesh and a vertex and a fragment
-// shader (S, section 4). It runs on a GPU, or on Mesa's llvmpipe, which is OpenGL on the CPU. docs/rival.md
-// describes it.
+// The OpenGL baseline. It is the pipeline of S, section 4, which draws the mesh once per layer with a vertex
+// shader and a fragment shader. It runs on a GPU, or on the CPU with Mesa's llvmpipe. docs/rival.md describes
+// the baseline.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -13,59 +13,65 @@
 
 namespace pelage {
 
-/// Implementation choices of the baseline. The defaults are the fastest on llvmpipe whose picture agrees with
-/// the reference.
+/// Implementation choices of the baseline. Among the choices whose pictures agree with the reference
+/// renderer, the defaults are the fastest on llvmpipe.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
-  /// Triangles share vertices ("indexed"), or each has three vertices of its own ("corners").
+  /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
   std::string vertices = "indexed";
   /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). The driver
   /// rounds for coverage only and interpolates attributes from unrounded positions.
   std::string snap = "shader";
-  /// Fur texture: a 2D array ("array"), a 3D texture, whose mip levels merge layers ("volume"), or a 2D
-  /// texture per layer, bound before the layer's draw call ("slices").
+  /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
+  /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").
   std::string fur = "array";
-  /// Texel format of fur and coat: "half", "float" or "byte". llvmpipe filters bytes with 8-bit precision.
+  /// Texel format of the fur and coat textures: "half", "float" or "byte". llvmpipe filters byte texels with
+  /// 8-bit precision.
   std::string texels = "half";
-  /// The driver mixes mip levels ("trilinear"), or the shader mixes two lookups ("two").
+  /// The driver interpolates between mip levels ("trilinear"), or the shader samples two mip levels and
+  /// interpolates ("two").
   std::string levels = "trilinear";
-  /// Framebuffer format: "rgba32f", "rgba16f", or "rgba8", which rounds after every layer as in 2010.
+  /// Framebuffer format: "rgba32f", "rgba16f" or "rgba8". With "rgba8" the picture is rounded to 8 bits after
+  /// every layer, as on GPUs of 2010.
   std::string target = "rgba32f";
-  /// Powers by repeated squaring if the exponent is a whole number ("whole"), or always by pow() ("pow").
+  /// The shader computes the highlight's power by repeated squaring if the exponent is a whole number
+  /// ("whole"), or always by pow() ("pow").
   std::string power = "whole";
   /// The scene's numbers are literals in the shader source ("baked"), or uniforms ("uniform").
   std::string constants = "baked";
   bool operator==(const OpenGlOptions&) const = default;
 };
 
-/// Parses "key=value,key=value" with the keys and values above. Keys that are absent keep their defaults.
-/// Throws InputError for an unknown key or value.
+/// Parses "key=value,key=value". The keys are the members of OpenGlOptions. Keys that are absent keep their
+/// defaults. Throws InputError for an unknown key or value.
 OpenGlOptions opengl_options(const std::string& text);
 /// Returns all options in the form that opengl_options() reads.
 std::string to_text(const OpenGlOptions& options);
 
-/// A scene in OpenGL. The constructor uploads the scene and builds the shaders. bend() sets the strands'
-/// tips. frame() draws a picture, which stays in OpenGL until read(). Throws InputError if EGL, OpenGL 4.5 or
-/// OpenGL in this build is missing, or if the scene is not supported. Throws DeviceError for errors of
-/// OpenGL.
+/// A scene that OpenGL draws. The constructor uploads the scene and builds the shaders. bend() sets the tips
+/// of the strands. frame() draws a picture into a framebuffer object. read() copies the picture to the host.
+/// The constructor throws InputError if EGL or OpenGL 4.5 is missing, if pelage was built without OpenGL, or
+/// if the baseline does not support the scene. The functions throw DeviceError if OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the result of Algorithm 1: wetness.size^2 texels (c_u, c_v, r, rho).
+  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels (c_u, c_v, r, rho).
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
   ~OpenGl();
   OpenGl(OpenGl&&) noexcept;
   OpenGl& operator=(OpenGl&&) noexcept;
 
-  /// Bends the vertices: it computes the weighted mean of the strands' tips at each vertex, on the host.
-  /// `tips` has one entry per strand: tip minus root, in R.
+  /// Bends the fur. For each vertex, the host computes the weighted mean of the tips of the strands around
+  /// the vertex. `tips` has one entry per strand: tip minus root, in R.
   void bend(const std::vector<glm::vec3>& tips);
   /// Draws one frame: it uploads the bent vertices, draws the base and all layers, and calls glFinish.
   /// Returns the wall time in ms.
   double frame();
-  Picture read() const;     ///< reads the picture of the last frame back
-  double build_ms() const;  ///< time to compile and link the shaders, without the driver's work at first use
+  Picture read() const;  ///< copies the picture of the last frame to the host
+  /// Returns the time to compile and link the shaders, in ms. It does not include work that the driver
+  /// postpones until the first draw call.
+  double build_ms() const;
 
  private:
   struct State;
@@ -76,8 +82,8 @@ class OpenGl {
 /// 22.3.6". Throws InputError if there is no OpenGL.
 std::string opengl_renderer();
 
-/// Returns a hash of the names and the contents of the shaders, 16 hexadecimal digits. Throws InputError if
-/// there are no shaders.
+/// Returns a hash of the names and the contents of the shader files, 16 hexadecimal digits. Throws InputError
+/// if there is no folder of shaders.
 std::string shader_hash();
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// GLSL programs, and the scene's constants, definitions and layer table for them.
+// GLSL programs, and their inputs from the scene: constants, "#define" lines and the layer table.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -23,7 +23,7 @@ std::vector<Constant> scene_constants(const FrameInput& input);
 /// the mask is wet.
 std::string scene_defines(const FrameInput& input, const OpenGlOptions& options, bool wet);
 
-/// Returns three rows per layer: bend, step and look (see shaders/layers.glsl).
+/// Returns three vectors per layer: bend, step and look. shaders/layers.glsl describes them.
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
 /// A linked GLSL program. Move-only.
@@ -39,7 +39,7 @@ class Program {
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   void use() const;
-  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program lacks it
+  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program does not use it
 
  private:
   GLuint id_ = 0;

@@ -16,7 +16,8 @@ std::vector<float> list(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Returns a row of the camera times `factor`. The factor 2 / size converts pixels to the range -1..1.
+/// Returns a row of the camera matrix times `factor`. The factor 2 / size converts screen positions from
+/// pixels to the range -1..1.
 std::vector<float> scaled(const glm::vec4& row, double factor) {
   std::vector<float> out;
   out.reserve(4);
@@ -24,7 +25,7 @@ std::vector<float> scaled(const glm::vec4& row, double factor) {
   return out;
 }
 
-/// Returns the weights (x, y) of B(t) = x a + y b at height h (S, section 3.2.1).
+/// Returns the weights x and y of the strand's curve B(t) = x a + y b at height h (S, section 3.2.1).
 glm::dvec2 bezier_at(double h, const std::string& spacing) {
   const double t = spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;
   return {2.0 * t * (1.0 - t), t * t};
@@ -45,7 +46,7 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"CAMERA_Y", scaled(camera.row_y, 2.0 / height)},
       {"CAMERA_W", scaled(camera.row_w, 1.0)},
       {"NEAR", {camera.near}},
-      {"GRID", {float(128.0 * width), float(128.0 * height)}},  // half the picture's size in 1/256 pixel
+      {"GRID", {float(128.0 * width), float(128.0 * height)}},  // half of the picture's size, in 1/256 pixel
       {"RAY", list(glm::vec3(ray))},
       {"RAY_DX", list(camera.ray_dx)},
       {"RAY_DY", list(camera.ray_dy)},

@@ -24,8 +24,8 @@ GLenum format_of(const std::string& texels, bool four) {
   return four ? GL_RGBA8 : GL_RG8;
 }
 
-/// Averages `layers` slices of side x side texels to `depth` slices. A 3D texture needs this, because its mip
-/// levels also have fewer slices.
+/// Averages neighbouring slices, so that `layers` slices of side x side texels become `depth` slices. A 3D
+/// texture needs this, because each of its mip levels has fewer slices than the level before.
 Texels merged(const Texels& texels, int side, int layers, int depth) {
   const std::size_t area = std::size_t(side) * std::size_t(side);
   Texels result(std::size_t(depth) * area);

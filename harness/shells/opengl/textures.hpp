@@ -1,4 +1,5 @@
-// The frame's textures in OpenGL. The driver filters the texels that docs/frame.md, section 6, defines.
+// Makes OpenGL textures from the textures of a frame. OpenGL does the filtering that docs/frame.md, section
+// 6, defines.
 #pragma once
 #include <vector>
 
@@ -8,10 +9,11 @@
 
 namespace pelage::rivals {
 
-/// Returns the fur with its own mip levels: one texture, or one texture per layer with fur=slices.
+/// Returns the fur texture with the mip levels of `fur`. With options.fur = "slices", returns one texture per
+/// layer.
 std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
 Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
-/// Returns the mask as a texture of floats (c_u, c_v, r, rho) with NEAREST filtering.
+/// Returns the wetness mask as a texture of floats (c_u, c_v, r, rho) with NEAREST filtering.
 Object mask_texture(const std::vector<glm::vec4>& mask, int size);
 
 }  // namespace pelage::rivals

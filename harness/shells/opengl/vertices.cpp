@@ -7,7 +7,7 @@
 namespace pelage::rivals {
 namespace {
 
-/// Returns rho of the texel that contains uv. The mask repeats.
+/// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1.
 float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv) {
   const auto texel = [size](float u) {
     return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));

@@ -15,21 +15,21 @@ struct Vertex {
   glm::vec3 position;  ///< R
   glm::vec2 uv;
   glm::vec3 a;               ///< A, R
-  glm::vec3 curl_u, curl_v;  ///< (1 - rho) K_alpha u and v, R
+  glm::vec3 curl_u, curl_v;  ///< axes u and v of the curl, each times (1 - rho) K_alpha, in R
   glm::vec3 dx_du, dx_dv;    ///< R per UV unit
 };
 
 class Vertices {
  public:
-  /// Makes one vertex per vertex copy of the mesh, or three per triangle if `corners` is true or fur.binding
-  /// is "separate".
+  /// Makes one vertex per vertex of the mesh. If `corners` is true or fur.binding is "separate", makes three
+  /// vertices per triangle instead.
   Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
 
   const std::vector<Vertex>& fixed() const { return fixed_; }
-  /// 3 F vertex indices; the triangles are in the order of the mesh.
+  /// Returns three vertex indices per triangle. The triangles are in the order of the mesh.
   const std::vector<std::uint32_t>& index() const { return index_; }
-  /// Returns B of every vertex, in R: the weighted mean of the strands of its triangles. `tips` has one entry
-  /// per strand: tip minus root, in R.
+  /// Returns the tip offset B of every vertex, in R. B is the weighted mean of the tips of the strands around
+  /// the vertex. `tips` has one entry per strand: tip minus root, in R.
   std::vector<glm::vec3> bent(const std::vector<glm::vec3>& tips) const;
 
  private:
@@ -38,7 +38,7 @@ class Vertices {
 
   const FrameInput* input_;
   bool separate_;
-  std::vector<std::uint32_t> copy_;  ///< index of each vertex's copy in the mesh
+  std::vector<std::uint32_t> copy_;  ///< for each vertex, the index of its vertex in the mesh
   std::vector<Vertex> fixed_;
   std::vector<std::uint32_t> index_;
 };

@@ -12,8 +12,8 @@
 
 namespace pelage::reference {
 
-/// A point in homogeneous screen coordinates. x / w and y / w are pixels from the image centre, y down. w is
-/// the view depth in R.
+/// A point in homogeneous screen coordinates. (x / w, y / w) is the position relative to the image centre, in
+/// pixels, with y pointing down. w is the view depth in R.
 struct ClipPoint {
   double x, y, w;
 };
@@ -28,8 +28,8 @@ struct ClippedVertex {
 /// Triangles are clipped at this distance from the image centre in x and y, in pixels.
 constexpr double guard = 16384.0;
 
-/// Returns the part of the triangle with w >= near, |x / w| <= guard and |y / w| <= guard. It is a convex
-/// polygon of 0 or 3 to 8 vertices.
+/// Returns the part of the triangle with w >= near, |x / w| <= guard and |y / w| <= guard. The result is a
+/// convex polygon of 3 to 8 vertices, or has no vertices if nothing is left.
 std::vector<ClippedVertex> clip(const std::array<ClipPoint, 3>& triangle, double near);
 
 /// A screen position relative to the image centre, in units of 1/256 pixel.
@@ -40,7 +40,7 @@ struct Snapped {
 Snapped snap(const ClipPoint& point);
 
 /// The integer edge functions of a triangle at the centre of a pixel. value[k] belongs to the edge opposite
-/// to corner k. The values sum to twice the area, and the sum is positive for both windings.
+/// to corner k. The sum of the values is twice the triangle's area, and positive for both windings.
 struct Edges {
   std::array<std::int64_t, 3> value;
   bool covered;  ///< true if the centre is inside, or on a top or left edge
@@ -51,9 +51,10 @@ class Raster {
  public:
   Raster(const std::array<Snapped, 3>& corners, int width, int height);
   bool empty() const { return area_ == 0; }
-  bool faces_eye() const { return area_ < 0; }  ///< corners are counter-clockwise in the picture
+  bool faces_eye() const { return area_ < 0; }  ///< true if the corners are counter-clockwise in the picture
   Edges edges(int i, int j) const;              ///< edge functions at the centre of pixel (i, j)
-  /// Returns the pixels of `window` in the triangle's bounding box. The width or the height may be 0.
+  /// Returns the intersection of `window` and the triangle's bounding box, in pixels. Its width or height may
+  /// be 0.
   Window box(const Window& window) const;
 
  private:

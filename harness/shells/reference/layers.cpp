@@ -10,8 +10,8 @@
 namespace pelage::reference {
 namespace {
 
-/// Returns the displacement of layer n by the bend without the curl, in R. It is 0 for the base surface (n =
-/// -1).
+/// Returns the displacement of layer n by the bend, without the curl, in R. It is 0 for the base surface, n =
+/// -1.
 glm::dvec3 bent(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
   const FurScene& fur = input.scene.fur;
   const double h = n < 0 ? 0.0 : layer_height(n, fur.layers, mutant);
@@ -70,7 +70,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
       point_wanted[mesh.weld[mesh.triangle[f][int(c)]]] = 1;
     }
   }
-  if (!separate_ && !on_sticks)  // a surface point is bent by the strands of all its triangles
+  if (!separate_ && !on_sticks)  // the strands of all triangles around a surface point bend it
     for (std::size_t p = 0; p < point_wanted.size(); ++p)
       if (point_wanted[p])
         for (std::uint32_t i = strands.row[p]; i < strands.row[p + 1]; ++i)

@@ -9,8 +9,8 @@
 namespace pelage::reference {
 namespace {
 
-/// Returns the index of the texel that contains u along one axis of the repeating mask. It returns 0 for NaN,
-/// which only mutants cause.
+/// Returns the index of the texel that contains u along one axis of the repeating mask. It returns 0 if u is
+/// NaN, which happens only with some mistakes of Mutant.
 int repeated(double u, int size) {
   const double inside = u - std::floor(u);
   return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;
@@ -21,11 +21,12 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
-/// Applies Algorithm 1 to every texel whose centre is within the droplet's radius in UV and within its reach
-/// on the surface.
+/// Applies one droplet to the mask by Algorithm 1 of S and W. It changes the texels whose centres are at most
+/// droplet.radius from the droplet's centre in UV and at most droplet.reach from it on the surface.
 void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
   const int size = mask.size;
-  // The range of rows and columns that the disc can touch, with a margin of one texel on either side.
+  // `first` and `last` give the range of rows or columns that the disc can touch, plus one texel on either
+  // side.
   const auto first = [&](float c) {
     return std::clamp(int(std::floor(double(c - droplet.radius) * double(size))) - 1, 0, size);
   };
@@ -84,7 +85,7 @@ Mask wetness_mask(const FrameInput& input, Mutant mutant) {
 
 double clump_shape(double h, double w, int layers, Mutant mutant) {
   const double k = (mutant == Mutant::log_negated ? -1.0 : 1.0) * std::log(double(layers));
-  // h is at least 1/N, except with Mutant::height_without_one.
+  // The maximum avoids ln 0, because h is 0 on the first layer with Mutant::height_without_one.
   return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
 }
 

@@ -1,4 +1,5 @@
-// The wetness mask (S and W, Algorithm 1), and the clumping of fragments by it (S Eq. 5, Algorithm 2).
+// Computes the wetness mask (Algorithm 1 of S and W), and the clumping of fragments that are wet in the mask
+// (S Eq. 5 and S Algorithm 2).
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -9,7 +10,8 @@
 
 namespace pelage::reference {
 
-/// A texel of the mask: the centre and the radius of a clump in UV units, and its wetness, 0 where dry.
+/// A texel of the mask: the centre and the radius of a clump in UV units, and the wetness of the clump, 0 to
+/// 1. All values of a dry texel are 0.
 struct Clump {
   glm::dvec2 centre{0.0};
   double radius = 0.0;
@@ -17,25 +19,27 @@ struct Clump {
   bool operator==(const Clump&) const = default;
 };
 
-/// Returns the texel after Algorithm 1 for one droplet whose disc contains the texel.
+/// Applies Algorithm 1 of S and W for one droplet to a texel in the droplet's disc. Returns the new texel.
 Clump blend(const Clump& texel, const Droplet& droplet);
 
 struct Mask {
   int size = 0;
   std::vector<Clump> texel;  ///< size x size texels; row j is at v = (j + .5) / size
-  /// Returns the texel that contains uv. The mask repeats.
+  /// Returns the texel that contains uv. The mask repeats outside 0..1.
   const Clump& nearest(const glm::dvec2& uv) const;
-  /// Returns the bilinear interpolation at uv. The mask repeats. Only Mutant::mask_bilinear uses this
-  /// function.
+  /// Returns the mask at uv with bilinear interpolation. The mask repeats outside 0..1. Only
+  /// Mutant::mask_bilinear uses this function.
   Clump bilinear(const glm::dvec2& uv) const;
 };
 
 Mask wetness_mask(const FrameInput& input, Mutant mutant = Mutant::none);
 
-/// Returns the factor (1 - w) h + w (1 + ln h / ln N) of S Eq. 5. It is in [0, 1] for h in [1/N, 1].
+/// Returns the factor (1 - w) h + w (1 + ln h / ln N) of S Eq. 5, where N = `layers`. The factor is in [0, 1]
+/// for h in [1/N, 1].
 double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none);
 
-/// The result of Algorithm 2 for a fragment of layer n at `uv`.
+/// The result of S Algorithm 2 for a fragment: whether it is discarded, and the shift of its texture
+/// coordinates.
 struct Displacement {
   bool discarded = false;
   glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, UV

@@ -21,8 +21,8 @@ void for_each_index(std::size_t count, const Work& work) {
   second.join();
 }
 
-/// Does the same, but a thread takes `grain` consecutive indices at a time. This form is for small work
-/// items.
+/// Calls work(i) once for every i below `count`. A thread takes `grain` consecutive indices at a time, which
+/// has less overhead if each call is short.
 template <class Work>
 void for_each_index(std::size_t count, std::size_t grain, const Work& work) {
   for_each_index((count + grain - 1) / grain, [&](std::size_t run) {

@@ -22,19 +22,19 @@
 namespace pelage::reference {
 namespace {
 
-/// A part of the picture while it is drawn.
+/// A rectangle of the picture, and the values of its pixels while it is drawn.
 struct Tile {
   Window window;
-  std::vector<std::uint32_t> faces;  ///< faces that may be visible here, in the mesh's order
-  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 where there is no base
-  std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha
+  std::vector<std::uint32_t> faces;  ///< faces that may be visible in the window, in the mesh's order
+  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 where the base covers nothing
+  std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha of each pixel
   std::size_t at(int x, int y) const {
     return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
   }
 };
 
-/// A pixel that a triangle covers: its coordinates, its 1/w, and the perspective-correct weight of each
-/// corner.
+/// A pixel that a triangle covers: the pixel's coordinates, the triangle's 1/w there, and the
+/// perspective-correct weight of each of the triangle's corners.
 struct Sample {
   int x, y;
   double inverse_w;
@@ -46,7 +46,8 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Projects every wanted slot of layer n to the screen. n = -1 is the base surface.
+  /// Projects the vertices (slots of Geometry) of layer n to the screen, except those that are not needed. n
+  /// = -1 is the base surface.
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {
@@ -107,7 +108,8 @@ class Painter {
       }
   }
 
-  /// Interpolates an attribute over the triangle. of_slot(slot) is its value at a corner.
+  /// Interpolates an attribute over the triangle. of_slot(s) returns the attribute's value at the corner with
+  /// the slot s.
   template <class Value>
   auto interpolated(std::uint32_t face, const Sample& sample, const Value& of_slot) const {
     return sample.share[0] * of_slot(geometry_.slot(face, 0)) +
@@ -143,9 +145,10 @@ class Painter {
     });
   }
 
-  /// Returns the fur of a fragment at `where`. Without sub-steps it samples the layer once. With k =
-  /// scene.fur.substeps > 1 it takes k samples between the layer and the layer below. Over this distance the
-  /// texture coordinates move by shift() (UV) for the ray and the strand, and by -delta_d for the clump.
+  /// Samples the fur texture for a fragment with the texture coordinates `where`. If k = scene.fur.substeps
+  /// is 1, it takes one sample. If k is above 1, it takes k samples between the fragment's layer and the
+  /// layer below. Over this distance the texture coordinates change by shift() because of the ray and the
+  /// strand, and by -clump.delta_d because of the clump. Both are in UV.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
@@ -253,7 +256,7 @@ void check(const FrameInput& input, const Options& options) {
   check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
         "a topology needs one stick per surface point, or one per triangle corner if it is separable");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
-        "a topology needs its sticks if the number of frames is above 0");
+        "a mass-spring topology needs Options::sticks if the number of frames is above 0");
   check(input.strands.row.size() == points + 1, "the strand weights need one row per surface point");
   check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
         "the curl frame needs one entry per surface point");

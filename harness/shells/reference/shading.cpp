@@ -46,7 +46,7 @@ double curling_shadow(const ShadingScene& shading, double h) {
   return (double(shading.shadow) - 1.0 + h) / double(shading.shadow);
 }
 
-/// Returns gamma_occ gamma_wet of W Eq. 5.
+/// Returns the product of the factors gamma_occ and gamma_wet of W Eq. 5.
 double wet_shadow(const ShadingScene& shading, double h, double rho) {
   return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
 }

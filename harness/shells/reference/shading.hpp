@@ -17,12 +17,12 @@ struct Fragment {
   double wetness = 0;  ///< rho
 };
 
-/// Whether the back of the surface is seen and receives light: with `shading.sides` "two", if the normal
-/// faces away from the eye. `view` points from the eye to the surface.
+/// Returns whether the eye sees the back of the surface and light reaches the back. This is the case if
+/// shading.sides is "two" and `normal` faces away from the eye. `view` points from the eye to the surface.
 bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
-/// Returns the normal that light reaches. With `shading.sides` "two" a normal that faces away from the eye is
-/// reversed. `view` points from the eye to the surface.
+/// Returns the normal to use in the lighting formulas. If shading.sides is "two" and `normal` faces away from
+/// the eye, it returns -normal, else `normal`. `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
 /// Returns the colour of S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
@@ -35,21 +35,22 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 /// linearly from 1 - sigma_occ at the base surface to 1 at the tips.
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of a fragment of a layer by the scene's model of shading.
+/// Returns the colour of a fragment of a layer by the shading model shading.model.
 glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of the base surface (docs/frame.md, section 7). The curling and the wet model use the
-/// wet model's diffuse term, with their own darkening at h = 0. The model "lambert" uses plain_colour().
+/// Returns the colour of the base surface (docs/frame.md, section 7). The models "curling" and "wet" both use
+/// the diffuse term of W Eq. 2. Each multiplies it by its own shadow factor at fragment.height. The model
+/// "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the unit direction T_ws of the strand in space (W Eq. 4). `bend` is the strand's step over the
-/// layer, in R. t and b are dX/du and dX/dv. delta_d is the clump's step over the layer, in UV.
+/// Returns the unit direction T_ws of the strand in space (W Eq. 4). `bend` is the vector along the strand
+/// from the layer below, in R. t and b are the surface tangents dX/du and dX/dv, in R per unit of UV.
+/// `delta_d` is the change of the clump's displacement from the layer below, in UV.
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                        const glm::dvec3& b, const glm::dvec2& delta_d);
 
-/// Returns the unit direction of the strand at a fragment of a layer, which the scene's model of shading
-/// uses: wet_tangent() for the wet model, the direction of `bend` for the others. Arguments as for
-/// wet_tangent().
+/// Returns the unit direction of the strand at a fragment of a layer. It is wet_tangent() for the model "wet",
+/// and the direction of `bend` for the other models. The arguments are those of wet_tangent().
 glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                             const glm::dvec3& b, const glm::dvec2& delta_d);
 

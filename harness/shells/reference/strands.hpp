@@ -14,12 +14,12 @@ struct Strand {
   glm::dvec3 velocity{0.0};  ///< R/s
 };
 
-/// Applies S Eq. 3. It moves the tip into the half ball of radius `length` above the surface with the unit
-/// normal `normal`, and removes the part of the velocity that points out of it. The half space is applied
-/// first, then the ball. The projection to the ball keeps the tip in the half space.
+/// Applies S Eq. 3. It moves the tip into the half ball of radius `length` on the side of the unit vector
+/// `normal`, and removes the component of the velocity that points out of the half ball. It projects the tip
+/// first to the half space and then to the ball. The second projection keeps the tip in the half space.
 Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 
-/// Returns the strand of `face` at rest: the tip at its anchor, with velocity 0.
+/// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
 /// Computes substep number `index` since rest: S Eq. 2 by semi-implicit Euler, then S Eq. 3.
@@ -28,7 +28,7 @@ Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::si
 /// Simulates one strand for `frames` frames of scene.dynamics.substeps substeps, from rest.
 Strand simulate(const FrameInput& input, std::size_t face, int frames);
 
-/// Simulates all strands, F.
+/// Simulates all strands. Returns one entry per triangle.
 std::vector<Strand> simulate(const FrameInput& input, int frames);
 
 }  // namespace pelage::reference

@@ -1,4 +1,5 @@
-// Fragments that sample the slab below their layer several times (docs/frame.md, section 6, "Sub-steps").
+// Functions for fragments that take several samples in the slab between their layer and the layer below
+// (docs/frame.md, section 6, "Sub-steps").
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -8,19 +9,21 @@
 
 namespace pelage::reference {
 
-/// Returns the offset, in R, from the root of the fragment's strand to the root of the strand that the ray
-/// meets at the bottom of the slab. It is D - (D.nu)/e E, where e is E.nu moved to at least .25 away from 0.
-/// `step` is D, the strand's step over the slab, in R. `normal` is nu and `eye` is E, both unit. If |E.nu| >=
-/// .25, the offset is in the tangent plane.
+/// The view ray meets one strand at the top of the slab and another strand at the bottom. Returns the offset
+/// from the root of the first strand to the root of the second, in R: D - (D.nu)/e E. `step` is D, the vector
+/// along a strand from the bottom to the top, in R. `normal` is the unit normal nu, and `eye` is the unit
+/// direction E of the ray. e is E.nu, but limited to values <= -.25 if E.nu < 0, and to values >= .25
+/// otherwise. If |E.nu| >= .25, the offset is in the tangent plane.
 glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const glm::dvec3& eye);
 
-/// Returns the coordinates (u, v) of `delta` in the basis t = dX/du, b = dX/dv, by least squares if delta is
-/// not in their plane. delta is in R, and t and b are in R per UV unit. Returns 0 if t or b is 0, or if they
-/// are nearly parallel.
+/// Returns the coordinates (u, v) of `delta` in the basis of the surface tangents t = dX/du and b = dX/dv. If
+/// `delta` is not in the plane of t and b, the result is the least-squares solution. `delta` is in R, and t
+/// and b are in R per UV unit. Returns 0 if t or b is 0, or if t and b are nearly parallel.
 glm::dvec2 uv_shares(const glm::dvec3& delta, const glm::dvec3& t, const glm::dvec3& b);
 
-/// Combines k >= 1 samples of a slab into one sample for its layer. The coverage is 1 - (prod (1 -
-/// a_i))^(1/k). The shade is the mean weighted by coverage, or 0 if all coverages are 0.
+/// Combines the k >= 1 samples of a fragment, with the coverages a_i, into one sample. Its coverage is 1 -
+/// (product of (1 - a_i))^(1/k). Its shade is the mean of the samples' shades weighted by a_i, or 0 if all
+/// a_i are 0.
 FurSample combined(const std::vector<FurSample>& samples);
 
 }  // namespace pelage::reference

@@ -13,8 +13,9 @@ struct FurSample {
   double shade;     ///< factor on the coat's colour, 0..2
 };
 
-/// Samples slice `layer` at `uv`, in units of the texture's period. Filtering is bilinear within a mip level,
-/// and linear between the two levels around `level`. `level` is clamped to the existing levels.
+/// Samples slice `layer` of the fur at `uv`. The texture has the period 1 in u and v. Filtering is bilinear
+/// within a mip level, and linear between the two mip levels around `level`. `level` is clamped to the
+/// existing mip levels.
 FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level);
 
 /// Returns the coat's colour at uv by bilinear filtering. Channels are 0..1.

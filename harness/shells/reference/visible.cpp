@@ -18,8 +18,9 @@ struct Plane {
   }
 };
 
-/// Returns the half space sign (row.(p,1) - bound w(p)) >= 0. For points in front of the eye and sign = 1, it
-/// holds the points with x / w (or y / w) >= bound, in pixels.
+/// Returns the half space of the points p with sign * (dot(row, (p, 1)) - bound * w(p)) >= 0, where sign is 1
+/// or -1. In front of the eye and with sign = 1, these are the points whose screen coordinate in pixels is at
+/// least `bound`. The screen coordinate is x / w if `row` is row_x of the camera, and y / w if it is row_y.
 Plane side(const glm::vec4& row, const glm::vec4& row_w, double bound, double sign) {
   const glm::dvec4 r = sign * (glm::dvec4(row) - bound * glm::dvec4(row_w));
   return {glm::dvec3(r), r.w};
@@ -44,7 +45,7 @@ std::vector<Window> split(const std::vector<Window>& windows, const Camera& came
 std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window) {
   const Camera& camera = input.camera;
   const Mesh& mesh = *input.mesh;
-  // The window is enlarged by one pixel on every side, because snapping moves corners.
+  // The window is enlarged by one pixel on every side, because snapping moves the corners of triangles.
   const double left = double(window.x) - 1.0 - 0.5 * double(camera.width);
   const double top = double(window.y) - 1.0 - 0.5 * double(camera.height);
   const std::array<Plane, 5> planes{
@@ -53,10 +54,10 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top, 1.0),
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
-  // A layer displaces a vertex by at most the fur's length plus the curl's radius. The Bezier curve stays in
-  // the convex hull of its control points, and S Eq. 3 keeps these within the fur's length. The factor 1.01
-  // allows for weights whose sum is not exactly 1. A stick displaces a layer by at most L0, or sqrt(2) L0
-  // with the bend "tangent".
+  // A layer displaces a vertex by at most the fur's length L0 plus the curl's radius. The Bezier curve stays
+  // in the convex hull of its control points, and S Eq. 3 keeps the control points within L0 of the root. The
+  // factor 1.01 allows for strand weights whose sum is not exactly 1. A stick displaces a layer by at most
+  // L0, or sqrt(2) L0 if dynamics.bend is "tangent".
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

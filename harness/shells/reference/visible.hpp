@@ -1,5 +1,5 @@
-// Finds the triangles that a part of the picture can show in any layer, so that the reference computes only
-// those.
+// Finds the triangles that can be visible in a part of the picture on any layer. The reference computes only
+// these triangles.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace pelage::reference {
 
-/// Clips the windows to the picture and splits them into pieces of at most 64 x 64 pixels. An empty list
-/// means the whole picture.
+/// Clips the windows to the picture and splits them into windows of at most 64 x 64 pixels. If `windows` is
+/// empty, it splits the whole picture.
 std::vector<Window> split(const std::vector<Window>& windows, const Camera& camera);
 
-/// Returns the faces, in the mesh's order, that may cover a pixel of the window in some layer. The result can
-/// contain more faces, because each triangle is replaced by a ball that contains it on every layer, for any
-/// motion of its strands.
+/// Returns the faces that may cover a pixel of the window on some layer, in the mesh's order. The test uses a
+/// ball that contains the face on every layer and for any motion of its strands. The result can therefore
+/// contain faces that cover no pixel of the window.
 std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window);
 
 }  // namespace pelage::reference

@@ -1,4 +1,4 @@
-// Replaces the sources of harness/shells/opengl if libepoxy was not found when pelage was configured.
+// Replaces the sources of harness/shells/opengl if CMake did not find libepoxy.
 #include "harness/shells/opengl/opengl.hpp"
 
 #include "harness/error.hpp"
@@ -27,7 +27,8 @@ std::string opengl_renderer() {
 std::string shader_hash() {
   refuse();
 }
-// The signature must match the class, which takes `input` by value because the real constructor stores it.
+// The signature must match the class. The class takes `input` by value, because its real constructor stores
+// it.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&, const OpenGlOptions&) {
   refuse();
