@@ -12,8 +12,8 @@ namespace {
 
 using Values = std::vector<std::int32_t>;
 
-/// Returns the start positions of lists with these lengths, then the sum of the lengths, computed by
-/// bin_start.
+/// Runs the kernel bin_start for lists with the given lengths. Returns the start position of each list,
+/// followed by the sum of all lengths.
 Values starts(const Values& length) {
   const cl::Queue queue(pictures::device());
   const cl::Program program(queue.device(), "rasterize/geometry/geometry.cl", "-D LANES=1");
@@ -34,7 +34,8 @@ TEST(Bins, ListsFollowOneAnother) {
   EXPECT_EQ(starts({3, 0, 4, 1}), (Values{0, 3, 3, 7, 8}));
 }
 
-// The host allocates a buffer of this size, so the sum must not wrap around to a small or negative number.
+// The host allocates a buffer for as many entries as the sum of the lengths. The sum must therefore not wrap
+// around to a small or negative number.
 TEST(Bins, ASumBeyondWholeNumbersStaysAtTheMost) {
   constexpr std::int32_t most = std::numeric_limits<std::int32_t>::max();
   EXPECT_EQ(starts({most / 2, most / 2, 1}).back(), most);

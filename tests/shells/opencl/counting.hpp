@@ -1,7 +1,7 @@
 // A second implementation of kernels/dialect.clh in C++ (the first is tests/support/opencl_as_cpp.hpp). It
-// has one lane, of a number type that counts its operations. An fma counts as two operations. A logarithm or
-// a power counts as many operations as its code in the kernels has. Comparisons, selections, conversions and
-// negations are not counted.
+// has one lane. Its number type counts the arithmetic operations. An fma counts as two operations. A
+// logarithm or a power counts as many operations as the kernels' code needs to compute it. Comparisons,
+// selections, conversions and negations are not counted.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -86,8 +86,9 @@ inline real fmin(real a, real b) {
 inline real fmax(real a, real b) {
   return {std::fmax(a.value, b.value)};
 }
-// The costs are those of the polynomials in common/powers.clh. log2 takes nine fma and a subtraction. pow
-// takes a log2, seven fma, two sums and a product.
+// The costs are those of the polynomials in kernels/common/powers.clh. log2 takes nine fma and one
+// subtraction: 19 operations. pow takes one log2, seven fma, one rounding, one subtraction and one product:
+// 36 operations.
 inline real log2(real a) {
   return counted(std::log2(a.value), 19);
 }
@@ -118,7 +119,8 @@ struct whole4 {
 inline whole4 gather_fours(const std::int32_t* table, whole i) {
   return {table[i], table[i + 1], table[i + 2], table[i + 3]};
 }
-// Counts three operations, as in floats: two products and a sum.
+// The kernels compute this dot product in integers. It counts as three operations, because floats would need
+// two products and a sum.
 inline whole dot_halves(whole a, whole b) {
   operations += 3;
   const auto low = [](whole v) { return whole(std::int16_t(v)); };
@@ -147,8 +149,8 @@ double count(const Work& work) {
   return operations - before;
 }
 
-/// Expects the constant to be within 10% of the counted operations. This is exact enough for a roofline plot,
-/// and small changes of the kernels do not require new constants.
+/// Expects `constant` to be within 10% of `taken`, the counted number of operations. This is exact enough for
+/// a roofline plot, and small changes of the kernels do not require new constants.
 inline void expect_near(double constant, double taken, const char* what) {
   EXPECT_NEAR(constant, taken, 0.1 * taken) << what << ": the kernels take " << taken;
 }

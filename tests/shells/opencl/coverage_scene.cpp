@@ -10,11 +10,13 @@
 namespace pelage::pictures {
 namespace {
 
-// Coverage of the fur in 1/255. A pixel may stop at a transmittance of 1/512, but only after 57 hits.
+// Opacity of the fur in 1/255. The kernels may skip further triangles of a pixel when its transmittance is at
+// most 1/512, but this takes more than 57 triangles.
 constexpr int coverage = 26;
 
-/// Returns a frame with the triangles in the plane z = 0 and upright strands of length 1. It has two layers,
-/// and the first is bald. The second layer is at z = 1, where w is exactly 1/2 for the default `row_w`.
+/// Returns a frame with the triangles of `flat` in the plane z = 0 and upright strands of length 1. It has
+/// two layers. The first layer has no fur. The second layer is at z = 1, where w is exactly 1/2 for the
+/// default `row_w`.
 FrameInput flat_frame(const Flat& flat) {
   FrameInput input;
   Scene& scene = input.scene;
@@ -26,7 +28,7 @@ FrameInput flat_frame(const Flat& flat) {
   scene.shading.ambient = 1;
   scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
   scene.shading.specular = glm::vec3(0);
-  scene.shading.shadow = 1e6f;  // no shadow, so that the skin is white, too
+  scene.shading.shadow = 1e6f;  // practically no shadow on the skin, so that the skin is white
   scene.coat.skin = glm::vec3(1);
   scene.image = {flat.width, flat.height, glm::vec3(1)};
 

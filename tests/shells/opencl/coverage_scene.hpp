@@ -1,4 +1,4 @@
-// Counts how often the device covers each pixel, using only the public pipeline.
+// Counts how many triangles the device draws at each pixel. It uses only the public class Shells.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -11,18 +11,22 @@
 
 namespace pelage::pictures {
 
-/// Triangles over a picture. With the default `row_w`, vertices are screen positions in pixels from the image
-/// centre, y down. Positions that are multiples of 1/256 below 2^14 are exact.
+/// Triangles in front of the camera. With the default `row_w`, vertices are screen positions in pixels
+/// relative to the image centre, with y pointing down. A coordinate that is a multiple of 1/256 pixel and
+/// below 2^14 pixels is exact on the screen.
 struct Flat {
   std::vector<glm::vec2> vertex;
   std::vector<glm::uvec3> triangle;
   int width = 0, height = 0;
-  glm::vec4 row_w{0, 0, -.5f, 1};  ///< camera row of w; the counted layer is at (x / 2, y / 2, 1)
+  /// The row of the camera matrix that gives w. On the counted layer, a vertex (x, y) has the position (x /
+  /// 2, y / 2, 1).
+  glm::vec4 row_w{0, 0, -.5f, 1};
 };
 
-/// Returns how often each pixel is covered, top row first. It draws one layer of black fur with uniform
-/// coverage over white, so a pixel that is covered k times keeps (1 - coverage)^k of the white. Counts up to
-/// 50 are exact. Throws std::runtime_error if a pixel's value is not such a power.
+/// Returns the number of triangles that cover each pixel, top row first. The function draws one layer of
+/// black fur with the constant opacity a over white skin. A pixel that k triangles cover has the brightness
+/// (1 - a)^k, from which the function computes k. Counts up to 50 are exact. Throws std::runtime_error if the
+/// brightness of a pixel gives no whole number k.
 std::vector<int> covered_counts(const Flat& flat, const ShellOptions& options);
 
 }  // namespace pelage::pictures

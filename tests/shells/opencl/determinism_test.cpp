@@ -1,5 +1,5 @@
-// Tests that one scene on one device with one mapping gives the same picture bit for bit, with any tile size
-// and layer batch, and in every run.
+// Tests that a mapping draws a scene with the same bits in every run, with any tile size, and with any number
+// of layers per layer batch. Also compares the pictures of two mappings.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -47,8 +47,9 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
   }
 }
 
-// The pipeline omits triangles in layers where Algorithm 2 would discard all their fragments. This must not
-// change any bit of the picture.
+// The pipeline does not draw a triangle in layers where S Algorithm 2 would discard all its fragments. This
+// must not change any bit of the picture. The test compares it with a picture for which every triangle is
+// drawn in all layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
     for (const char* cells : {"separate", "literal"})
@@ -73,7 +74,7 @@ TEST(Determinism, MappingsAgree) {
   const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
   const Agreement agreement = compare(tile, pixel);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  // Alpha is 0 where neither base nor fur is drawn. The mappings must agree exactly on these pixels.
+  // Alpha is 0 in pixels without base surface and fur. It must be 0 in the same pixels for both mappings.
   std::size_t differing = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     differing += (tile.pixel[i].a == 0) != (pixel.pixel[i].a == 0);

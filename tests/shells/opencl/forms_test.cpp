@@ -1,6 +1,5 @@
-// Tests the variants of the kernels for processors without AVX-512 and for compilers without Clang's
-// builtins. Build options (kernels/dialect.clh) select these variants, so this test runs on a machine that
-// has both.
+// Tests the kernels' code for processors without AVX-512 and for compilers without Clang's builtins. Build
+// options (kernels/dialect.clh) select this code, so the test also works on a machine with AVX-512 and Clang.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"
@@ -15,7 +14,7 @@ TEST_P(Forms, LookLikeTheReference) {
   if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
   for (const char* shading : {"curling", "wet"}) {
     const auto input = pictures::small_frame(shading);
-    // Tuning entries become build options of the kernels.
+    // Entries of ShellOptions::tuning become build options of the kernels.
     Shells shells(device, input, {"tile", {{GetParam(), 1}}});
     shells.advance(pictures::frames - 1);
     shells.frame();

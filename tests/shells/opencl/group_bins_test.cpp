@@ -1,5 +1,5 @@
-// Compares the prefix sums and the sort that the workgroup mapping uses for its bins with those of the
-// standard library.
+// The workgroup mapping bins triangles with prefix sums and a radix sort. This file compares their results
+// with std::exclusive_scan and std::stable_sort.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ cl::Buffer<std::int32_t> on_device(const cl::Queue& queue, const Values& values)
 TEST(RadixSort, PrefixSumsAreExact) {
   const cl::Queue queue(pictures::device());
   cl::RadixSort sort(queue.device());
-  // The counts cover one value, a block of 1024 values and its neighbours, and sums of two and of three
-  // levels.
+  // The kernels sum blocks of 1024 values. The counts test a single value, counts near one block, and sums
+  // over blocks in two and in three levels.
   for (const std::size_t count : {1u, 15u, 1023u, 1024u, 1025u, 100000u, 1048577u}) {
     const Values values = random_values(count, 1000, std::uint32_t(count));
     const cl::Buffer<std::int32_t> buffer = on_device(queue, values);
@@ -51,7 +51,7 @@ TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
     const cl::Buffer<std::int32_t> values = on_device(queue, Values(count, each));
     const std::int32_t sum = sort.scan(queue, values, count, nullptr, true);
     EXPECT_EQ(sum, each == most / 4000 ? most : most / 5000 * 5000);
-    // Every prefix sum must be limited to this maximum, too.
+    // Every prefix sum must be clamped to `most`, too.
     Values expected(count);
     for (std::size_t i = 0; i < count; ++i)
       expected[i] = std::int32_t(std::min<std::int64_t>(most, std::int64_t(i) * each));

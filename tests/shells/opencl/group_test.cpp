@@ -1,6 +1,6 @@
-// Compares the workgroup mapping with the other mappings on one device: equal coverage, and the same picture
-// in every run. picture_test.cpp compares it with the reference, and properties_coverage_test.cpp with exact
-// integers.
+// Tests that the workgroup mapping covers the same pixels as the other mappings, and draws the same picture
+// in every run. picture_test.cpp compares the workgroup mapping with the reference.
+// properties_coverage_test.cpp compares its coverage with exact integer computations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ TEST(Group, CountsTheFragmentsThatTheOthersCount) {
 }
 
 TEST(Group, CoversThePixelsThatTilesCover) {
-  // A fan of thin triangles around a point: in front of the eye, across the near plane, and beyond the guard
-  // band.
+  // A fan of thin triangles around one point. Some corners are beyond the guard band. With the second row_w,
+  // some triangles also cross the near plane.
   for (const glm::vec4 row_w : {glm::vec4(0, 0, -.5f, 1), glm::vec4(0, .001f, -.5f, 1)}) {
     Flat flat{{{3, -7}}, {}, 131, 77, row_w};
     constexpr std::uint32_t spokes = 40;
@@ -69,12 +69,13 @@ TEST(Group, TwentyRunsAreOnePicture) {
   EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
             500);
   for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn({}))) << "run " << run;
-  // The number of layers per batch must not change the picture.
+  // The number of layers per layer batch must not change the picture.
   for (const int group : {1, 3, 16}) EXPECT_TRUE(same_bits(first, drawn({{"GROUP", group}}))) << group;
 }
 
 TEST(Group, DrawsNothingWhereNothingIs) {
-  // The camera looks past the mesh, so every list is empty and every pixel has the background colour.
+  // The camera looks past the mesh, so every triangle list is empty, and every pixel has the background
+  // colour.
   FrameInput input = *tiny_frame();
   input.scene.image.background = {.1f, .2f, .3f};
   input.scene.camera.target = {40, 1, 40};

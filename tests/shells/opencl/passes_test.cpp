@@ -1,5 +1,6 @@
 // Tests drawing in several passes, which is necessary if the vertices of all layers do not fit in memory. The
-// picture must be the same as in one pass, bit for bit, and so must the numbers of fragments.
+// picture must have the same bits as the picture drawn in one pass. The numbers of fragments must also be
+// equal.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -24,7 +25,7 @@ std::shared_ptr<const FrameInput> wet_frame() {
 }
 
 struct Drawn {
-  Picture picture, after;  // pictures of the first frame, and of a frame after counting
+  Picture picture, after;  // the first frame, and the next frame, which is drawn after counting fragments
   std::uint64_t counted;
   Tally tally;
 };
@@ -57,8 +58,8 @@ TEST_P(Passes, ArePartsOfOnePicture) {
   const auto input = wet_frame();
   const Drawn whole = drawn(input, GetParam(), layers);
   EXPECT_GT(whole.tally.blended, 1000u);
-  // 7 is rounded down to one batch of 4 layers. With 3, a pass is smaller than a batch, and the last pass has
-  // one layer. With 1, every layer is a pass.
+  // 7 layers per pass are rounded down to 4, the size of a layer batch. With 3, a pass is smaller than a
+  // layer batch, and the last pass has one layer. With 1, every pass has one layer.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
     const Drawn parts = drawn(input, GetParam(), at_once);

@@ -1,4 +1,4 @@
-// Draws, on the device, the scenes that are compared with the reference.
+// Draws scenes on the OpenCL device, for comparison with the reference.
 #pragma once
 #include <memory>
 #include <string>

@@ -1,5 +1,5 @@
-// Compares the device's pictures with the reference's. Both programs were written independently from the
-// papers.
+// Compares the device's pictures with those of the reference. Kernels and reference were written
+// independently from the papers.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -54,7 +54,7 @@ TEST_P(Mappings, BothModelsAndBothBindings) {
 }
 
 TEST_P(Mappings, OtherReadings) {
-  // Sets every option of the scene that changes the picture to its other value.
+  // Sets the scene keys that select an interpretation of the papers to values that are not the default.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
@@ -110,7 +110,7 @@ TEST_P(Mappings, AnyPictureSize) {
     const Agreement agreement = compare(expected, drawn);
     EXPECT_EQ(drawn.pixel.size(), std::size_t(width) * std::size_t(height));
     EXPECT_LE(agreement.worst, tolerance::few_pixels_difference)
-        << describe(agreement);  // too few pixels for a percentile
+        << describe(agreement);  // a picture of one pixel has too few pixels for a percentile
   }
 }
 

@@ -1,6 +1,6 @@
-// Tests the device's coverage of every pixel through all its steps: transform, binning, tiles and clipping.
-// It must equal the reference's integer coverage, and triangles that share edges must leave no gap and no
-// overlap (docs/frame.md, section 4).
+// Tests which pixels the device covers after transform, binning, clipping and rasterization. They must be the
+// pixels that the reference covers by exact integer edge functions. Triangles that share edges must leave no
+// gap and no overlap (docs/frame.md, section 4).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,10 +27,10 @@ struct Mapping {
   ShellOptions options;
   int pictures;    ///< number of pictures of random triangles
   int triangles;   ///< triangles per picture; a million in total for the default mapping
-  int repeats;     ///< number of repetitions of the meshes with shared edges
-  int coarser;     ///< factor on the cell size of the meshes with shared edges
+  int repeats;     ///< number of random versions of each mesh with shared edges
+  int coarser;     ///< factor on the grid cell size of the meshes with shared edges
   int spokes;      ///< number of triangles in each star
-  double samples;  ///< least number of pixel centres beside shared edges
+  double samples;  ///< least number of pixel centres next to shared edges that the meshes must have
 };
 void PrintTo(const Mapping& mapping, std::ostream* out) {
   *out << mapping.name;
@@ -40,13 +40,14 @@ const Mapping mappings[] = {
     {"tile", {"tile", {}}, 20, 50000, 3, 1, 1500, 1e7},
     {"tile8x8", {"tile", {{"TILE_W", 8}, {"TILE_H", 8}}}, 2, 50000, 1, 1, 300, 3e6},
     {"group", {"group", {}}, 1, 5000, 1, 16, 24, 1e5},
-    {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // slow if a tile has many triangles
+    {"pixel", {"pixel", {}}, 1, 5000, 1, 16, 24, 1e5}};  // this mapping is slow for tiles with many triangles
 
 struct Coverage : testing::TestWithParam<Mapping> {};
 INSTANTIATE_TEST_SUITE_P(Device, Coverage, testing::ValuesIn(mappings),
                          [](const auto& given) { return std::string(given.param.name); });
 
-/// Returns a random triangle of a random kind, in 1/256 pixel.
+/// Returns a random triangle of a random kind: small, thin, aligned with pixel centres, and so on. The
+/// coordinates are in units of 1/256 pixel.
 std::array<Snapped, 3> awkward(std::mt19937& random) {
   const auto within = [&](int range) { return int(random() % std::uint32_t(2 * range + 1)) - range; };
   const Snapped c{within(edge + 2000), within(edge + 2000)};
@@ -60,7 +61,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return {aligned(near(2500)), aligned(near(2500)), aligned(near(2500))};
     case 3:  // smaller than a pixel
       return {near(200), near(200), near(200)};
-    case 4: {  // a sliver a few 1/256 wide
+    case 4: {  // a sliver that is a few 1/256 pixel wide
       const Snapped a = near(20000), b = near(20000);
       return {a, b, Snapped{(a.x + b.x) / 2 + within(3), (a.y + b.y) / 2 + within(3)}};
     }
@@ -72,7 +73,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // one in 64: corners far outside the picture, thin, within the guard band
+    default:  // 1 in 64 is thin, with two corners far outside the picture but within the guard band
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
@@ -108,8 +109,8 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   EXPECT_GT(hits, std::size_t(pictures) * std::size_t(triangles) * 10);
 }
 
-// Large triangles around one point. Products of their coordinates exceed 32 bits in tiles within 128 pixels
-// of every corner.
+// Draws large triangles that overlap around one point. In tiles within 128 pixels of all corners of a
+// triangle, products of the coordinates exceed 32 bits.
 TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   constexpr int side = 256;
   std::mt19937 random(5);
@@ -136,8 +137,9 @@ TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   EXPECT_TRUE(covered_counts(flat, GetParam().options) == expected);
 }
 
-/// Returns a grid of cells, each split into two triangles of random winding. A cell need not be convex. The
-/// diagonal is chosen at random from those that give two triangles of positive area.
+/// Returns a mesh with the vertices `v`, which form a grid. Each cell of the grid is split into two triangles
+/// of random winding. A cell need not be convex. The diagonal is chosen at random from those that give two
+/// triangles of positive area.
 Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   Flat flat{{}, {}, size, size};
   const std::uint32_t columns = std::uint32_t(v[0].size());
@@ -174,15 +176,16 @@ double samples(const Flat& flat) {
     for (int c = 0; c < 3; ++c) {
       const auto inside = [](double x) { return std::clamp(x, -.5 * size, .5 * size); };
       const glm::vec2 a = flat.vertex[t[c]], b = flat.vertex[t[(c + 1) % 3]];
-      // Each of the two triangles at an edge adds the number of rows or columns that the edge crosses. This
-      // counts the centres on both sides.
+      // Each of the two triangles at an edge adds the number of rows or columns that the edge crosses. The
+      // sum therefore counts the centres on both sides of the edge.
       sum += std::max(std::abs(inside(a.x) - inside(b.x)), std::abs(inside(a.y) - inside(b.y)));
     }
   return sum;
 }
 
-/// Returns the vertices of columns x rows cells that cover the picture and a margin of 4 pixels. Inner
-/// vertices are moved at random by up to `move` cells. Positions are multiples of `unit` pixels.
+/// Returns the vertices of a grid of columns x rows cells that covers the picture and a margin of 4 pixels.
+/// Inner vertices are moved at random by up to `move` times the cell size. Positions are multiples of `unit`
+/// pixels.
 std::vector<std::vector<glm::dvec2>> cells(int columns, int rows, double move, double unit,
                                            std::mt19937& random) {
   std::vector<std::vector<glm::dvec2>> v;
@@ -201,8 +204,8 @@ std::vector<std::vector<glm::dvec2>> cells(int columns, int rows, double move, d
   return v;
 }
 
-/// Returns a star: triangles with one common corner in the picture and the others on a circle of `radius`
-/// pixels.
+/// Returns a star of triangles. One corner, which all triangles share, is in the picture. The other corners
+/// are on a circle of `radius` pixels.
 Flat star(int spokes, double radius, std::mt19937& random) {
   Flat flat{{{float(random() % 600) - 300, float(random() % 600) - 300}}, {}, size, size};
   for (int i = 0; i < spokes; ++i) {
@@ -242,8 +245,9 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
 }
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
-  // On the layer, w = 1/2 + y / 2000, so the plane passes behind the eye at y = -1000 (in vertex units). Its
-  // horizon is at 1000 pixels below the image centre, outside the picture, so the plane fills the picture.
+  // On the counted layer, w = 1/2 + y / 2000, where y is the vertex coordinate. The plane is behind the eye
+  // for y < -1000. Its horizon is 1000 pixels below the image centre, outside the picture, so the plane fills
+  // the picture.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
   const int n = 80 / GetParam().coarser;

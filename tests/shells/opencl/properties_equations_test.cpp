@@ -1,5 +1,6 @@
-// Compiles the kernels' code of every equation as C++ in double precision, and compares it with the papers'
-// closed forms and with the reference, which was written independently. On the device, only rounding differs.
+// Compiles the kernels' functions for the papers' equations as C++ in double precision. Compares their
+// results with closed forms and with the reference, which was written independently. The device runs the same
+// functions in single precision, so only rounding differs there.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -118,8 +119,9 @@ TEST(Equations, Equation3HoldsUnderRandomForces) {
       input.scene.dynamics.gravity = 300.0 * any.vector();
       strand = stepped(input, strand, i);
       ASSERT_LE(glm::length(glm_of(strand.tip)),
-                length * (1 + 1e-7));                              // the kernel squares the length in float
-      ASSERT_GE(glm::dot(glm_of(strand.tip), n), -1e-7 * length);  // n is a float vector, unit up to rounding
+                length * (1 + 1e-7));  // the kernel squares the length in float
+      ASSERT_GE(glm::dot(glm_of(strand.tip), n),
+                -1e-7 * length);  // the length of n is 1 up to float rounding
     }
   }
 }
@@ -219,13 +221,13 @@ TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);
 }
 
-/// Returns the highlight factor of C_s in S Eq. 6. All vectors are unit.
+/// Returns the highlight factor of C_s in S Eq. 6. All vectors are unit vectors.
 double strand_specular(const real3& tangent, const real3& light, const real3& eye, double exponent) {
   return shim::power(shim::strand_mirror(shim::angle_with(tangent, light), shim::angle_with(tangent, eye)),
                      exponent);
 }
 
-/// Returns the colour of S Eq. 6, computed from the kernels' functions as in a fragment.
+/// Returns the colour of S Eq. 6 for one fragment. It calls the kernels' functions.
 glm::dvec3 curling(const ShadingScene& shading, const reference::Fragment& f) {
   double diffuse = double(shading.ambient), specular = 0;
   for (const LightScene& light : shading.lights) {
@@ -270,9 +272,9 @@ TEST(Equations, ColoursAreTheReferences) {
     shading.lights = {LightScene{any.vector(), 1.5f}, LightScene{any.vector(), .6f}};
     const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
                                 any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};
-    // The kernels' literals are floats, so (x + .4f) / 1.4f is up to 2.2e-8 too large. This is multiplied by
-    // a light intensity of 2.1 and by up to 1.2 for colour and highlight. Only the wrapped light has these
-    // literals.
+    // The kernels compute the wrapped light (x + .4f) / 1.4f with float literals, so it is up to 2.2e-8 too
+    // large. The error is multiplied by the sum of the light intensities, 2.1, and by up to 1.2 for colour
+    // and highlight. Without wrapped light there is no such error.
     const double tolerance = shading.wrap == 0 ? 1e-11 : 6e-8;
     expect_near(curling(shading, f), reference::curling_colour(shading, f), tolerance);
     expect_near(wet(shading, f), reference::wet_colour(shading, f), tolerance);

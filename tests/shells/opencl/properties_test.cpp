@@ -1,5 +1,5 @@
-// Compares the kernels' strands and wetness mask with closed forms and with the reference, on inputs that are
-// computed from formulas.
+// Compares the kernels' strands and wetness mask with closed forms and with the reference. The inputs are
+// synthetic.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 
 using synthetic::noise;
 
-/// Returns a scene with upright strands of length .1 without drag, gravity and wind, one substep per frame,
-/// and a tiny picture.
+/// Returns a scene with upright strands of length .1 R, one substep per frame, and a picture of 16 x 16
+/// pixels. There is no drag, gravity or wind.
 Scene bare_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .1f;
@@ -87,8 +87,8 @@ TEST(KernelStrands, LoadMovesTheRestPositionAsTheBallAllows) {
 }
 
 TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
-  // The anchor is inside the ball, and the weight pulls towards the skin. The tip swings between .09 and .05
-  // and never reaches the ball's surface.
+  // The anchor is .09 R above the root, and gravity pulls the tip towards the skin. The tip swings between
+  // .09 R and .05 R above the root. It never reaches the ball of radius .1 R to which S Eq. 3 limits it.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -111,8 +111,8 @@ TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
 }
 
 TEST(KernelStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
-  // The strand starts at its anchor, .3 rad off the normal. A weight balances the spring's force at p0, so
-  // that the strand swings about p0.
+  // The strand starts at its anchor, which is tilted by .3 rad from the normal. Gravity balances the spring's
+  // force in the upright position p0, so the strand swings about p0.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -154,7 +154,7 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
       }
     }
   }
-  EXPECT_LE(highest, 1 + 3e-7);  // a few float roundings
+  EXPECT_LE(highest, 1 + 3e-7);  // the tolerance allows for a few float roundings
   EXPECT_GE(lowest, -3e-7);
   EXPECT_GT(highest, 1 - 3e-7);  // both bounds are reached
   EXPECT_LT(lowest, 3e-7);
@@ -220,13 +220,13 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
         wet += e.wetness > 0;
         wrong += glm::length(texel - glm::dvec4(e.centre, e.radius, e.wetness)) > tolerance::small_scene;
       }
-      // Rounding to float decides for texels whose centre is on the border of a disc. At most 1 in 20,000
-      // texels may differ.
+      // If the centre of a texel is very close to the border of a disc, float rounding decides whether the
+      // disc covers the texel. At most 1 in 20,000 texels may differ.
       EXPECT_LE(wrong, mask.size() / 20000) << size << " texels, " << count << " droplets";
       if (count == 400 && size > 1) {
         EXPECT_GT(wet, mask.size() / 2);
       }
-      if (count == 400 && size == 64) {  // the droplets' order matters and must be kept
+      if (count == 400 && size == 64) {  // the reference's mask must depend on the order of the droplets
         const reference::Mask reversed = reference::wetness_mask(input, reference::Mutant::droplets_reversed);
         std::size_t different = 0;
         for (std::size_t i = 0; i < mask.size(); ++i)
@@ -246,13 +246,15 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(got[c], want[c], 1e-6);
   };
   input.droplets = {drop(.5f, .3f, .4f), drop(.6f, .2f, .4f)};
-  expect(texel(input), {.55, .55, .25, .8});  // alpha = .4 / .8
+  expect(texel(input), {.55, .55, .25, .8});  // Algorithm 1 with alpha = .4 / .8
   input.droplets = {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)};
-  expect(texel(input), {.58, .55, .22, 1});  // clamped at 1, alpha = .8
+  expect(texel(input), {.58, .55, .22, 1});  // Algorithm 1 with rho clamped to 1 and alpha = .8
   input.droplets = {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)};
-  expect(texel(input), {.6, .55, .2, .7});  // the first centre is more than .2 away, so it is overwritten
+  // The second droplet overwrites the first, because their centres are more than .2 apart.
+  expect(texel(input), {.6, .55, .2, .7});
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
-  expect(texel(input), {.48, .55, .26, 1});  // in the other order the droplets blend, alpha = .4
+  // In the other order the centres are at most .35 apart, so the droplets blend with alpha = .4.
+  expect(texel(input), {.48, .55, .26, 1});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Compares the fragment counts of two mappings, and an estimate from a sample of the pixels with the exact
-// count.
+// Compares the fragment counts of two mappings. Also compares the estimate from a random sample of pixels
+// with the exact counts.
 #include <gtest/gtest.h>
 
 #include "harness/shells/opencl/shells.hpp"

@@ -40,8 +40,8 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 1e-12);
 }
 
-/// A unit normal, and the top of a stick that leans away from it. any_stick(i) always returns the same stick
-/// for i.
+/// A unit surface normal, and the top of a stick that leans away from the normal. any_stick(i) always returns
+/// the same stick for the same i.
 struct Stick {
   glm::dvec3 normal, top;
 };
@@ -70,7 +70,7 @@ TEST(EquationsOfSticks, EquationThreeAndFourAreAsPrinted) {
       expect_near(layer(stick, h, 2, false), rise * n + part * (s - n));
       expect_near(layer(stick, h, 1, false), rise * s);
       expect_near(layer(stick, h, 2, true), rise * n + part * (s - glm::dot(s, n) * n));
-      // The form "tangent" keeps every layer at its height.
+      // With dynamics.bend = "tangent", every layer keeps its height.
       EXPECT_NEAR(glm::dot(layer(stick, h, 3, true), n), rise, 1e-12);
     }
   }
@@ -162,8 +162,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
   };
-  // Finds the face that the ray meets first. The ray is parallel to x at y = 0.1, z = 0.05. Of the faces
-  // whose projection along x contains this point, the one with the greatest x is first.
+  // Finds the face that the ray meets first. The ray runs in the direction -x on the line y = 0.1, z = 0.05.
+  // Among the faces that this line crosses, the ray meets the one with the greatest x first.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
@@ -182,8 +182,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   }
   ASSERT_GT(farthest, 0.5);
   EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * face, 3 * face + 1, 3 * face + 2}));
-  // With a radius, the ray pokes the triangles around the point where it meets the mesh, not around its
-  // origin.
+  // With a radius above 0, the poke acts on the triangles around the point where the ray meets the mesh, not
+  // on those around the ray's origin.
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);

@@ -1,5 +1,6 @@
-// Compares pictures of fur on mass-spring topologies with the reference. The reference's layers were written
-// independently from docs/frame.md. Its masses are those of harness/springs/reference, in double precision.
+// Compares pictures of fur on mass-spring topologies with the reference. The reference's code for the layers
+// was written independently, from docs/frame.md. harness/springs/reference simulates the masses in double
+// precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 using namespace pictures;
 using reference::Mutant;
 
-/// Returns a torus on a topology, with every force that a scene can have.
+/// Returns a furry torus with the given mass-spring topology, and with every force that a scene can have.
 std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const std::string& bend = "paper") {
   Scene scene = synthetic::lively_scene();
   DynamicsScene& d = scene.dynamics;
@@ -30,7 +31,7 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 24, 16, 60));
 }
 
-/// Returns the sticks after the frames of these pictures, in double precision.
+/// Returns the top minus the base of each stick after `frames` frames, simulated in double precision.
 std::vector<glm::dvec3> sticks_of(const FrameInput& input) {
   const springs::SpringNetwork topology = springs::topology_of(input);
   const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics);

@@ -1,4 +1,5 @@
-// shading.sides "two": an open surface seen from behind is lit as if its normals faced the eye.
+// Tests shading.sides = "two": an open surface that is seen from behind is lit as if its normals faced the
+// eye.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -10,7 +11,8 @@ namespace {
 
 using namespace pictures;
 
-/// A furry square in the plane z = 0, facing +z, seen from z = `side`. One light shines from the eye's side.
+/// Returns a furry square in the plane z = 0 with normals along +z. The eye is above the square if `side` is
+/// 1, and below it if `side` is -1. One light shines from the eye's side.
 std::shared_ptr<FrameInput> square_seen_from(float side, const std::string& shading,
                                              const std::string& sides) {
   Scene scene = synthetic::lively_scene();
@@ -24,7 +26,7 @@ std::shared_ptr<FrameInput> square_seen_from(float side, const std::string& shad
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::square(1.4), 12, 12, 30));
 }
 
-/// Mean of red over the pixels of the surface.
+/// Returns the mean red value of the pixels that show the surface.
 double brightness(const Picture& picture) {
   double sum = 0;
   std::size_t pixels = 0;

@@ -1,5 +1,5 @@
-// Counts the operations in the kernels' code, and compares them with the constants that docs/performance.md
-// and the roofline use.
+// Counts the floating-point operations of the kernels' functions. Compares the counts with the constants of
+// harness/shells/opencl/work.hpp, which docs/performance.md and the roofline plot use.
 #include "harness/shells/opencl/work.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "tests/shells/opencl/counting.hpp"
 
-// The kernels are C code, and this file does not use all of their functions. Warnings about that are
+// The kernels are C code, and this file does not use all of their functions. GCC's warnings about both are
 // disabled.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"

@@ -18,8 +18,8 @@ void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t
   EXPECT_GT(agreement.pixels, least_pixels);  // enough fur pixels are compared
 }
 
-/// With the default options, the picture must be within the harness's own limits: 60 dB, and 99.9% of the
-/// pixels within 2/255.
+/// With the default options, the picture must meet the limits that also hold for the OpenCL pipeline: a PSNR
+/// of at least 60 dB, and a difference of at most 2/255 in 99.9% of the pixels.
 void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
@@ -68,7 +68,7 @@ TEST(OpenGlPicture, BothModelsAndBothBindings) {
 }
 
 TEST(OpenGlPicture, OtherReadings) {
-  // Sets every option of the scene that changes the picture to its other value.
+  // Sets the scene keys that select an interpretation of the papers to values that are not the default.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
@@ -104,7 +104,8 @@ TEST(OpenGlPicture, AnyPictureSize) {
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
-  // picture. Drivers do not clip at the planes of docs/frame.md, and round the new corners differently.
+  // picture. OpenGL drivers clip at other planes than docs/frame.md, and round the corners that clipping
+  // makes differently.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};
@@ -153,8 +154,8 @@ INSTANTIATE_TEST_SUITE_P(Options, Writings,
                          });
 
 TEST(OpenGlPicture, EightBitsAreThoseOfTheEightBitReference) {
-  // With target=rgba8 the baseline rounds after every layer. Its picture must be closer to the reference with
-  // 8-bit rounding than to the reference without it.
+  // With target=rgba8 the baseline rounds to 8 bits after every layer. Its picture must be closer to the
+  // reference with 8-bit rounding than to the reference without rounding.
   const auto input = small_frame("curling");
   const Picture drawn = drawn_by_opengl(input, "target=rgba8");
   const double rounded = compare(drawn_by_reference(*input, reference::Mutant::none, true), drawn).psnr;

@@ -1,4 +1,4 @@
-// Draws, with the OpenGL baseline, the scenes that are compared with the reference.
+// Draws scenes with the OpenGL baseline, for comparison with the reference.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,8 +10,9 @@ namespace pelage::rival_tests {
 
 using namespace pictures;
 
-/// Return the reference's mask, and its tips after `frames` frames, in the types of OpenGl.
+/// Returns the reference's wetness mask as the constructor of OpenGl takes it.
 std::vector<glm::vec4> mask_of(const FrameInput& input);
+/// Returns the strand tips after `frames` frames of the reference, as OpenGl::bend() takes them.
 std::vector<glm::vec3> tips_of(const FrameInput& input);
 
 /// `options` is text for opengl_options().

@@ -1,4 +1,4 @@
-// Tests that a build without libepoxy reports the missing OpenGL and what to install.
+// Tests the error message of a build without libepoxy: OpenGL is missing, and which package to install.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"

@@ -15,8 +15,8 @@ namespace {
 
 struct Look {
   const char* name;
-  std::vector<const char*> with_16;        ///< changes that the scene's file advises for 16 layers
-  std::vector<const char*> with_substeps;  ///< further changes for 16 layers with four sub-steps
+  std::vector<const char*> with_16;        ///< settings that the scene file recommends for 16 layers
+  std::vector<const char*> with_substeps;  ///< further settings for 16 layers with four sub-steps
 };
 
 void PrintTo(const Look& look, std::ostream* out) {
@@ -33,7 +33,8 @@ Scene scene_of(const Look& look, int layers) {
   return scene;
 }
 
-/// Returns one in six of the squares of 16 x 16 pixels, at shifted places in each row.
+/// Divides the picture into windows of 16 x 16 pixels and returns one in six of them. Their columns differ
+/// from row to row.
 std::vector<Window> sample(const ImageScene& image) {
   std::vector<Window> windows;
   for (int y = 0; y + 16 <= image.height; y += 16)

@@ -1,4 +1,4 @@
-// Tests the coverage rule exactly (docs/frame.md, section 4).
+// Tests which pixels a triangle covers, in exact integer arithmetic (docs/frame.md, section 4).
 #include "harness/shells/reference/coverage.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace reference;
 
-constexpr int width = 33, height = 20;  // odd width: pixel centres at whole pixels from the image centre
+constexpr int width = 33, height = 20;  // with an odd width, a pixel centre is at the image centre
 
 std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
   std::vector<int> hits(std::size_t(width) * height, 0);
@@ -27,8 +27,9 @@ std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
 }
 
 TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
-  // The corners of the square are centres of pixels: columns 3 and 6, rows 2 and 5. It covers 3 x 3 pixels,
-  // with its top row and left column but without its bottom row and right column.
+  // The corners of the square are the centres of the pixels in columns 3 and 6 and rows 2 and 5. The square
+  // covers the pixels of columns 3 to 5 and rows 2 to 4. Pixel centres on its top and left edges count as
+  // inside, those on its bottom and right edges as outside.
   const auto centre = [](int i, int size) { return 256 * std::int64_t(i) + 128 - 128 * std::int64_t(size); };
   const std::int64_t l = centre(3, width), r = centre(6, width), t = centre(2, height), b = centre(5, height);
   const std::vector<int> hits = counts({{Snapped{l, t}, {r, t}, {r, b}}, {Snapped{l, t}, {r, b}, {l, b}}});
@@ -38,8 +39,8 @@ TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
 }
 
 TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
-  // The top-left rule is equal to a test of a point that is moved right by e and down by e^2, for e -> 0.
-  // This test uses scaled integers, so that nothing is rounded.
+  // The top-left rule covers a pixel if the triangle contains the point that is e to the right of the pixel's
+  // centre and e^2 below it, for e -> 0. This test computes with scaled integers, so that nothing is rounded.
   std::mt19937 random(3);
   std::uniform_int_distribution<int> coarse(-6 * 2, 6 * 2), fine(-6 * 256, 6 * 256);
   using Wide = __int128;
@@ -74,9 +75,9 @@ TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
 TEST(ReferenceCoverage, AMeshCoversEveryPixelOnce) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 200; ++trial) {
-    // The cells of the grid reach beyond the picture, and inner vertices are moved at random. Odd trials put
-    // vertices on pixel centres. Every third trial has thin triangles. Every fourth trial moves the border
-    // far outside.
+    // The grid extends beyond the picture, and its inner vertices are moved at random. Odd trials put
+    // vertices on pixel centres. Every third trial has thin triangles. Every fourth trial moves the border of
+    // the grid far outside the picture.
     constexpr int n = 6;
     std::array<std::array<Snapped, n + 1>, n + 1> v;
     for (int j = 0; j <= n; ++j)
@@ -166,7 +167,7 @@ TEST(ReferenceClip, KeepsWhatLiesInFrontOfTheNearPlane) {
   for (const ClippedVertex& v : polygon) {
     EXPECT_GE(v.point.w, .5 - 1e-12);
     EXPECT_NEAR(v.corners.x + v.corners.y + v.corners.z, 1, 1e-12);
-    // The vertex must be the sum of the corners, weighted by v.corners.
+    // The vertex must be the sum of the original triangle's corners, weighted by v.corners.
     EXPECT_NEAR(v.point.x, 10 * v.corners.y, 1e-12);
     EXPECT_NEAR(v.point.y, 10 * v.corners.z, 1e-12);
     EXPECT_NEAR(v.point.w, v.corners.x + 2 * v.corners.y - v.corners.z, 1e-12);

@@ -29,7 +29,8 @@ TEST(ReferenceLayers, TheCurveStartsAtTheRootAndEndsAtTheTip) {
   EXPECT_EQ(bezier(a, b, 0), glm::dvec3(0));
   EXPECT_EQ(bezier(a, b, 1), b);
   EXPECT_LT(distance(bezier(a, b, .5), .5 * a + .25 * b), 1e-16);
-  // The curve leaves the root in the direction p0 - root, and reaches p in the direction p - p0.
+  // The curve leaves the root in the direction of a = p0 - root, and reaches the tip p in the direction of b
+  // - a = p - p0.
   EXPECT_LT(distance(bezier(a, b, 1e-7) / 1e-7, 2.0 * a), 1e-7);
   EXPECT_LT(distance((bezier(a, b, 1) - bezier(a, b, 1 - 1e-7)) / 1e-7, 2.0 * (b - a)), 1e-6);
 }
@@ -98,7 +99,7 @@ TEST(ReferenceLayers, SharedShellsHoldTogetherAndSeparateOnesFollowTheirOwnStran
   const FrameInput shared = synthetic::frame(scene, synthetic::torus(), 12, 8, 20);
   const Geometry together(shared, wetness_mask(shared), 4);
   std::vector<glm::dvec3> at(shared.mesh->welded, glm::dvec3(1e9));
-  for (std::size_t s = 0; s < together.slots(); ++s) {  // all copies of a surface point move alike
+  for (std::size_t s = 0; s < together.slots(); ++s) {  // all vertices of a surface point move equally
     glm::dvec3& first = at[shared.mesh->weld[together.vertex(s)]];
     if (first.x > 1e8) first = together.position(s, 11);
     EXPECT_LT(distance(together.position(s, 11), first), 1e-15);
@@ -134,7 +135,8 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
     glm::dvec3 sum(0);
     for (int n = 0; n < 16; ++n) {
       sum += chord(input, {a, b}, n);
-      EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);  // a derivative would be 0 at the tip
+      // For b = a, the derivative of the curve is 0 at the tip. The chord must not be 0.
+      EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);
     }
     EXPECT_LT(distance(sum, b), 1e-15);
   }

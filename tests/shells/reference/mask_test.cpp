@@ -1,4 +1,4 @@
-// Tests Algorithm 1, S Eq. 5 and Algorithm 2 with numbers that can be checked by hand.
+// Tests S Algorithm 1, S Eq. 5 and S Algorithm 2 with numbers that can be checked by hand.
 #include "harness/shells/reference/mask.hpp"
 
 #include <gtest/gtest.h>
@@ -53,20 +53,23 @@ TEST(ReferenceMask, OneDropletWetsTheTexelsWhoseCentresItsDiscHolds) {
 }
 
 TEST(ReferenceMask, CloseDropletsBlend) {
-  // rho = .4 + .4 = .8 and alpha = .5, so the clump is the mean of both droplets.
+  // By S Algorithm 1, the wetness is rho = .4 + .4 = .8, and the second droplet has the weight alpha = .4 /
+  // .8 = .5. The clump is therefore the mean of both droplets.
   const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .4f), droplet(.6f, .5f, .2f, .4f)}));
   expect_clump(texel(mask, 4, 4), .55, .5, .25, .8);
   expect_clump(texel(mask, 2, 4), .5, .5, .3, .4);  // only the first droplet covers this texel
 }
 
 TEST(ReferenceMask, WetnessStopsAtOneAndAlphaFollows) {
-  // rho = .5 + .8 is clamped to 1, so alpha = .8.
+  // By S Algorithm 1, the wetness rho = .5 + .8 is clamped to 1, so the second droplet has the weight alpha =
+  // .8.
   const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .5f), droplet(.6f, .5f, .2f, .8f)}));
   expect_clump(texel(mask, 4, 4), .2 * .5 + .8 * .6, .5, .2 * .3 + .8 * .2, 1);
 }
 
 TEST(ReferenceMask, ADistantCentreIsOverwritten) {
-  // The discs overlap, but the second droplet's disc does not contain the first droplet's centre.
+  // The discs overlap, but the second droplet's disc does not contain the first droplet's centre. The second
+  // droplet therefore overwrites the texel.
   const Mask mask = wetness_mask(with({droplet(.3f, .55f, .35f, .4f), droplet(.6f, .55f, .2f, .7f)}));
   expect_clump(texel(mask, 4, 4), .6, .55, .2, .7);
 }
@@ -74,7 +77,8 @@ TEST(ReferenceMask, ADistantCentreIsOverwritten) {
 TEST(ReferenceMask, OrderMatters) {
   const Droplet large = droplet(.3f, .55f, .35f, .4f), small = droplet(.6f, .55f, .2f, .7f);
   const Mask mask = wetness_mask(with({small, large}));
-  // The large droplet's disc contains the small droplet's centre, so they blend: rho = 1, alpha = .4.
+  // The large droplet's disc contains the small droplet's centre, so the droplets blend. By S Algorithm 1,
+  // rho = 1 and the large droplet has the weight alpha = .4.
   expect_clump(texel(mask, 4, 4), .6 * .6 + .4 * .3, .55, .6 * .2 + .4 * .35, 1);
   EXPECT_EQ(wetness_mask(with({large, small}), Mutant::droplets_reversed).texel, mask.texel);
 }
@@ -83,7 +87,7 @@ TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {
   FrameInput input = with({droplet(.5f, .5f, .4f, .5f)});
   input.droplets[0].point = input.mask_surface[4 * 8 + 4];
   input.droplets[0].reach = .3f;
-  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // a distant part of the body
+  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // far away on the surface
   const Mask mask = wetness_mask(input);
   EXPECT_EQ(texel(mask, 4, 4).wetness, .5);
   EXPECT_EQ(texel(mask, 5, 4).wetness, .5);
@@ -97,7 +101,7 @@ TEST(ReferenceMask, SamplingIsNearestAndRepeats) {
   EXPECT_EQ(mask.nearest({-.70, 2.80}).wetness, 13);
   EXPECT_EQ(mask.nearest({1, 1}).wetness, 0);
   EXPECT_EQ(mask.nearest({.99999999999, 0}).wetness, 3);
-  EXPECT_EQ(mask.nearest({-1e-30, 0}).wetness, 3);  // fract(u) rounds to 1: the last texel is used
+  EXPECT_EQ(mask.nearest({-1e-30, 0}).wetness, 3);  // u - floor(u) rounds to 1; the last texel is used
 }
 
 TEST(ReferenceClump, ShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
@@ -118,7 +122,7 @@ TEST(ReferenceClump, ShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(clump_shape(.25, 1, 16), .5, 1e-15);  // ln 4 = ln 16 / 2
 }
 
-/// A mask with one clump: centre (.5, .5), radius .2, rho .5.
+/// A mask with one clump: centre (.5, .5), radius .2, wetness .5.
 struct OneClump : testing::Test {
   FrameInput input = with({droplet(.5f, .5f, .2f, .5f)}, 64);
   Mask mask = wetness_mask(input);
@@ -134,16 +138,17 @@ TEST_F(OneClump, DryFurStays) {
 }
 
 TEST_F(OneClump, TheDisplacementIsEquation5) {
-  // f = h = 8/16, rho = .5 and gain = 2, so d is half of p - c. The lookup moves away from the centre, so the
-  // drawn fur moves towards the centre.
+  // In S Eq. 5, f = h = 8/16, rho = .5 and gain = 2, so the displacement d is half of the vector from the
+  // clump's centre to the fragment. The texture lookup moves away from the centre, so the drawn fur moves
+  // towards the centre.
   const Displacement relative = clump_displacement(input, mask, {.56, .53}, 7);
   EXPECT_NEAR(relative.d.x, .5 * .06, 1e-7);
   EXPECT_NEAR(relative.d.y, .5 * .03, 1e-7);
   EXPECT_NEAR(relative.delta_d.x, .06 / 16, 1e-7);
   EXPECT_FALSE(relative.discarded);
-  input.scene.clump.scale = "literal";  // the factor is r instead of the gain
+  input.scene.clump.scale = "literal";  // the clump's radius replaces the gain as factor
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
-  input.scene.clump.shape = 1;  // with shape 1, f is 0 on the first layer, and d is 0 below it
+  input.scene.clump.shape = 1;  // f = 0 on the first layer, so its displacement is 0 like below it
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
   input.scene.clump.shape = .5f;
   const Displacement first = clump_displacement(input, mask, {.56, .53}, 0);
@@ -152,7 +157,8 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
 }
 
 TEST_F(OneClump, Algorithm2DiscardsWhatLooksIntoDryFur) {
-  // On the outermost layer h = 1, and rho gain = 1, so p + d is twice as far from the centre as p.
+  // On the outermost layer, f = 1 and rho * gain = 1 in S Eq. 5. The displaced point p + d is therefore twice
+  // as far from the clump's centre as the fragment's position p.
   EXPECT_FALSE(clump_displacement(input, mask, {.59, .5}, 15).discarded);
   EXPECT_TRUE(clump_displacement(input, mask, {.62, .5}, 15).discarded);
   EXPECT_FALSE(clump_displacement(input, mask, {.62, .5}, 3).discarded);
@@ -170,7 +176,7 @@ TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
   FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
   input.scene.clump = {0, 2, "relative", "separate"};
   const Mask mask = wetness_mask(input);
-  const glm::dvec2 p(.45, .5);  // at the tips p + d = (.5, .5), in the other clump
+  const glm::dvec2 p(.45, .5);  // on the outermost layer, p + d = (.5, .5) is in the other clump
   EXPECT_TRUE(clump_displacement(input, mask, p, 15).discarded);
   input.scene.clump.cells = "literal";
   EXPECT_FALSE(clump_displacement(input, mask, p, 15).discarded);

@@ -36,7 +36,7 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
     const Picture whole = render(input, after(20));
     Options options = after(20);
     options.windows = fur_windows(whole, 12, 16, 1);
-    options.windows.push_back({-5, 90, 30, 30});  // over the border
+    options.windows.push_back({-5, 90, 30, 30});  // extends beyond the picture
     const Picture parts = render(input, options);
     const Agreement agreement = compare(whole, parts, options.windows);
     EXPECT_EQ(agreement.worst, 0) << binding;
@@ -47,8 +47,8 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   }
 }
 
-// A window must draw all faces whose fur may reach it. With a curl radius of five fur lengths, some of these
-// faces are far outside the window.
+// In a window, all faces must be drawn whose fur may reach the window. With a curl radius of five fur
+// lengths, some of these faces are far outside the window.
 TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
   FrameInput input = lively_torus();
   input.scene.curl.radius = 0.25f;
@@ -81,7 +81,7 @@ TEST(ReferenceRender, PixelsAreBackgroundFurOrSkin) {
 
 TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
   FrameInput input = lively_torus();
-  // The PSNR limit below was determined with grey light.
+  // The PSNR limit below was determined with grey highlights and grey skin.
   input.scene.shading.specular = glm::vec3(.2f);
   input.scene.coat.skin = glm::vec3(.5f);
   Options options = after(10);
@@ -143,8 +143,8 @@ TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) 
         const double t = -double(camera.eye.z) / ray.z;
         const glm::dvec2 uv = (glm::dvec2(camera.eye) + t * glm::dvec2(ray)) / 6.0 + .5;
         const bool hit = t > 0 && std::min(uv.x, uv.y) > 0 && std::max(uv.x, uv.y) < 1;
-        // Snapping moves the silhouette by a fraction of a pixel, so the test skips pixels that are so close
-        // to it.
+        // Snapping moves the silhouette by a fraction of a pixel, so the test skips pixels near the
+        // silhouette.
         const double margin = 1e-3 * t * t;
         if (t > 0 &&
             (std::min({std::abs(uv.x), std::abs(uv.y), std::abs(1 - uv.x), std::abs(1 - uv.y)}) < margin))
@@ -172,8 +172,8 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
 }
 
 TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
-  // Every texel has coverage 1 and shade 2/3. The camera looks from above, so S Eq. 6 applies with h = 1 and
-  // T = nu = z.
+  // Every texel has coverage 1 and shade 2/3. The camera looks from above, so only the outermost layer is
+  // visible. In S Eq. 6, its height is h = 1, and the strand direction T and the normal nu are the z axis.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;
@@ -189,8 +189,8 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
     for (auto& texel : level) texel = {255, 85};
   input.coat = {1, {{204, 102, 51, 255}}};
   const Picture picture = render(input, {});
-  // |T x L| = 3/5. In the middle of the picture E is -z within 1/600, so (T.L)(T.E) + |T x L||T x E| is
-  // negative and there is no highlight.
+  // In S Eq. 6, |T x L| = 3/5. In the middle of the picture the view direction E is -z within 1/600. The base
+  // of the highlight's power, (T.L)(T.E) + |T x L||T x E|, is therefore negative, and there is no highlight.
   const glm::vec4 middle = picture.at(80, 50);
   EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);
@@ -199,8 +199,8 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
 }
 
 TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
-  // The fur is black with coverage 51/255 = .2 everywhere, and the skin is white in ambient light. N layers
-  // leave .8^N of the skin's colour.
+  // The fur is black with coverage 51/255 = .2 everywhere, and the skin is white in ambient light. The 16
+  // layers let .8^16 of the skin's brightness pass.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;

@@ -1,4 +1,6 @@
-// Tests S Eq. 6 and W Eq. 2-5 with light along and across the strand, and at the limits of their constants.
+// Tests S Eq. 6 and W Eq. 2-5 with light along and across the strand, and with extreme values of the
+// equations' constants. T is the strand's direction, L the direction to the light, and E the direction from
+// the eye.
 #include "harness/shells/reference/shading.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +15,8 @@ using namespace reference;
 
 const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1), coat(.8, .6, .4);
 
-/// Returns the papers' equations without additions: one light of intensity 2 along +z, no ambient light, and
-/// no wrapped light.
+/// Returns constants for the papers' equations without our additions: no ambient light and no wrapped light.
+/// There is one light of intensity 2 in the direction +z.
 ShadingScene bare() {
   ShadingScene shading;
   shading.lights = {LightScene{{0, 0, 3}, 2}};
@@ -43,14 +45,16 @@ TEST(ReferenceCurling, AlongTheLightAStrandIsDark) {
 }
 
 TEST(ReferenceCurling, AcrossTheLightAStrandIsFullyLitAndShinesAcrossTheView) {
-  // |T x L| = 1, so the diffuse term is full. T.L = 0 and |T x E| = 1, so the highlight is 1.
+  // In S Eq. 6, |T x L| = 1, so the strand has the full diffuse light. T.L = 0 and |T x E| = 1, so the
+  // highlight is 1.
   expect_colour(curling_colour(bare(), seen(x, z, y)), 2.0 * coat + glm::dvec3(2 * .5));
   // With the view along the strand there is no highlight.
   expect_colour(curling_colour(bare(), seen(x, z, x)), 2.0 * coat);
 }
 
 TEST(ReferenceCurling, TheHighlightIsTheMirrorCone) {
-  // E points from the eye to the surface. The highlight is strongest if E and L have the same angle to T.
+  // The view direction E points from the eye to the surface. The highlight is strongest if E and the light
+  // direction L have the same angle to the strand's direction T.
   const double t = .7;
   const glm::dvec3 tangent(std::sin(t), 0, std::cos(t));  // at the angle t to the light
   for (const double e : {.1, .7, 1.3}) {
@@ -59,7 +63,8 @@ TEST(ReferenceCurling, TheHighlightIsTheMirrorCone) {
     expect_colour(curling_colour(bare(), seen(tangent, z, view)),
                   2 * std::sin(t) * coat + glm::dvec3(2 * .5 * highlight));
   }
-  // E = -T, so the base of the power is negative and clamped to 0.
+  // The view direction is opposite to the strand's direction, so the base of the highlight's power is
+  // negative and clamped to 0.
   const glm::dvec3 back = -tangent;
   expect_colour(curling_colour(bare(), seen(tangent, z, back)), 2 * std::sin(t) * coat);
 }
@@ -120,7 +125,7 @@ TEST(ReferenceWet, WetnessSharpensTheHighlight) {
     fragment.wetness = rho;
     expect_colour(wet_colour(shading, fragment), 2.0 * coat + highlight((1 + .5 * (rho - 1)) * 8));
   }
-  shading.wet_specular = 0;  // sigma_spec = 0: wetness has no effect
+  shading.wet_specular = 0;  // with sigma_spec = 0, wetness does not change the exponent
   fragment.wetness = 0;
   expect_colour(wet_colour(shading, fragment), 2.0 * coat + highlight(8));
 }
@@ -159,7 +164,8 @@ TEST(ReferenceSkin, IsTheWetModelsDiffuseTermAtTheRoot) {
 TEST(ReferenceTwoSided, LightReachesTheSideThatFacesTheEye) {
   ShadingScene one = bare(), two = bare();
   two.sides = "two";
-  // E runs from the eye to the surface: z faces away where E has a component along z.
+  // The view direction points from the eye to the surface. The normal z faces away from the eye if the z
+  // component of the view direction is positive.
   for (const double tilt : {.1, .8, 1.5}) {
     const glm::dvec3 away(std::cos(tilt), 0, std::sin(tilt)), towards(std::cos(tilt), 0, -std::sin(tilt));
     expect_colour(lit_normal(one, z, away), z);

@@ -15,7 +15,7 @@ namespace {
 
 using reference::Strand;
 
-/// Returns a frame with upright strands on the plane z = 0, without drag, gravity and wind. The tests use
+/// Returns a frame with upright strands on the plane z = 0, without drag, gravity or wind. The tests use only
 /// strand 0.
 FrameInput one_strand() {
   Scene scene = synthetic::lively_scene();
@@ -59,7 +59,7 @@ TEST(ReferenceStrands, RestStaysAtRest) {
     input.scene.fur.comb = comb;
     input.strands.anchor[0] = glm::vec3(.1 * glm::normalize(glm::dvec3(comb, 0, 1)));
     const Strand strand = reference::simulate(input, 0, 200);
-    // The anchor is rounded to float, so it may be outside the ball by a rounding error.
+    // The anchor is rounded to float. It may therefore be outside the ball of S Eq. 3 by a rounding error.
     EXPECT_LT(distance(strand.tip, input.strands.anchor[0]), 2e-8);
     EXPECT_LT(glm::length(strand.velocity), 1e-6);
   }
@@ -106,11 +106,11 @@ TEST(ReferenceStrands, LoadIntoTheSkinRestsOnIt) {
 TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
   FrameInput input = one_strand();
   DynamicsScene& dynamics = input.scene.dynamics;
-  dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the length of the direction has no effect
+  dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the length of the direction vector has no effect
   dynamics.drag = .02f;
   EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
-  // In the first substep the time is 0, so v = dt W / m with W = strength (1 - gust sin(phase)). The phase is
-  // .7.
+  // In the first substep the time is 0, so the velocity is dt W / m with the wind force W = strength * (1 -
+  // gust * sin(phase)). The phase is .7.
   dynamics.wind.gust = .5f;
   input.strands.phase[0] = {float(std::cos(.7)), float(std::sin(.7))};
   const Strand first = reference::substep(input, 0, reference::rest(input, 0), 0);
@@ -140,7 +140,7 @@ TEST(ReferenceStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
 
 TEST(ReferenceStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
   FrameInput input = one_strand();
-  input.scene.dynamics.gravity = {0, 0, -10};  // the rest position is .075 above the skin
+  input.scene.dynamics.gravity = {0, 0, -10};  // the tip is in equilibrium .075 R above the skin
   const Strand start{{0, 0, .06}, glm::dvec3(0)};
   const double measured = period(input, start, .075, 20, [](const Strand& s) { return s.tip.z; });
   EXPECT_NEAR(measured / natural_period(input), 1, .001);
@@ -174,7 +174,7 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
     }
   }
   EXPECT_LE(highest, 1 + 1e-12);
-  EXPECT_GE(lowest, -1e-7);       // n is a float vector, with length 1 within 6e-8
+  EXPECT_GE(lowest, -1e-7);       // n is a float vector, and its length is 1 within 6e-8
   EXPECT_GT(highest, 1 - 1e-12);  // both bounds are reached
   EXPECT_LT(lowest, 1e-7);
 }

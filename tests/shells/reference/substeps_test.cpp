@@ -1,5 +1,5 @@
-// Tests several samples per layer (docs/frame.md, section 6, "Sub-steps"): their positions and their
-// combination.
+// Tests fragments that take several samples (docs/frame.md, section 6, "Sub-steps"): the positions of the
+// samples, and their combination to one sample.
 #include "harness/shells/reference/substeps.hpp"
 
 #include <gtest/gtest.h>
@@ -40,8 +40,9 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
     ++steep;
     const glm::dvec3 shift = root_shift(step, normal, eye);
     EXPECT_NEAR(glm::dot(shift, normal), 0, 1e-14);
-    // The strand whose root is `shift` away from the fragment's strand meets the ray one step below the
-    // fragment.
+    // The second strand has its root at `shift` relative to the root of the fragment's strand. On the layer
+    // below, it passes through the point shift - step relative to the fragment. This point must be on the
+    // view ray.
     EXPECT_LT(glm::length(glm::cross(shift - step, eye)), 1e-14);
   }
   EXPECT_GT(steep, 1000);
@@ -79,7 +80,8 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
     EXPECT_LE(std::abs(shift.x), 4) << z;
     EXPECT_LT(std::abs(shift.x + (z < 0 ? -4 : 4) * eye.x), 1e-14) << z;
   }
-  // The shift is continuous at |E.nu| = .25, where E.nu is limited.
+  // root_shift() limits the product of view direction and normal if its magnitude is below .25. The shift
+  // must be continuous there.
   const auto tilted = [](double z) { return glm::dvec3(std::sqrt(1 - z * z), 0, z); };
   EXPECT_LT(glm::length(root_shift(up, up, tilted(-.2499999)) - root_shift(up, up, tilted(-.2500001))), 1e-5);
 }
@@ -129,8 +131,8 @@ TEST(ReferenceSubsteps, TransmittancesHaveTheirGeometricMeanAndShadesTheirMeanBy
   EXPECT_NEAR(combined({{0, 2}, {.2, .7}}).shade, .7, 1e-15);  // a sample of coverage 0 has no weight
 }
 
-/// Returns a skewed sheet with black fur, whose slices all have one pattern. The visible part of the white
-/// skin is the transmittance of the layers.
+/// Returns a skewed sheet with black fur over white skin. All slices of the fur have the same pattern. The
+/// brightness of a pixel is the transmittance of the layers.
 FrameInput sheet(const Scene& scene) {
   const synthetic::Surface skewed{
       [](double u, double v) { return glm::dvec3(3 * (u - .5) + .8 * (v - .5), 2.6 * (v - .5), 0.0); }};
@@ -162,9 +164,9 @@ Scene sheet_scene(int layers, int substeps) {
   return scene;
 }
 
-/// Returns the greatest difference in transmittance between pictures of 16 and of 4 layers, in the middle of
-/// the picture. Each of the 4 layers stands for four, so the transmittance of the 4 layers is raised to the
-/// power 4.
+/// Returns the greatest difference in transmittance between a picture with 16 layers and a picture with 4
+/// layers, in the middle of the pictures. Each of the 4 layers replaces four layers, so the transmittance of
+/// the 4 layers is raised to the power 4.
 double difference(const Picture& sixteen, const Picture& four) {
   double worst = 0;
   for (int y = 35; y < 65; ++y)
@@ -174,9 +176,9 @@ double difference(const Picture& sixteen, const Picture& four) {
 }
 
 TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
-  // The fur is straight and leaning (a curl without turns), on a plane. 16 layers sample the same places of
-  // the volume along each ray as 4 layers with 4 samples each. Only the snapping of each layer's corners
-  // differs.
+  // The fur is straight on a plane and leans to one side (a curl without turns). Along each view ray, 16
+  // layers sample the fur texture at the same positions as 4 layers with 4 samples each. Only the snapping of
+  // the triangles' corners differs.
   const auto drawn = [](int layers, int substeps, float lean, const glm::vec3& eye) {
     Scene scene = sheet_scene(layers, substeps);
     scene.curl.radius = lean;
@@ -193,8 +195,8 @@ TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
 }
 
 TEST(ReferenceSubsteps, FourLooksFollowAClumpAsSixteenLayersDo) {
-  // The fur is upright, in one clump, and seen head on from a distance. The only shift is that of the clump,
-  // which is linear in height.
+  // The fur is upright and in one clump, and the camera looks at it along the normal from a distance. Only
+  // the clump shifts the texture coordinates. This shift is linear in height.
   const auto drawn = [](int layers, int substeps) {
     Scene scene = sheet_scene(layers, substeps);
     scene.clump.shape = 0;
