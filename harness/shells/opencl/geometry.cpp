@@ -12,8 +12,8 @@
 namespace pelage::shells {
 namespace {
 
-// Returns `count` rounded up to a multiple of 16. A kernel's table has up to eight values per vertex or
-// triangle and is indexed with a 32-bit int. InputError is therefore thrown for counts near 2^28 and above.
+// Returns `count` rounded up to a multiple of 16. Throws InputError if `count` is above 2^28 - 16. The reason
+// for this limit is that kernels index tables of up to eight values per vertex or triangle with a 32-bit int.
 int padded(std::size_t count) {
   if (count > (std::size_t(1) << 28) - 16)
     throw InputError(

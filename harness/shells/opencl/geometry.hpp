@@ -10,7 +10,7 @@ namespace pelage::shells {
 /// Arrays of the drawn mesh. The drawn vertices are the vertices of the mesh. If triangles do not share
 /// vertices (parts()), each triangle has three drawn vertices of its own instead.
 struct Geometry {
-  int vertices = 0;            ///< number of vertices, padded to a multiple of 16, at least one of padding
+  int vertices = 0;            ///< number of vertices with padding (at least one); a multiple of 16
   int triangles = 0;           ///< number of triangles, padded to a multiple of 16
   int strands = 0;             ///< number of strands, padded to a multiple of 16
   std::vector<float> vertex;   ///< VERTEX_COLUMNS columns
@@ -21,9 +21,13 @@ struct Geometry {
   /// is drawn, which a kernel computes.
   std::vector<std::int32_t> corner;
   std::vector<std::uint32_t> stick;  ///< index of each vertex's stick, no padding; empty for Silva's strands
-  // The weights with which strands bend the vertices (Silva's model), as a sparse matrix. The row of a vertex
-  // has one entry per strand. Within a block of `lanes` vertices, all rows are padded to the same length.
-  std::vector<std::int32_t> slice;  ///< first entry of each block divided by `lanes`; blocks + 1 values
+  // A sparse matrix of the weights with which strands bend vertices (Silva's model). The row of a vertex has
+  // one entry per strand that bends the vertex. Within a block of `lanes` vertices, all rows are padded to
+  // the same length.
+
+  /// The index of each block's first entry, divided by `lanes`. There is one more value: the end of the last
+  /// block.
+  std::vector<std::int32_t> slice;
   std::vector<std::int32_t> strand;
   std::vector<float> weight;
   std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns

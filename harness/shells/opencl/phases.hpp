@@ -1,4 +1,4 @@
-// The events of the kernel launches of one frame, with their phases.
+// The OpenCL events of the kernel launches of one frame, and the phases to which the launches belong.
 #pragma once
 #include <string>
 #include <utility>
@@ -8,7 +8,8 @@
 
 namespace pelage::shells {
 
-/// Pairs of phase and event, in launch order. Event times can be read only after the queue has finished.
+/// One pair per kernel launch, in launch order: the name of the phase ("simulate", "transform", "bin" or
+/// "raster") and the event of the launch. Event times can be read only after the queue has finished.
 using PhaseEvents = std::vector<std::pair<std::string, cl::Event>>;
 
 }  // namespace pelage::shells

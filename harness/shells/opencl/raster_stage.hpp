@@ -40,8 +40,8 @@ class RasterStage {
 
  private:
   void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
-  // Draws all passes with `mapping`, which must count fragments. Picture and counters are temporary buffers.
-  // Returns the values of the counters.
+  // Draws all passes with `mapping`, which must count fragments. It writes picture and counters to temporary
+  // buffers. Returns the values of the counters.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
   // Returns the number of passes. There are several if the screen positions of all layers do not fit in

@@ -28,9 +28,12 @@ struct ShellOptions {
 
 /// Numbers of fragments of a frame in all layers, without the base surface.
 struct Tally {
-  std::uint64_t covered = 0;  ///< covered fragments, visible or not
-  std::uint64_t shaded = 0;   ///< covered fragments in front of the base, in pixels that are not yet opaque
-  std::uint64_t blended = 0;  ///< shaded fragments whose fur is not fully transparent: lit and blended
+  /// Pairs of a layer's triangle and a pixel that the triangle covers, visible or not.
+  std::uint64_t covered = 0;
+  /// Covered fragments that are not behind the base surface and are in a pixel that is not yet opaque.
+  std::uint64_t shaded = 0;
+  /// Shaded fragments whose fur is not fully transparent. Only these are lit and blended.
+  std::uint64_t blended = 0;
 };
 
 /// One kernel launch of a frame.
@@ -43,8 +46,8 @@ struct KernelTime {
 /// The times of one frame, in milliseconds. phase_event_ms and kernels are empty if the times of the device's
 /// OpenCL events are not reliable.
 struct FrameTiming {
-  double wall_ms = 0;                            ///< from the first enqueue until the queue has finished
-  std::map<std::string, double> phase_event_ms;  ///< sum per phase: simulate, transform, bin, raster
+  double wall_ms = 0;                            ///< time from the first enqueue until the queue has finished
+  std::map<std::string, double> phase_event_ms;  ///< event times by phase: simulate, transform, bin, raster
   std::vector<KernelTime> kernels;               ///< in launch order; empty if phase_event_ms is empty
 };
 

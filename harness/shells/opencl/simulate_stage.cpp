@@ -8,7 +8,8 @@ namespace pelage::shells {
 
 namespace {
 
-// Returns the state of all strands at rest: each tip is at its anchor and has the velocity 0.
+// Returns the state of all strands at rest: each tip is at its rest position (the anchor) with the velocity
+// 0.
 std::vector<float> rest_state(const Geometry& g) {
   const auto stride = std::size_t(g.strands);
   std::vector<float> state(std::size_t(STATE_COLUMNS) * stride, 0.0f);

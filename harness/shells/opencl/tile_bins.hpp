@@ -6,9 +6,9 @@
 namespace pelage::shells {
 
 /// Sorts triangles into tiles by a parallel counting sort. In the first kernel, each work-item counts the
-/// entries of each tile for one chunk of triangles. Prefix sums of the counts give the position of the
-/// chunk's entries in the list of the tile. The last kernel, again with one work-item per chunk, writes the
-/// entries.
+/// entries that one chunk of triangles adds to the list of each tile. Prefix sums of these counts give the
+/// position of the chunk's entries in each list. In the last kernel, each work-item writes the entries of one
+/// chunk.
 class TileBins {
  public:
   /// `geometry` is the program built from rasterize/geometry/geometry.cl.

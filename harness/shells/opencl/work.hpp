@@ -16,8 +16,8 @@ namespace pelage::shells {
 /// products and a sum.
 namespace operations {
 inline constexpr double strand_substep = 89;  ///< S Eq. 2 and 3
-inline constexpr double tip_entry = 6;        ///< one strand's term of a vertex's weighted mean
-inline constexpr double vertex_layer = 53;    ///< position by S Eq. 1 and 4, and projection, of one vertex
+inline constexpr double tip_entry = 6;        ///< weighted mean of strands at a vertex, per strand
+inline constexpr double vertex_layer = 53;    ///< S Eq. 1 and 4 and projection, per vertex of a layer
 inline constexpr double point = 17;           ///< depth and barycentrics at a pixel
 inline constexpr double record = 48;          ///< interpolation of eight attributes
 inline constexpr double eye = 22;             ///< view direction of a pixel

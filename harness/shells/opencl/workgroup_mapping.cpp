@@ -13,7 +13,8 @@
 namespace pelage::shells {
 namespace {
 
-// Pixels per side of a tile. One 64-bit word holds which of the 8 x 8 pixels a triangle covers.
+// Pixels per side of a tile. A 64-bit word has one bit per pixel of the tile, which is set if a triangle
+// covers the pixel.
 constexpr int tile_side = 8;
 constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
 

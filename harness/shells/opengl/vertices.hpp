@@ -38,7 +38,7 @@ class Vertices {
 
   const FrameInput* input_;
   bool separate_;
-  std::vector<std::uint32_t> copy_;  ///< for each vertex, the index of its vertex in the mesh
+  std::vector<std::uint32_t> copy_;  ///< for each vertex of `fixed_`, the index of the mesh's vertex
   std::vector<Vertex> fixed_;
   std::vector<std::uint32_t> index_;
 };

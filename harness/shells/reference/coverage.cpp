@@ -77,8 +77,8 @@ Raster::Raster(const std::array<Snapped, 3>& corners, int width, int height)
     : corner_(corners), width_(width), height_(height), area_(turn(corners[0], corners[1], corners[2])) {}
 
 Edges Raster::edges(int i, int j) const {
-  // The centre of pixel i is at i + .5 - width/2 pixels, which is 256 i + 128 - 128 width in units of 1/256
-  // pixel.
+  // The centre of pixel i is at i + .5 - width / 2 pixels, which is 256 * i + 128 - 128 * width in units of
+  // 1/256 pixel.
   const Snapped p{256 * std::int64_t(i) + 128 - 128 * std::int64_t(width_),
                   256 * std::int64_t(j) + 128 - 128 * std::int64_t(height_)};
   Edges result{{0, 0, 0}, area_ != 0};

@@ -21,8 +21,9 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
-/// Applies one droplet to the mask by Algorithm 1 of S and W. It changes the texels whose centres are at most
-/// droplet.radius from the droplet's centre in UV and at most droplet.reach from it on the surface.
+/// Applies one droplet to the mask by Algorithm 1 of S and W. It changes a texel if the texel's centre is at
+/// most droplet.radius from the droplet's centre in UV, and the texel's surface point is at most
+/// droplet.reach from droplet.point.
 void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
   const int size = mask.size;
   // `first` and `last` give the range of rows or columns that the disc can touch, plus one texel on either

@@ -26,7 +26,7 @@ namespace {
 struct Tile {
   Window window;
   std::vector<std::uint32_t> faces;  ///< faces that may be visible in the window, in the mesh's order
-  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 where the base covers nothing
+  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 without base surface
   std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha of each pixel
   std::size_t at(int x, int y) const {
     return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);

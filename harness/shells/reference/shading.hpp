@@ -13,7 +13,7 @@ struct Fragment {
   glm::dvec3 tangent;  ///< strand direction: T (curling model) or T_ws (wet model)
   glm::dvec3 normal;   ///< nu, the surface normal
   glm::dvec3 view;     ///< E, the direction from the eye to the surface
-  double height = 0;   ///< h, 0 on the base surface
+  double height = 0;   ///< h, the layer's height; 0 on the base surface
   double wetness = 0;  ///< rho
 };
 
@@ -25,7 +25,7 @@ bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm
 /// the eye, it returns -normal, else `normal`. `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
-/// Returns the colour of S Eq. 6 with gamma = (K_shadow - 1 + h) / K_shadow.
+/// Returns the colour of S Eq. 6 with the shadow factor gamma = (K_shadow - 1 + h) / K_shadow.
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the colour of W Eq. 2, 3 and 5.

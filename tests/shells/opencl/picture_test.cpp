@@ -54,7 +54,8 @@ TEST_P(Mappings, BothModelsAndBothBindings) {
 }
 
 TEST_P(Mappings, OtherReadings) {
-  // Sets the scene keys that select an interpretation of the papers to values that are not the default.
+  // Where the papers are ambiguous, scene keys select an interpretation. The test sets these keys to values
+  // other than the defaults.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";

@@ -161,7 +161,7 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
 }
 
 TEST(KernelStrands, FollowTheReference) {
-  Scene scene = synthetic::lively_scene();  // with comb, drag, gusts and gravity
+  Scene scene = synthetic::lively_scene();  // this scene has combed fur, drag, gusts and gravity
   scene.fur.layers = 2;
   const FrameInput input = synthetic::frame(scene, synthetic::torus(), 25, 17, 0);
   for (const int frames : {1, 7, 120}) {
@@ -250,10 +250,12 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
   input.droplets = {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)};
   expect(texel(input), {.58, .55, .22, 1});  // Algorithm 1 with rho clamped to 1 and alpha = .8
   input.droplets = {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)};
-  // The second droplet overwrites the first, because their centres are more than .2 apart.
+  // The first droplet's centre is outside the second droplet's disc of radius .2, so the second droplet
+  // overwrites the first.
   expect(texel(input), {.6, .55, .2, .7});
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
-  // In the other order the centres are at most .35 apart, so the droplets blend with alpha = .4.
+  // In the other order, the small droplet's centre is inside the large droplet's disc of radius .35. The
+  // droplets therefore blend by Algorithm 1 with alpha = .4.
   expect(texel(input), {.48, .55, .26, 1});
 }
 

@@ -108,7 +108,7 @@ TEST(EquationsOfSticks, TheHostsTableHoldsThePowers) {
   }
 }
 
-/// Returns a small torus in a wind that pushes a mass at rest with 0.01 N.
+/// Returns a small torus in a wind that acts on a mass at rest with a force of 0.01 newtons.
 FrameInput small_input(const std::string& topology) {
   Scene scene = synthetic::lively_scene();
   scene.dynamics.topology = topology;

@@ -148,7 +148,7 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
   EXPECT_FALSE(relative.discarded);
   input.scene.clump.scale = "literal";  // the clump's radius replaces the gain as factor
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
-  input.scene.clump.shape = 1;  // f = 0 on the first layer, so its displacement is 0 like below it
+  input.scene.clump.shape = 1;  // with shape 1, d is 0 on the first layer and below it
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
   input.scene.clump.shape = .5f;
   const Displacement first = clump_displacement(input, mask, {.56, .53}, 0);

@@ -47,8 +47,8 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   }
 }
 
-// In a window, all faces must be drawn whose fur may reach the window. With a curl radius of five fur
-// lengths, some of these faces are far outside the window.
+// All faces whose fur may reach a window must be drawn in it. With a curl radius of five fur lengths, some of
+// these faces are far outside the window.
 TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
   FrameInput input = lively_torus();
   input.scene.curl.radius = 0.25f;

@@ -56,7 +56,7 @@ TEST(ReferenceCurling, TheHighlightIsTheMirrorCone) {
   // The view direction E points from the eye to the surface. The highlight is strongest if E and the light
   // direction L have the same angle to the strand's direction T.
   const double t = .7;
-  const glm::dvec3 tangent(std::sin(t), 0, std::cos(t));  // at the angle t to the light
+  const glm::dvec3 tangent(std::sin(t), 0, std::cos(t));  // a strand at the angle t to the light
   for (const double e : {.1, .7, 1.3}) {
     const glm::dvec3 view = std::cos(e) * tangent + std::sin(e) * y;
     const double highlight = std::pow(std::cos(t - e), 8);

@@ -49,7 +49,8 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
 }
 
 TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
-  Numbers random;  // the shift is the same for the opposite ray direction
+  Numbers random;
+  // The shift must be the same for the opposite ray direction.
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
     EXPECT_LT(glm::length(root_shift(step, normal, eye) - root_shift(step, normal, -eye)), 1e-14);
@@ -80,8 +81,8 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
     EXPECT_LE(std::abs(shift.x), 4) << z;
     EXPECT_LT(std::abs(shift.x + (z < 0 ? -4 : 4) * eye.x), 1e-14) << z;
   }
-  // root_shift() limits the product of view direction and normal if its magnitude is below .25. The shift
-  // must be continuous there.
+  // root_shift() limits the dot product of view direction and normal to magnitudes of at least .25. The shift
+  // must be continuous at this limit.
   const auto tilted = [](double z) { return glm::dvec3(std::sqrt(1 - z * z), 0, z); };
   EXPECT_LT(glm::length(root_shift(up, up, tilted(-.2499999)) - root_shift(up, up, tilted(-.2500001))), 1e-5);
 }
