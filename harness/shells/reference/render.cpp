@@ -180,7 +180,7 @@ class Painter {
     const glm::dvec3 eye = view(sample);
     const ShadingScene& shading = input_.scene.shading;
     const glm::dvec3 outwards = unit(bend(face, sample).a), normal = lit_normal(shading, outwards, eye);
-    // No fur shadows the back: it is as bright as the tips, h = 1.
+    // No fur shadows the back of the surface, so it has the height h = 1 of the tips in the shadow factor.
     const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
                             normal,
                             normal,

@@ -49,8 +49,8 @@ glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                        const glm::dvec3& b, const glm::dvec2& delta_d);
 
-/// Returns the unit direction of the strand at a fragment of a layer. It is wet_tangent() for the model "wet",
-/// and the direction of `bend` for the other models. The arguments are those of wet_tangent().
+/// Returns the unit direction of the strand at a fragment of a layer. It is wet_tangent() for the model
+/// "wet", and the direction of `bend` for the other models. The arguments are those of wet_tangent().
 glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                             const glm::dvec3& b, const glm::dvec2& delta_d);
 

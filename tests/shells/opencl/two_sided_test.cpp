@@ -59,7 +59,8 @@ TEST_P(TwoSided, LightsTheBackAndLeavesTheFront) {
   };
   const Picture front = drawn(1, "one"), front_two = drawn(1, "two");
   EXPECT_EQ(compare(front, front_two).worst, 0.0);
-  // Without fur in front of it the back is skin in full light: half as bright as the fur at least.
+  // Fur does not shadow the back of the surface, which shows skin. The back must be at least half as bright
+  // as the fur on the front.
   const double back = brightness(drawn(-1, "two"));
   EXPECT_GT(back, 5 * brightness(drawn(-1, "one")));
   EXPECT_GT(back, 0.5 * brightness(front));
