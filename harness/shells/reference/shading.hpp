@@ -13,7 +13,7 @@ struct Fragment {
   glm::dvec3 tangent;  ///< strand direction: T (curling model) or T_ws (wet model)
   glm::dvec3 normal;   ///< nu, the surface normal
   glm::dvec3 view;     ///< E, the direction from the eye to the surface
-  double height = 0;   ///< h, the layer's height; 0 on the base surface
+  double height = 0;   ///< h, the layer's height; base surface: 0, or 1 where shows_back()
   double wetness = 0;  ///< rho
 };
 
