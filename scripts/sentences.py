@@ -155,6 +155,8 @@ def sentences_of(paragraph):
     """Yields the sentences with at least FEWEST_WORDS words, which excludes formulas and paths."""
     for part in re.split(r'(?<=[.?!;])["\')]*\s+(?=[A-Z`"(\[])', paragraph.text):
         part = part.strip(" ;")
+        if not re.sub(r"`[^`]*`|[\s,|.;:()-]|\band\b", "", part) or part.startswith(("namespace ", "NOLINT")):
+            continue  # only names of files, code or commands; the end of a namespace; a remark for the linter
         words = re.findall(r"\b[A-Za-z][a-z']+\b", part)
         if len(words) >= FEWEST_WORDS and len(set(words)) > 2:
             yield part
