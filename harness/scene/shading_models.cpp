@@ -8,9 +8,13 @@ namespace pelage {
 namespace {
 
 constexpr ShadingModel models[] = {
-    {"curling", "S Eq. 6", false, false, true},
-    {"wet", "W Eq. 2-5", true, false, true},
-    {"lambert", "Lambert's law with self-shadow (Banisch and Wuethrich 2006)", true, true, false},
+    {.name = "curling", .what = "S Eq. 6", .surface_light = false, .plain = false, .in_opengl = true},
+    {.name = "wet", .what = "W Eq. 2-5", .surface_light = true, .plain = false, .in_opengl = true},
+    {.name = "lambert",
+     .what = "Lambert's law with self-shadow (Banisch and Wuethrich 2006)",
+     .surface_light = true,
+     .plain = true,
+     .in_opengl = false},
 };
 
 }  // namespace
