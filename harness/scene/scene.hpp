@@ -84,7 +84,7 @@ struct WetnessScene {
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
   float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
-  /// Size of the wet areas of `patch_cover` in R; wetness fades at the areas' borders.
+  /// Size in R of a wet area (see `patch_cover`). Wetness fades at the border of the area.
   float patch_size = 0.6f;
   /// Random droplets are placed only where this picture (in UV space) is bright; empty: everywhere.
   std::filesystem::path image;

@@ -157,7 +157,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"shading.occlusion", &shading.occlusion, "", 0, 1, "sigma_occ of the wet model; in the lambert model the darkening of the base surface"},
       {"shading.darkening", &shading.darkening, "", 0, 1, "sigma_wet of the wet model"},
       {"shading.wet_specular", &shading.wet_specular, "", 0, 0.99, "sigma_spec of the wet model"},
-      {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump term in the tangent of W Eq. 4: \"paper\" as printed, \"drawn\" the opposite, so that the tangent leans like the drawn strands", .choices = {"paper", "drawn"}},
+      {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump term in the tangent of W Eq. 4: \"paper\" as printed, \"drawn\" the opposite, so that the tangent tilts in the same direction as the drawn strands", .choices = {"paper", "drawn"}},
       {.name = "shading.sides", .slot = &shading.sides, .unit = "", .help = "sides of the surface that receive light; \"two\" lights open meshes that are seen from behind", .choices = {"one", "two"}},
 
       {.name = "coat.image", .slot = &coat.image, .unit = "", .help = "colour texture in UV space; \"\": procedural coat"},
