@@ -98,7 +98,8 @@ int main(int argc, char** argv) {
   } catch (const NoDeviceError& error) {
     return failed(error.what(), 3);
   } catch (const DeviceError& error) {
-    // Newlines are kept, because the text may contain the build log of a kernel.
+    // failed() would replace newlines by spaces. The text may contain the build log of a kernel, which needs
+    // its newlines.
     fmt::print(stderr, "pelage: {}\n", error.what());
     return 1;
   } catch (const std::bad_alloc&) {

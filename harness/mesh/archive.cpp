@@ -28,7 +28,8 @@ std::optional<std::string> read_member(const std::filesystem::path& file, const 
   if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK) damaged(file);
   archive_entry* entry = nullptr;
   for (;;) {
-    // An entry is readable after a warning, for instance about a name that the locale cannot represent.
+    // After a warning (ARCHIVE_WARN) the entry is readable. libarchive warns, for instance, if the locale
+    // cannot represent the entry's name.
     const int status = archive_read_next_header(reader.get(), &entry);
     if (status == ARCHIVE_EOF) return {};
     if (status < ARCHIVE_WARN) damaged(file);

@@ -145,7 +145,8 @@ void check_off(std::string_view bytes, const std::string& name) {
     count = head.next();
   }
   const auto vertices = read<std::int64_t>(count), faces = read<std::int64_t>(head.next());
-  // The text of a vertex has at least six bytes, the text of a face at least eight.
+  // A vertex takes at least six bytes of text and a face at least eight, with the newline. So the size of the
+  // file limits the counts in the header. The last line may lack its newline.
   const auto size = std::int64_t(bytes.size());
   if (!vertices || !faces || *vertices < 0 || *faces < 0)
     fail(name, lines.number(), "the counts of vertices and faces are missing or invalid");

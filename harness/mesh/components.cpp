@@ -24,8 +24,8 @@ std::size_t count_of(const std::vector<std::uint32_t>& component) {
 struct Chart {
   double degrees = 0;   // rotation of the chart
   glm::dvec2 low{0};    // lower corner of the rotated chart's bounding box, before scaling
-  glm::dvec2 size{0};   // size of this bounding box after scaling, without margins
-  glm::dvec2 place{0};  // lower corner of the bounding box in the packing
+  glm::dvec2 size{0};   // size of the rotated chart's bounding box, after scaling and without margins
+  glm::dvec2 place{0};  // position of the bounding box's lower corner in the packed UV map
   double scale = 1;     // ratio of lengths on the surface to lengths in the chart
 };
 

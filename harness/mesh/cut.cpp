@@ -75,7 +75,8 @@ using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
 // Returns a flag per edge: 1 if the edge is cut. First, all edges are cut except those that the shortest-path
-// tree over the faces crosses. Then cut edges with a free end are removed from the cut until there are none.
+// tree over the faces crosses. If only one cut edge ends at a point, this edge is then removed from the cut.
+// The removal is repeated until every point has no cut edge or at least two.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];
@@ -172,7 +173,7 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
   std::vector<std::uint32_t> sources = points_of(graph, cut);
   for (const glm::dvec3& tip : plan.tips) {
     std::uint32_t p = nearest_point(surface, tip);
-    if (sources.empty()) {  // the cut graph of a sphere is empty; its cuts start at the first tip
+    if (sources.empty()) {  // the cut graph of a sphere is empty; the first tip becomes the start of the cuts
       sources.push_back(p);
       continue;
     }
@@ -204,8 +205,8 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   const std::vector<char> cut = cut_as_planned(surface, graph, plan);
   Disk disk;
 
-  // If two triangles share an uncut edge, their two corners at an end point of the edge belong to the same
-  // copy.
+  // If two triangles share an uncut edge, their two corners at an end point of the edge refer to the same
+  // copy of this point.
   std::vector<std::uint32_t> root(surface.triangle.size() * 3);
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](std::uint32_t c) {

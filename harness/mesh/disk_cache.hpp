@@ -77,7 +77,7 @@ class Reader {
 std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title);
 
 /// Returns the bytes of a file, or nothing if the file cannot be read. Sets the file's modification time to
-/// the current time, which trim_cache() evaluates.
+/// the current time, because trim_cache() removes the files with the oldest modification times first.
 std::optional<std::string> read_cache_file(const std::filesystem::path& file);
 
 /// Writes a file under a temporary name and renames it, so that other processes never read an incomplete

@@ -98,8 +98,9 @@ bool fits(const std::vector<Surface::Corners>& uv) {
   return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
 }
 
-// Returns the mean length on the surface per unit of u and per unit of v. Periodic maps have one value per
-// axis, weighted by UV area. Other maps have the value sqrt(surface area / UV area) for both axes.
+// Returns the mean length on the surface per unit of u and per unit of v. For a periodic map, each of the two
+// values is a mean over the triangles, weighted by UV area. For other maps, both values are
+// sqrt(surface area / UV area).
 glm::vec2 length_per_uv(const std::vector<glm::dvec3>& point, const Surface& surface,
                         const std::vector<Surface::Corners>& uv) {
   double area = 0, uv_area = 0;

@@ -158,8 +158,8 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// Returns the right-hand side of the global step of Liu et al. 2008, for which every triangle is rotated like
-// its image in the current map x.
+// Returns the right-hand side of the global step of Liu et al. 2008. For each triangle, it uses the rotation
+// that best fits the triangle's shape on the surface to the triangle's image in the current map x.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };

@@ -20,7 +20,8 @@ namespace pelage {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-// AddressSanitizer needs the whole address space for its shadow memory, and stderr for its reports.
+// With AddressSanitizer, the child process has no limit of memory and keeps stderr, because AddressSanitizer
+// reserves terabytes of address space and writes its reports to stderr.
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;

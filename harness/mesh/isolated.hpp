@@ -11,7 +11,7 @@ namespace pelage {
 struct Limits {
   std::uint64_t memory;  ///< limit of the address space in bytes, in addition to that of the parent process
   std::chrono::seconds time;  ///< limit of the wall-clock time
-  /// Interval between messages "still at work".
+  /// Time without a message from the child process after which isolated() sends the message "still at work".
   std::chrono::milliseconds silence = std::chrono::seconds(20);
 };
 

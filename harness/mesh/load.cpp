@@ -28,8 +28,8 @@ namespace {
 // Version of the mesh preparation, which is part of the name of every cached mesh. Increase it after a change
 // of the code that changes the mesh of any source.
 constexpr int recipe = 3;
-constexpr int procedural_recipe = 3;  // additional version for the meshes of procedural shapes
-constexpr int file_recipe = 1;        // additional version for the meshes of users' files
+constexpr int procedural_recipe = 3;  // version of the procedural shapes, used in addition to `recipe`
+constexpr int file_recipe = 1;  // version of the preparation of users' files, used in addition to `recipe`
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -111,9 +111,10 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
-// Returns a coarse version of the surface with about `faces` faces, on which plan_cuts() tries cuts. If the
-// final face count is odd, the coarse count is odd too, so both meshes have a hole of one face. Returns
-// `surface` itself if it cannot be made coarser.
+// Returns a coarse version of the surface with about `faces` faces, on which plan_cuts() tries cuts. A closed
+// surface has an even number of faces, so with_faces() removes one face if the final face count is odd. The
+// coarse count is then odd too, so that both meshes have this hole. Returns `surface` itself if it cannot be
+// made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));

@@ -60,7 +60,7 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
 
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part) {
-  // On a surface with handles the cut graph depends on its root, so four distant roots are tried.
+  // On a surface with handles the cut graph depends on its root, so four roots far from each other are tried.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   const long euler =
       2 * long(proxy.point.size()) - long(proxy.triangle.size());  // twice the Euler characteristic if closed

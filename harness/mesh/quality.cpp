@@ -29,7 +29,7 @@ class Groups {
 
 struct Side {
   std::uint32_t low, high, face;
-  bool forward;  // from low to high
+  bool forward;  // true: the face's corners visit `low` before `high`
 };
 
 // Returns the sides of all faces, sorted so that sides with the same end points are adjacent.

@@ -45,7 +45,8 @@ UvQuality uv_quality(const Mesh& mesh, int side = 2048);
 std::vector<std::string> uv_warnings(const Mesh& mesh);
 
 /// Returns the chart number of each face. Charts are numbered from 0 in the order of their first faces. Two
-/// faces that share an edge belong to the same chart if they also share its two vertices.
+/// faces at an edge belong to the same chart if they use the same two vertices, and therefore the same UV, at
+/// the ends of the edge.
 std::vector<std::uint32_t> charts(const Mesh& mesh);
 
 }  // namespace pelage

@@ -55,7 +55,8 @@ SurfaceSearch::SurfaceSearch(std::shared_ptr<const Mesh> mesh) : state_(std::mak
     state_->triangles.emplace_back(point(position[t.x]), point(position[t.y]), point(position[t.z]));
   }
   state_->tree.rebuild(state_->triangles.begin(), state_->triangles.end());
-  // Without this call the first query would build the tree for distance queries, which is not thread-safe.
+  // Without this call, the first distance query would build a second search tree. If two threads made the
+  // first query at the same time, both would build this tree.
   state_->tree.accelerate_distance_queries();
 }
 

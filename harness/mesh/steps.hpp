@@ -12,7 +12,7 @@ namespace pelage {
 
 /// Options of repair() for holes and components.
 struct RepairOptions {
-  bool fill_all = false;  ///< true: fill all holes; false: fill holes narrower than a tenth of the mesh
+  bool fill_all = false;  ///< true: fill all holes; false: fill holes narrower than 1/10 of the mesh's size
   bool largest_only =
       /// True: keep only the component with the most faces; false: keep all closed or large components.
       true;

@@ -50,7 +50,7 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
 Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name);
 
 /// Returns the surface with the UV map of the plan of least cost. If `unfold` throws InputError for a plan,
-/// the plan of next higher cost is tried.
+/// the plan with the next higher cost is tried.
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold);
 

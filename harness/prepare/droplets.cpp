@@ -73,7 +73,8 @@ class Places {
 };
 
 /// Returns the maximum distance, in R, between the centre of a droplet and the surface points of the texels
-/// that it covers. This is twice the droplet's radius on the surface, because the UV map may be stretched.
+/// that it covers. This is twice the droplet's radius times the mesh's mean length on the surface per
+/// unit of UV. The factor 2 allows for stretch of the UV map.
 float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }

@@ -24,7 +24,7 @@ struct StrandSet {
   // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
   // computes, for each point, the mean over the strands of the triangles around the point, weighted by the
   // areas of these triangles.
-  /// Start of each row in `face` and `weight`; the last value is the size of both.
+  /// Index in `face` and `weight` at which each row starts. An additional last value is their size.
   std::vector<std::uint32_t> row;
   std::vector<std::uint32_t> face;  ///< triangle of each matrix element
   std::vector<float> weight;        ///< weight of each matrix element; the sum over a row is 1

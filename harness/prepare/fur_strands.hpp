@@ -31,10 +31,10 @@ glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h)
 
 /// Returns the radius of the strand's cross-section at height h <= length. The radius r decreases from the
 /// root to the tip, where it is fur.tip_radius times the radius at the root. Then the section is widened to a
-/// disc of the area pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is the distance between two slices. A
-/// ray whose angle to the strand has the tangent fur.sweep hits the strand between two slices if the ray
-/// enters this area. Without the widening, rays would pass between the sections of a strand if layers are
-/// few, and the fur would look thinner and darker.
+/// disc of the area pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is the distance between two slices.
+/// Consider parallel rays whose angle to the strand has the tangent fur.sweep. The rays that hit the strand
+/// between two slices cross a slice in an area of exactly this size. Without the widening, rays would pass
+/// between the sections of a strand if there are few layers, and the fur would look thinner and darker.
 double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
 
 /// Returns `count` points that are evenly distributed over [0,1)^2. The square is divided into rows of cells,

@@ -10,7 +10,8 @@ namespace pelage {
 namespace {
 
 constexpr double noise_size = 0.1;  // size of the features of the comb's noise, in R
-// Length of the tangential part of the comb direction below which the tilt decreases.
+// The tilt decreases where the tangential part of the comb direction, a unit vector, is shorter than this
+// length.
 constexpr double least_grip = 0.25;
 constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
 

@@ -39,9 +39,9 @@ struct FurScene {
   /// Exponent c of the bend of a blade. At the fraction t of the blade's length, the sideways offset is
   /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
-  float bend_spread = 0.0f;  ///< greatest random deviation of c between blades, as a fraction of c
-  /// Tangent of an angle between view ray and strand. strand_radius() widens strands so that a ray at this
-  /// angle does not pass between two slices of a strand.
+  float bend_spread = 0.0f;  ///< greatest random deviation of a blade's c, as a fraction of `bend_exponent`
+  /// Tangent of the angle between view ray and strand for which strand_radius() widens the slices of a
+  /// strand. At exactly this angle, the widening compensates for the gaps between the slices.
   float sweep = 0.18f;
   float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
   float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
@@ -79,12 +79,12 @@ struct WetnessScene {
   int random = 0;                      ///< maximum number of random droplets
   std::uint32_t seed = 1;
   float radius = 0.012f;        ///< mean radius of random droplets, UV units
-  float radius_spread = 0.3f;   ///< greatest random deviation, as a fraction of `radius`
+  float radius_spread = 0.3f;   ///< greatest random deviation from `radius`, as a fraction of `radius`
   float wetness = 0.9f;         ///< mean wetness of random droplets
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
   float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
-  /// Size of the wet areas of `patch_cover` in R; wetness fades at the areas' borders.
+  /// Size in R of a wet area (see `patch_cover`). Wetness fades at the border of the area.
   float patch_size = 0.6f;
   /// Random droplets are placed only where this picture (in UV space) is bright; empty: everywhere.
   std::filesystem::path image;
@@ -146,8 +146,8 @@ struct PokeScene {
 struct DynamicsScene {
   /// Model of the fur's motion: "silva" or the name of a mass-spring topology.
   std::string topology = "silva";
-  std::string solver{
-      springs::default_solver.name};  ///< time integration scheme; "silva" supports only this default
+  /// Time integration scheme. The topology "silva" supports only the default scheme.
+  std::string solver{springs::default_solver.name};
   /// Bend of the layers with a mass-spring topology: "linear" | "paper" | "tangent".
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4

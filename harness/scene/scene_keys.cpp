@@ -21,7 +21,8 @@ std::string_view shading_help() {
   static const std::string text = [] {
     std::string list = "lighting model: ";
     for (const ShadingModel& model : shading_models())
-      list += fmt::format("{}\"{}\" is {}", &model == &shading_models().front() ? "" : ", ", model.name, model.what);
+      list += fmt::format("{}\"{}\" is {}", &model == &shading_models().front() ? "" : ", ", model.name,
+                          model.what);
     return list;
   }();
   return text;
@@ -75,8 +76,8 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.lock_power", &fur.lock_power, "", 0.01, 16, "exponent of the height in the displacement by fur.lock_pull"},
       {"fur.bend", &fur.bend, "texels", 0, 256, "sideways offset of the tip of a blade of grass, in texels of a 256 x 256 slice"},
       {"fur.bend_exponent", &fur.bend_exponent, "", 0.01, 16, "exponent c of a blade's bend, fur.bend * (e^(c t) - 1) / (e^c - 1) at the fraction t of its length; a larger c bends the blade nearer to its tip"},
-      {"fur.bend_spread", &fur.bend_spread, "of the exponent", 0, 0.99, "greatest random deviation of a blade from fur.bend_exponent"},
-      {"fur.sweep", &fur.sweep, "", 0, 4, "tangent of an angle between view ray and hair; hairs are widened for rays at this angle, so that fur of 16 layers looks like fur of 64 layers; 0: hairs are not widened"},
+      {"fur.bend_spread", &fur.bend_spread, "of the exponent", 0, 0.99, "greatest random deviation of a blade's bend exponent from fur.bend_exponent"},
+      {"fur.sweep", &fur.sweep, "", 0, 4, "tangent of an angle between view ray and hair; hairs are widened by the amount that fills the gaps between layers for rays at exactly this angle; fur of 16 layers then looks like fur of 64 layers; 0: hairs are not widened"},
       {"fur.shade", &fur.shade, "", 0, 1, "greatest random deviation of a hair's shade from 1"},
       {"fur.comb", &fur.comb, "", 0, 10, "tangent of the angle by which strands at rest tilt in the direction fur.comb_direction; 0: upright, as in the paper"},
       {"fur.comb_noise", &fur.comb_noise, "", 0, 10, "tilt of strands at rest in random directions that vary smoothly over the surface, added to fur.comb"},
@@ -156,7 +157,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"shading.occlusion", &shading.occlusion, "", 0, 1, "sigma_occ of the wet model; in the lambert model the darkening of the base surface"},
       {"shading.darkening", &shading.darkening, "", 0, 1, "sigma_wet of the wet model"},
       {"shading.wet_specular", &shading.wet_specular, "", 0, 0.99, "sigma_spec of the wet model"},
-      {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump term in the tangent of W Eq. 4: \"paper\" as printed, \"drawn\" the opposite, so that the tangent leans like the drawn strands", .choices = {"paper", "drawn"}},
+      {.name = "shading.tangent", .slot = &shading.tangent, .unit = "", .help = "sign of the clump term in the tangent of W Eq. 4: \"paper\" as printed, \"drawn\" the opposite, so that the tangent tilts in the same direction as the drawn strands", .choices = {"paper", "drawn"}},
       {.name = "shading.sides", .slot = &shading.sides, .unit = "", .help = "sides of the surface that receive light; \"two\" lights open meshes that are seen from behind", .choices = {"one", "two"}},
 
       {.name = "coat.image", .slot = &coat.image, .unit = "", .help = "colour texture in UV space; \"\": procedural coat"},

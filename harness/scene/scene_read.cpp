@@ -85,7 +85,8 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
     for (const std::string_view name : names) {
-      // The second distance ignores the table, because users may put a key into a wrong table or into none.
+      // The second distance compares the names without their tables, because users may put a key into a wrong
+      // table or into none.
       const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
     }

@@ -17,7 +17,7 @@ struct ShadingModel {
   /// True: the model consists of Lambert's law and the self-shadow; it has no highlight, no wrapped light and
   /// no wet darkening.
   bool plain;
-  bool in_opengl;  ///< the OpenGL baseline draws the model
+  bool in_opengl;  ///< true: the OpenGL baseline can draw this model
 };
 
 std::span<const ShadingModel> shading_models();

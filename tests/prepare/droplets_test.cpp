@@ -57,7 +57,7 @@ TEST(Droplets, KeepTheirDistanceInTheAtlasAndOnTheSurface) {
     const auto drops = droplets_of(wetness);
     ASSERT_GT(drops.size(), 100u);
     for (std::size_t i = 0; i < drops.size(); ++i)
-      // Droplet i is placed later, so its radius determines the distance.
+      // Droplet i is placed later than droplet j, so the radius of i determines the least distance.
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * spacing * drops[i].radius);
         EXPECT_GE(glm::distance(drops[i].point, drops[j].point),

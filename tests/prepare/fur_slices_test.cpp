@@ -63,7 +63,7 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
         weighted += double(texel[0]) * texel[1];
         plain += 0.25 * texel[1];
       }
-      if (sum < 100) continue;  // small coverages have too large rounding errors as weights
+      if (sum < 100) continue;  // the rounding errors of small coverages change the weighted mean too much
       const double expected = weighted / sum;
       // The tolerance covers three rounding errors: half a unit of the stored byte, half a unit of the bytes
       // of level 0, and the error of the rounded coverages.

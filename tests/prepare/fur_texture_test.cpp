@@ -69,8 +69,9 @@ Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
-      const double shown =
-          (slope + 0.1) / std::pow(1 + slope * slope, 2);  // cos(t) sin(t) dt, where slope = tan(t)
+      // The weight of the angle t is cos(t) sin(t) dt, where slope = tan(t). Adding 0.1 gives the angle 0 a
+      // weight above 0.
+      const double shown = (slope + 0.1) / std::pow(1 + slope * slope, 2);
       const Seen seen = along_rays(t, fur, slope, azimuth);
       sum.light += shown * seen.light;
       sum.opacity += shown * seen.opacity;
@@ -294,7 +295,7 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
     shortest = std::min(shortest, s.length), longest = std::max(longest, s.length);
     mean += glm::normalize(tip) / 400.0;
   }
-  // Each blade has its own bend exponent, length and direction.
+  // The blades' bend exponents, lengths and directions vary over their whole ranges.
   EXPECT_NEAR(least, 1.5, 0.1);
   EXPECT_NEAR(most, 4.5, 0.1);
   EXPECT_NEAR(shortest, double(fur.least_length), 0.05);
@@ -304,8 +305,8 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
   FurScene fur;
-  // The blades are thicker than a texel at all texture sizes. For thinner blades, the covered fraction would
-  // depend on the size where blades overlap.
+  // The blades are thicker than a texel at all texture sizes. Where thinner blades overlap, the covered
+  // fraction would depend on the texture size.
   fur.strands = 110;
   fur.undercoat = 0;
   fur.radius = 4.5f;

@@ -27,8 +27,8 @@ inline std::shared_ptr<const Mesh> two_charts() {
         const int column = i + side * n / 2;
         const glm::vec3 p(x(column), 0.0f, x(j));
         mesh->position.push_back(p);
-        // In the left half, u increases with x and v increases with -z, so that the normal of the UV map is
-        // +y. In the right half, the directions of u and v are rotated by 90 degrees.
+        // In the left half, u increases with x and v increases with -z, so that the cross product of dX/du
+        // and dX/dv points along +y. In the right half, the directions of u and v are rotated by 90 degrees.
         const glm::vec2 left(0.05f + chart_scale * (p.x + half_side),
                              0.05f + chart_scale * (half_side - p.z));
         const glm::vec2 right(0.45f + chart_scale * (p.z + half_side), 0.65f + chart_scale * p.x);
