@@ -14,8 +14,8 @@ struct DeviceSpeed {
 };
 
 /// Measures a device, which takes about two seconds. Bandwidth and arithmetic peak are the best of several
-/// launches, timed by the wall clock, so a fake event timer has no effect. Throws DeviceError if the device
-/// cannot run the kernels.
+/// launches. They are timed by the wall clock, because the device's event timer may be wrong. Throws
+/// DeviceError if the device cannot run the kernels.
 DeviceSpeed measure_device(const Device& device);
 
 }  // namespace pelage::cl

@@ -44,9 +44,10 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   return c;
 }
 
-// For each of LANES vertices, the box of its positions in some layers, in pixels from the image's top left corner. left
-// and top are rounded up, right and bottom are rounded down.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w in these layers
+// For each of LANES vertices: the bounding box of the vertex's screen positions in one or several layers. Unit: pixels
+// from the image's top left corner. The box contains pixel centres only, so left and top are rounded up, and right and
+// bottom are rounded down.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w of the vertex
 
 static inline Bounds nothing(void) {
   Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
