@@ -8,8 +8,9 @@ struct DeviceSpeed {
   TimerCheck timer;
   /// Memory bandwidth in GB/s: bytes read and written by a = b + s c over arrays larger than any cache.
   double triad_gb_s = 0;
-  double fma_gflop_s = 0;       ///< 1e9 single-precision operations per second; an fma counts as two
-  double launch_us = 0;         ///< an empty kernel from its enqueue to the end of clFinish: median of 200
+  double fma_gflop_s = 0;  ///< 1e9 single-precision operations per second; an fma counts as two
+  /// Time of one launch of an empty kernel, from its enqueue to the end of clFinish: median of 200 launches.
+  double launch_us = 0;
   double queued_launch_us = 0;  ///< time per launch if 200 launches are enqueued before one clFinish
 };
 
