@@ -16,8 +16,8 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
 }
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
-// its root. Rows of strands are padded per block of LANES vertices: entry e of lane i is at (slice[block] + e) * LANES
-// + i. Entries beyond the end of a row have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
+// its root. In each block of LANES vertices, the rows of strands are padded to the same length: entry e of lane i is at
+// (slice[block] + e) * LANES + i. Padding entries have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
