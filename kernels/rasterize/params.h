@@ -10,7 +10,7 @@ typedef struct {
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
   float near_depth;                           // view depth of the near plane, in mesh radii
   // Geometry.
-  int vertices;                               // length of a column: number of drawn vertices, padded to a multiple of 16
+  int vertices;                               // length of a column: number of drawn vertices, a multiple of 16
   int triangles;
   int layers;                                 // N
   // Bezier parameter t of a layer at height h. 0: t = h; 1: t = 1 - sqrt(1 - h).
