@@ -121,8 +121,8 @@ Scene scene_of(const Options& options) {
 }
 
 /// Registers one benchmark per kernel. The number of iterations is computed from the time of a pilot frame.
-/// Google Benchmark would increase the number until the total time is long enough, which never ends if the
-/// device's timer is wrong.
+/// Google Benchmark would increase the number until the sum of the reported times is long enough. It would
+/// never stop with a device timer that reports times of 0.
 void register_all(Bench& bench, const Options& options, bool timer) {
   const FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {

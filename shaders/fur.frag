@@ -86,7 +86,8 @@ void main() {
 #endif
 
   vec3 nu = unit(normal), e = view();
-  // level is log2 of a pixel's footprint on the surface, in texels of mip level 0. gl_FragCoord.w is 1/w.
+  // level is log2 of a pixel's footprint on the surface, in texels of mip level 0, plus the bias that LEVEL includes.
+  // gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
   if (texel.r == 0.0) discard;

@@ -104,8 +104,9 @@ void announce_drivers() {
     for (fs::directory_iterator entry(vendors, failed), end; !failed && entry != end; entry.increment(failed))
       fs::copy_file(entry->path(), folder / entry->path().filename(), failed);
     std::ofstream(folder / "nvidia.icd") << fs::absolute(*library).string() << '\n';
-    // The OpenCL loader reads this variable and its folder only at its first call. The old value is restored
-    // afterwards, because child processes search for themselves.
+    // The OpenCL loader reads this variable and the folder that it names only at its first call. The old
+    // value is restored afterwards: child processes inherit it, and must not read the folder, which is then
+    // deleted.
     const std::string before = text_of("OPENCL_VENDOR_PATH");
     ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
     cl_uint count = 0;

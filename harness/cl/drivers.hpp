@@ -18,11 +18,10 @@ bool names_nvidia(const std::filesystem::path& vendors);
 /// contains all cores of the machine, 0 .. online - 1.
 bool may_pin(const std::vector<int>& cores, int online);
 
-/// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins each of its threads to a separate core.
-/// Without pinning, Linux sometimes wakes two threads on one core although another core has just become idle,
-/// and leaves them there for some milliseconds. Launches of 0.2 to 10 ms then took up to twice their time
-/// (docs/performance.md). The function does nothing if the process may use only some cores, because PoCL
-/// numbers cores from 0.
+/// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins thread i to core i. Without pinning, Linux
+/// sometimes wakes two threads on one core although another core has just become idle, and leaves them there
+/// for some milliseconds. Launches of 0.2 to 10 ms then took up to twice their time (docs/performance.md).
+/// The function does nothing if may_pin() is false for the cores that the process may use.
 void pin_threads();
 
 /// Calls pin_threads() and registers NVIDIA's driver. Containers receive this driver without the file in

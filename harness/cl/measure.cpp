@@ -36,8 +36,8 @@ double triad(const Queue& queue, const Program& program, std::size_t lanes) {
     floats /= 2;
   const Buffer<float> a(queue.device(), floats), b(queue.device(), floats), c(queue.device(), floats);
   Kernel clear(program, "triad"), kernel(program, "triad");
-  // Every array is written once. Otherwise its pages could all be the operating system's shared page of
-  // zeros.
+  // The inputs b and c are written before they are timed. Otherwise all their pages could be the operating
+  // system's shared page of zeros.
   for (const auto* array : {&b, &c}) clear.with(*array, a, a, 0.0f).enqueue(queue, floats / lanes);
   kernel.with(a, b, c, 0.5f);
   const double best = best_seconds(7, [&] {

@@ -8,14 +8,15 @@ struct DeviceSpeed {
   TimerCheck timer;
   /// Memory bandwidth in GB/s: bytes read and written by a = b + s c over arrays larger than any cache.
   double triad_gb_s = 0;
-  double fma_gflop_s = 0;       ///< 1e9 single-precision operations per second; an fma counts as two
-  double launch_us = 0;         ///< an empty kernel from its enqueue to the end of clFinish: median of 200
+  double fma_gflop_s = 0;  ///< 1e9 single-precision operations per second; an fma counts as two
+  /// Time of one launch of an empty kernel, from its enqueue to the end of clFinish: median of 200 launches.
+  double launch_us = 0;
   double queued_launch_us = 0;  ///< time per launch if 200 launches are enqueued before one clFinish
 };
 
 /// Measures a device, which takes about two seconds. Bandwidth and arithmetic peak are the best of several
-/// launches, timed by the wall clock, so a fake event timer has no effect. Throws DeviceError if the device
-/// cannot run the kernels.
+/// launches. They are timed by the wall clock, because the device's event timer may be wrong. Throws
+/// DeviceError if the device cannot run the kernels.
 DeviceSpeed measure_device(const Device& device);
 
 }  // namespace pelage::cl

@@ -28,8 +28,7 @@ using Sources = std::map<std::string, std::uint64_t>;
 /// if a file is missing.
 Sources sources_of(const std::filesystem::path& file);
 
-/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files. Equal files give equal
-/// digits, in whatever order the programs were built.
+/// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files.
 std::string hash_of(const Sources& sources);
 
 class Program {

@@ -8,8 +8,8 @@
 namespace pelage::cl {
 
 /// Computes exclusive prefix sums in place, and sorts pairs by their keys (a stable sort). Lengths and sums
-/// are below 2^31. Every call enqueues its launches. If `events` is not null, the call appends the events of
-/// these launches to it.
+/// are below 2^31. A call enqueues several kernel launches. If `events` is not null, the call appends the
+/// events of these launches to it.
 class RadixSort {
  public:
   explicit RadixSort(const Device& device);

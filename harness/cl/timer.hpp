@@ -1,4 +1,5 @@
-// Tests whether a device's event timer is real. With a fake timer, the driver counts calls instead of time.
+// Tests whether a device's event timer is real. The timestamps of a fake timer count calls of the driver
+// instead of time.
 #pragma once
 #include <span>
 #include <string>

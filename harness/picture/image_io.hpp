@@ -12,8 +12,8 @@ inline constexpr int most_pixels_per_side = 16384;
 
 /// Writes a picture in the format that the extension of `path` selects. PNG: 8-bit RGB; the values, which are
 /// already in gamma space, are clamped to [0, 1] and rounded. EXR and TIFF: 32-bit float RGBA, unchanged. The
-/// write is atomic: the file appears complete or not at all. Throws InputError if the extension is another
-/// one, if the picture is empty, or if the path cannot be written.
+/// write is atomic: the file appears complete or not at all. Throws InputError if the extension is none of
+/// .png, .exr, .tif and .tiff, if the picture is empty, or if the path cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
 /// Throws InputError if write_picture() could not write `path` because of its extension or its folder.

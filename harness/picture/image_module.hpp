@@ -7,11 +7,11 @@
 
 namespace pelage {
 
-/// The functions of the image module. They throw InputError; its message calls the file `name`.
+/// The functions of the image module. Both throw InputError.
 struct ImageModule {
   /// Reads an existing file. `kind` is the usual extension of the file's format, without the dot.
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
-  /// Writes 32-bit float RGBA in the format of the file's extension.
+  /// Writes 32-bit float RGBA in the format of the file's extension. Error messages call the file `name`.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);
 };
 

@@ -1,4 +1,4 @@
-// Writes PNG files with libpng. A render therefore does not load OpenImageIO.
+// Writes PNG files with libpng, so that `pelage render` need not load OpenImageIO for a PNG file.
 #pragma once
 #include <filesystem>
 #include <string>

@@ -10,7 +10,7 @@ typedef struct {
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
   float near_depth;                           // view depth of the near plane, in mesh radii
   // Geometry.
-  int vertices;                               // length of a column: number of vertices or corners, a multiple of 16
+  int vertices;                               // length of a column: number of drawn vertices, a multiple of 16
   int triangles;
   int layers;                                 // N
   // Bezier parameter t of a layer at height h. 0: t = h; 1: t = 1 - sqrt(1 - h).
@@ -55,8 +55,8 @@ typedef struct {
   float drawn;                                // sign of the clump's drift in W Eq. 4: +1 as printed, -1 reversed
   int lights;
   union {                                     // unit vectors towards the lights
-    // The flat array comes first because rusticl (Mesa 22.3) takes only the outer length, 2, as the size of
-    // light[2][3].
+    // The flat array is the first member of the union because rusticl (Mesa 22.3) takes only the outer length, 2, as
+    // the size of light[2][3].
     float lights_flat[6];
     float light[2][3];
   };
@@ -67,13 +67,13 @@ typedef struct {
 // Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array: the position, the vector A (weighted mean of the strands' L0 n), and the two axes of the
-// curl.
+// Columns of the vertex array: the position; the vector A of docs/frame.md, section 3 (weighted mean of the strands' L0
+// n); and the two axes of the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
-// Number of floats in a vertex's row of an attribute buffer. Depending on the buffer, a row holds u, v, A, B, or dX/du,
-// dX/dv, or the two axes of the curl (docs/frame.md, section 3).
+// Number of floats in a vertex's row of an attribute buffer. A row holds (u, v, A, B), (dX/du, dX/dv), or the two axes
+// of the curl, depending on the buffer (docs/frame.md, section 3). The last floats of shorter rows are unused.
 #define RECORD 8
 
 // Width and height of a tile in pixels: multiples of 4, at most 32 (tuning axes).

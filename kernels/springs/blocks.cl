@@ -27,8 +27,8 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
 
 // Defines the kernel of a scheme. moment: wind, weight and object motion at successive times; entry 2 i is the start of
 // substep i, entry 2 i + 1 its middle. offset, speed: the state of the top masses, q and v. Every substep tests whether
-// a mass diverged. If a mass diverged, a second run of the block finds the substep. The second run is a separate
-// function, so that it takes no registers from the first run.
+// a mass diverged. If a mass diverged, the block is computed again to find the substep in which this happened. A
+// separate function does this, so that the usual computation needs no additional registers.
 #define FRAME(name, stepped)                                                                                          \
   static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
                                                     TABLE(scalar) push, TABLE(scalar) sides,                          \

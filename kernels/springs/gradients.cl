@@ -93,8 +93,8 @@ INLINE real even_of(TopologyParams p, real3 g) {
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
 // Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then computes the
-// residual r = b - A x, z = inverse r, and the search direction d = z. at: index in `moments` (wind, weight and object
-// motion at successive times) of the end of the step.
+// residual r = b - A x, the product z of the inverses and r, and the search direction d = z. at: index in `moments`
+// (wind, weight and object motion at successive times) of the end of the step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,

@@ -35,8 +35,8 @@ TEST_F(Oclgrind, SeesAPlantedOverrun) {
   EXPECT_NE(said.find("Invalid write"), std::string::npos) << said;
 }
 
-// Writes to the last element of a buffer. The test above sets PELAGE_TEST_INDEX, so that the index is outside
-// the buffer.
+// Writes to the element PELAGE_TEST_INDEX of a buffer of four floats; by default, to the last element. The
+// test above sets the index 4, which is outside the buffer.
 TEST(Written, WhereTheHostSays) {
   const char* planted = std::getenv("PELAGE_TEST_INDEX");
   const fs::path before = cl::kernel_folder();

@@ -52,7 +52,8 @@ TEST(Timer, FakesAreNot) {
 }
 
 TEST(Timer, OfEveryDeviceIsJudged) {
-  // rusticl also offers its device if this is the first OpenCL call of the process, as it is under CTest.
+  // rusticl lists its device only if this variable is set before the first OpenCL call of the process. CTest
+  // runs each test in its own process.
   ::setenv("RUSTICL_ENABLE", "llvmpipe", 1);
   for (const cl::Device& device : cl::devices()) {
     const auto check = cl::check_timer(cl::Queue(device));

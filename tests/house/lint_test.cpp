@@ -73,7 +73,7 @@ class Lint : public ::testing::Test {
 
 TEST_F(Lint, TakesChangedFilesFirstAndThenAllOthersOnce) {
   write("checkout/harness/h.cpp", "int h;\n");
-  write("checkout/harness/c.hpp", "int c();\n");  // for this header, c.cpp is linted
+  write("checkout/harness/c.hpp", "int c();\n");  // if this header changes, c.cpp is linted
   ASSERT_EQ(shell("git add . && git commit -q -m change"), 0);
   write("checkout/harness/f.cpp", "int f;\n");  // a file that is not yet committed
   ASSERT_EQ(shell(".ci/lint"), 0) << output();

@@ -39,7 +39,8 @@ Options from_help() {
   static const std::regex name("\n  ([a-z]+) ");
   Options options;
   for (std::sregex_iterator match(commands.begin(), commands.end(), name), end; match != end; ++match) {
-    // A line that describes an option starts with two blanks and a dash. Descriptions may name other options.
+    // A line that describes an option starts with two blanks and a dash. Other lines may mention options of
+    // other commands, so they are skipped.
     std::string lines;
     static const std::regex line("\n  (-[^ ]+)");
     const std::string help = output_of((*match)[1].str() + " --help");

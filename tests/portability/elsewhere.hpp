@@ -85,7 +85,8 @@ class Elsewhere {
     const int status = std::system(command.c_str());
     std::ifstream stream(said);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    // After this message PoCL uses its default method.
+    // PoCL prints this message if it does not know the method. It then uses its default method, so the test
+    // of the other method would be void.
     if (text.find("Unknown work group generation method") != std::string::npos)
       return "PoCL knows no such method";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};

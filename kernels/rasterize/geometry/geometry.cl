@@ -16,8 +16,8 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
 }
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
-// its root. Rows of strands are padded per block of LANES vertices: entry e of lane i is at (slice[block] + e) * LANES
-// + i. Entries beyond the end of a row have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
+// its root. In each block of LANES vertices, the rows of strands are padded to the same length: entry e of lane i is at
+// (slice[block] + e) * LANES + i. Padding entries have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
@@ -44,9 +44,10 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   return c;
 }
 
-// For each of LANES vertices, the box of its positions in some layers, in pixels from the image's top left corner. left
-// and top are rounded up, right and bottom are rounded down.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w in these layers
+// For each of LANES vertices: the bounding box of the vertex's screen positions in one or several layers. Unit: pixels
+// from the image's top left corner. The box contains pixel centres only, so left and top are rounded up, and right and
+// bottom are rounded down.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w of the vertex
 
 static inline Bounds nothing(void) {
   Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};

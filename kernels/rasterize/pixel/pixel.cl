@@ -52,7 +52,7 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   int i = (int)get_global_id(0), j = (int)get_global_id(1);
   if (i >= s.width || j >= s.height) return;
 #ifdef TALLY
-  // Only a random sample of the pixels is drawn: one pixel in TALLY.
+  // If TALLY is defined, only a random sample of the pixels is drawn: on average one pixel in TALLY.
   uint pick = (uint)i * 0x9e3779b1u ^ (uint)j * 0x85ebca77u;
   pick = (pick ^ pick >> 15) * 0x2c1b3c6du;
   if ((pick ^ pick >> 12) % TALLY != 0) return;

@@ -23,8 +23,8 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
 
-// Writes the pairs of list and triangle. start: prefix sums of the counts. key: the number of the pair's list, g *
-// tiles + tile for layer batch g. triangle: the number of the pair's triangle.
+// Writes pairs of a list number and a triangle number. start: prefix sums of the counts. key: the list number of each
+// pair, g * tiles + tile for layer batch g. triangle: the triangle number of each pair.
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);

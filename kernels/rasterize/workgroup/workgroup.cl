@@ -119,7 +119,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
       // Waits until the previous batch of triangles has been drawn.
       barrier(CLK_LOCAL_MEM_FENCE);
-      // All work-items have read these masks, and the next batch of triangles writes them.
+      // Clears the masks of the previous batch for use by the next batch. All work-items have finished reading them.
       if (item == 0) clear(&work, 1 - turn);
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
