@@ -73,7 +73,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // 1 in 64 is thin, with two corners far outside the picture but within the guard band
+    default:  // 1 in 64 of these is thin, with two corners far outside the picture but within the guard band
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
