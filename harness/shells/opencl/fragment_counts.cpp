@@ -14,8 +14,8 @@ std::vector<std::uint32_t> RasterStage::counted(const cl::Queue& queue, Mapping&
   const std::vector<std::uint32_t> zeros(mapping.counters(params_));
   auto covered = std::exchange(buffers_.covered, {queue, std::span<const std::uint32_t>(zeros)});
   auto image = std::exchange(buffers_.image, {queue.device(), buffers_.image.size()});
-  // Without every_layer, the kernels skip a triangle in layers where S Algorithm 2 discards all its
-  // fragments. These fragments are counted, too.
+  // If every_layer is 0, the kernels skip a triangle in layers where S Algorithm 2 discards all its
+  // fragments. With every_layer = 1 these fragments are counted, too.
   const int every_layer = std::exchange(params_.every_layer, 1);
   for (int pass = passes() - 1; pass >= 0; --pass) {
     begin_pass(queue, pass, mapping, nullptr);

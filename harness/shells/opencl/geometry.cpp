@@ -43,8 +43,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<Vertex> vertices;
   if (parts(input.scene)) {
-    // Each triangle has three vertices that it does not share. The triangle's strand bends all three, or each
-    // of them has its own stick.
+    // Each triangle has three vertices that it does not share. The triangle's strand bends all three
+    // vertices. With a mass-spring topology, each vertex has its own stick.
     static_assert(sizeof(std::uint32_t) == 4);
     for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
       for (int k = 0; k < 3; ++k) vertices.push_back({mesh.triangle[f][k], {}, {&whole_weight, 1}});

@@ -15,7 +15,7 @@ struct Geometry {
   int strands = 0;             ///< number of strands, padded to a multiple of 16
   std::vector<float> vertex;   ///< VERTEX_COLUMNS columns
   std::vector<float> uv;       ///< u, v per vertex
-  std::vector<float> mask_uv;  ///< column u, then column v: where each vertex samples the wetness mask
+  std::vector<float> mask_uv;  ///< UV at which each vertex samples the mask: column u, then column v
   std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
   /// Four values per triangle: three vertex indices, and space for the number of layers in which the triangle
   /// is drawn, which a kernel computes.
@@ -33,9 +33,9 @@ struct Geometry {
   std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns
 };
 
-/// Converts the mesh and the strands of `input` to this layout. `lanes` is the number of lanes of the
-/// kernels, 1 or 16. Throws InputError for more than 2^28 vertices or triangles. Also throws it if the scene
-/// has a mass-spring topology and `input` does not have one stick normal per surface point.
+/// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of lanes of
+/// the kernels, 1 or 16. Throws InputError for more than 2^28 vertices or triangles. Also throws it if the
+/// scene has a mass-spring topology and `input` does not have one stick normal per surface point.
 Geometry lay_out(const FrameInput& input, int lanes);
 
 }  // namespace pelage::shells

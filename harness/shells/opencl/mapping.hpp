@@ -24,7 +24,7 @@ class Mapping {
   /// DeviceError if all lists together have 2^31 entries or more.
   virtual void bin(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
                    PhaseEvents* events) = 0;
-  /// Draws one pass, which is the range of layers that `params` contains. It uses the lists that bin() wrote.
+  /// Draws one pass: the range of layers that `params` contains. Uses the lists that bin() wrote.
   virtual cl::Event draw(const cl::Queue& queue, const RasterParams& params,
                          const RasterBuffers& buffers) = 0;
   /// Returns the number of counters that buffers.covered needs.

@@ -12,15 +12,15 @@ namespace pelage::shells {
 SimulateParams simulate_params(const Scene& scene, const Geometry& geometry);
 
 /// Returns sin and cos of 2 pi f t at the start time t of each substep of frame number `frame`. f is the
-/// gust's frequency. Frame 0 starts at rest.
+/// gust's frequency. Frame 0 starts at t = 0.
 std::vector<float> gust_table(const DynamicsScene& dynamics, int frame);
 
 /// Returns LAYER_COLUMNS floats per layer: the height h of the layer, cos(omega h) and sin(omega h) of S Eq.
 /// 4, ln h, and h^k of B Eq. 4. All values are computed in double precision and rounded once to float.
 std::vector<float> layer_table(const Scene& scene);
 
-/// Returns the rasterizer's parameters. RasterStage adds the numbers of tiles, triangle chunks and layers per
-/// pass.
+/// Returns the rasterizer's parameters. RasterStage later sets the number of tiles, the number of triangle
+/// chunks, and the number of layers per pass.
 RasterParams raster_params(const FrameInput& input, const Geometry& geometry);
 
 }  // namespace pelage::shells

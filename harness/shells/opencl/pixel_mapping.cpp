@@ -47,8 +47,9 @@ const MappingKind pixel_mapping{.name = "pixel",
                                 .lanes = [](const cl::DeviceInfo&) { return 1; },
                                 .tuning =
                                     [](Tuning tuning) {
-                                      // For every layer, a work-item reads the whole triangle list of
-                                      // its tile. Small tiles have shorter lists.
+                                      // The default tiles are small, because a work-item reads the whole
+                                      // triangle list of its tile for every layer, and smaller tiles have
+                                      // shorter lists.
                                       tuning.insert({{"TILE_W", 8}, {"TILE_H", 8}});
                                       return tuning;
                                     },

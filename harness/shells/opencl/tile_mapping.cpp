@@ -23,8 +23,9 @@ class TileMapping : public Mapping {
 
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p, shown_, bins_.next_tile());
-    // Each work-item draws tiles until no tile is left. Platforms may assign several work-items to a thread
-    // at once. There are therefore many more work-items than threads, so that the load is balanced.
+    // Each work-item draws tiles until no tile is left. Some platforms assign several work-items to a CPU
+    // thread at once. Many more work-items than threads are enqueued, so that all threads have work until the
+    // end.
     const std::size_t items = 32 * std::size_t(queue.device().info().compute_units);
     return draw_.enqueue(queue, std::min(counters(p), items), 1);
   }
@@ -39,7 +40,7 @@ class TileMapping : public Mapping {
   cl::Program raster_;
   cl::Kernel draw_;
   std::size_t lanes_;
-  cl::Buffer<std::int32_t> shown_;  // per tile: visible triangles of its current layer batch, four columns
+  cl::Buffer<std::int32_t> shown_;  // visible triangles of the current layer batch of each tile
 };
 
 }  // namespace

@@ -8,12 +8,12 @@
 
 namespace pelage::shells {
 
-/// Numbers of floating-point operations for one vertex, fragment and so on. An fma counts as two operations.
-/// A division, a square root or a rounding to an integer counts as one. Comparisons, selections and
-/// conversions are not counted. tests/shells/opencl/work_test.cpp checks these numbers against the kernels'
-/// source. Coverage and texture addresses are computed in integers and not counted. The blending of two rows
-/// of texels is also computed in integers. It counts as three operations, because floats would need two
-/// products and a sum.
+/// Each constant is the number of floating-point operations of one computation, for example per vertex or per
+/// fragment. An fma counts as two operations. A division, a square root or a rounding to an integer counts as
+/// one. Comparisons, selections and conversions are not counted. tests/shells/opencl/work_test.cpp checks
+/// these numbers against the kernels' source. Coverage and texture addresses are computed in integers and not
+/// counted. The blending of two rows of texels is also computed in integers. It counts as three operations,
+/// because floats would need two products and a sum.
 namespace operations {
 inline constexpr double strand_substep = 89;  ///< S Eq. 2 and 3
 inline constexpr double tip_entry = 6;        ///< weighted mean of strands at a vertex, per strand
@@ -24,7 +24,7 @@ inline constexpr double eye = 22;             ///< view direction of a pixel
 inline constexpr double square = 5;           ///< squared length of the normal
 inline constexpr double dry_fragment = 107;   ///< mip level, and lookup of the fur in two mip levels
 inline constexpr double clump = 24;           ///< S Algorithm 2, only for a wet fragment
-inline constexpr double substeps = 98;        ///< shift along the view ray, only with sub-steps
+inline constexpr double substeps = 98;        ///< UV shift from sample to sample; only if fur.substeps > 1
 inline constexpr double substep = 70;         ///< each sub-step after the first
 inline constexpr double colour = 113;         ///< coat, tangent, shadow, two highlights with exponent 24
 inline constexpr double light = 35;           ///< remaining terms of S Eq. 6, per light

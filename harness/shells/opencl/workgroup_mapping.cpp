@@ -13,8 +13,8 @@
 namespace pelage::shells {
 namespace {
 
-// Pixels per side of a tile. A 64-bit word has one bit per pixel of the tile, which is set if a triangle
-// covers the pixel.
+// Pixels per side of a tile. The kernels store the pixels of a tile that one triangle covers as the bits of a
+// 64-bit word.
 constexpr int tile_side = 8;
 constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
 
@@ -45,8 +45,8 @@ class WorkgroupMapping : public Mapping {
     count_.with(p, b.corner, b.box, offset_);
     keep(count_.enqueue(queue, items));
     const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
-    // The sort kernels round the number of entries up to whole runs of keys. Above this limit, the end index
-    // of the last run would overflow an int.
+    // The sort kernels divide the entries into runs of equal length. Above this limit, the end index of the
+    // last run would overflow an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
       throw DeviceError(
           "the triangle lists of the tiles would have 2^31 entries or more: use a smaller picture or more "

@@ -1,5 +1,5 @@
-// Draws a frame in OpenGL (S, section 4): first the base with depth writes, then N layers in order, blended
-// and depth-tested against the base.
+// Draws a frame in OpenGL (S, section 4): first the base surface with depth writes, then N layers from the
+// innermost to the outermost. Layers are blended, and depth-tested against the base surface.
 #include "harness/shells/opengl/opengl.hpp"
 
 #include <fmt/format.h>
@@ -128,8 +128,8 @@ struct OpenGl::State {
     attribute(7, 3, offsetof(Vertex, dx_dv), 0);
   }
 
-  /// Sets the OpenGL state that is the same for all frames. It stays set, because no other scene uses this
-  /// context.
+  /// Sets the OpenGL state that is the same for all frames. It is set only once, because no other scene uses
+  /// this context.
   void fix_state() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glBindVertexArray(arrays.id());

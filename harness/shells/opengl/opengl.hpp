@@ -13,8 +13,8 @@
 
 namespace pelage {
 
-/// Implementation choices of the baseline. Among the choices whose pictures agree with the reference
-/// renderer, the defaults are the fastest on llvmpipe.
+/// Implementation choices of the baseline. The defaults are the fastest choices on llvmpipe whose pictures
+/// agree with those of the reference renderer.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
@@ -83,7 +83,7 @@ class OpenGl {
 std::string opengl_renderer();
 
 /// Returns a hash of the names and the contents of the shader files, 16 hexadecimal digits. Throws InputError
-/// if there is no folder of shaders.
+/// if the folder of the shaders is missing.
 std::string shader_hash();
 
 }  // namespace pelage

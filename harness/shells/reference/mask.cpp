@@ -10,7 +10,7 @@ namespace pelage::reference {
 namespace {
 
 /// Returns the index of the texel that contains u along one axis of the repeating mask. It returns 0 if u is
-/// NaN, which happens only with some mistakes of Mutant.
+/// NaN, which happens only if a test plants certain mistakes (Mutant).
 int repeated(double u, int size) {
   const double inside = u - std::floor(u);
   return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;

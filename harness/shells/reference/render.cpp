@@ -26,7 +26,7 @@ namespace {
 struct Tile {
   Window window;
   std::vector<std::uint32_t> faces;  ///< faces that may be visible in the window, in the mesh's order
-  std::vector<double> base;          ///< 1/w of the base surface per pixel, 0 without base surface
+  std::vector<double> base;          ///< 1/w of the base surface; 0 in pixels that it does not cover
   std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha of each pixel
   std::size_t at(int x, int y) const {
     return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
@@ -147,8 +147,9 @@ class Painter {
 
   /// Samples the fur texture for a fragment with the texture coordinates `where`. If k = scene.fur.substeps
   /// is 1, it takes one sample. If k is above 1, it takes k samples between the fragment's layer and the
-  /// layer below. Over this distance the texture coordinates change by shift() because of the ray and the
-  /// strand, and by -clump.delta_d because of the clump. Both are in UV.
+  /// layer below. From the fragment's layer to the layer below, the texture coordinates change by shift() -
+  /// clump.delta_d, in UV. shift() is the change by the ray and the strand, and -clump.delta_d is the change
+  /// by the clump.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
@@ -180,7 +181,8 @@ class Painter {
     const glm::dvec3 eye = view(sample);
     const ShadingScene& shading = input_.scene.shading;
     const glm::dvec3 outwards = unit(bend(face, sample).a), normal = lit_normal(shading, outwards, eye);
-    // No fur shadows the back of the surface, so it has the height h = 1 of the tips in the shadow factor.
+    // No fur shadows the back of the surface. Its shadow factor is therefore that of the fur's tips, at the
+    // height h = 1.
     const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
                             normal,
                             normal,
@@ -246,7 +248,7 @@ void check(const FrameInput& input, const Options& options) {
   const std::size_t faces = mesh.triangle.size(), copies = mesh.position.size(), points = mesh.welded;
   const std::size_t texels = std::size_t(input.scene.wetness.size) * std::size_t(input.scene.wetness.size);
   check(mesh.uv.size() == copies && mesh.weld.size() == copies,
-        "the mesh needs one UV and one surface point per vertex copy");
+        "the mesh needs one UV and one surface point per vertex");
   check(input.strands.normal.size() == faces && input.strands.anchor.size() == faces &&
             input.strands.phase.size() == faces,
         "the input needs one strand per triangle");
@@ -261,7 +263,7 @@ void check(const FrameInput& input, const Options& options) {
   check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
         "the curl frame needs one entry per surface point");
   check(input.tangents.t.size() == copies && input.tangents.b.size() == copies,
-        "the surface tangents need one entry per vertex copy");
+        "the surface tangents need one entry per vertex");
   check(input.scene.wetness.size > 0 && input.mask_surface.size() == texels,
         "the wetness mask needs one surface point per texel");
   check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),

@@ -17,8 +17,8 @@ struct Fragment {
   double wetness = 0;  ///< rho
 };
 
-/// Returns whether the eye sees the back of the surface and light reaches the back. This is the case if
-/// shading.sides is "two" and `normal` faces away from the eye. `view` points from the eye to the surface.
+/// Returns whether the fragment shows the lit back of the surface. This is the case if shading.sides is "two"
+/// and `normal` faces away from the eye. `view` points from the eye to the surface.
 bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
 /// Returns the normal to use in the lighting formulas. If shading.sides is "two" and `normal` faces away from
@@ -39,8 +39,8 @@ glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the colour of the base surface (docs/frame.md, section 7). The models "curling" and "wet" both use
-/// the diffuse term of W Eq. 2. Each multiplies it by its own shadow factor at fragment.height. The model
-/// "lambert" uses plain_colour().
+/// the diffuse term of W Eq. 2. Each of the two models multiplies this term by its own shadow factor at
+/// fragment.height. The model "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the unit direction T_ws of the strand in space (W Eq. 4). `bend` is the vector along the strand

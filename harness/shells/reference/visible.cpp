@@ -54,10 +54,10 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top, 1.0),
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
-  // A layer displaces a vertex by at most the fur's length L0 plus the curl's radius. The Bezier curve stays
-  // in the convex hull of its control points, and S Eq. 3 keeps the control points within L0 of the root. The
-  // factor 1.01 allows for strand weights whose sum is not exactly 1. A stick displaces a layer by at most
-  // L0, or sqrt(2) L0 if dynamics.bend is "tangent".
+  // A vertex of a layer is at most L0 (the fur's length) plus the curl's radius away from the vertex of the
+  // base surface. The Bezier curve stays in the convex hull of its control points, and S Eq. 3 keeps the
+  // control points within L0 of the root. The factor 1.01 allows for strand weights whose sum is not exactly
+  // 1. A stick moves a vertex of a layer by at most L0, or sqrt(2) L0 if dynamics.bend is "tangent".
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

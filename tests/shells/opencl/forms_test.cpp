@@ -14,7 +14,7 @@ TEST_P(Forms, LookLikeTheReference) {
   if (device.info().lanes != 16) GTEST_SKIP() << "the kernels have these forms at 16 lanes only";
   for (const char* shading : {"curling", "wet"}) {
     const auto input = pictures::small_frame(shading);
-    // Entries of ShellOptions::tuning become build options of the kernels.
+    // This tuning entry becomes a build option of the kernels, which selects the code to test.
     Shells shells(device, input, {"tile", {{GetParam(), 1}}});
     shells.advance(pictures::frames - 1);
     shells.frame();

@@ -29,8 +29,8 @@ cl::Buffer<std::int32_t> on_device(const cl::Queue& queue, const Values& values)
 TEST(RadixSort, PrefixSumsAreExact) {
   const cl::Queue queue(pictures::device());
   cl::RadixSort sort(queue.device());
-  // The kernels sum blocks of 1024 values. The counts test a single value, counts near one block, and sums
-  // over blocks in two and in three levels.
+  // The kernels sum blocks of 1024 values, and then sum the blocks' sums in the same way. Up to 1024 values
+  // need one level of sums, 1025 and 100,000 values two levels, and 1,048,577 values three levels.
   for (const std::size_t count : {1u, 15u, 1023u, 1024u, 1025u, 100000u, 1048577u}) {
     const Values values = random_values(count, 1000, std::uint32_t(count));
     const cl::Buffer<std::int32_t> buffer = on_device(queue, values);
@@ -51,7 +51,7 @@ TEST(RadixSort, SumsThatAreTooLargeAreSeen) {
     const cl::Buffer<std::int32_t> values = on_device(queue, Values(count, each));
     const std::int32_t sum = sort.scan(queue, values, count, nullptr, true);
     EXPECT_EQ(sum, each == most / 4000 ? most : most / 5000 * 5000);
-    // Every prefix sum must be clamped to `most`, too.
+    // The kernels must clamp every prefix sum to `most`, not only the sum of all values.
     Values expected(count);
     for (std::size_t i = 0; i < count; ++i)
       expected[i] = std::int32_t(std::min<std::int64_t>(most, std::int64_t(i) * each));

@@ -1,6 +1,6 @@
 // Tests that the comparison of the device's pictures with the reference detects mistakes. Each test plants
-// one deliberate mistake (a mutant) in the reference. The comparison must then fail on both scenes. Without a
-// mistake the comparison must pass.
+// one deliberate mistake (a mutant) in the reference. The comparison must then fail for both scenes of this
+// file. Without a mistake the comparison must pass.
 #include <gtest/gtest.h>
 
 #include "tests/shells/opencl/picture_scenes.hpp"

@@ -88,8 +88,8 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
 }
 
 TEST_P(Mappings, TheEyeInsideTheFur) {
-  // In the layers near the eye, triangles that cross the near plane are drawn before and after unclipped
-  // triangles of the same layer.
+  // Near the eye, some triangles of a layer cross the near plane and are clipped. Unclipped triangles are
+  // before and after them in the drawing order.
   Scene scene = synthetic::lively_scene();
   scene.fur.layers = 8;
   scene.camera.eye = {1.05f, .04f, 0};

@@ -73,7 +73,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // 1 in 64 is thin, with two corners far outside the picture but within the guard band
+    default:  // 1 in 64 of these is thin, with two corners far outside the picture but within the guard band
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
@@ -109,8 +109,8 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   EXPECT_GT(hits, std::size_t(pictures) * std::size_t(triangles) * 10);
 }
 
-// Draws large triangles that overlap around one point. In tiles within 128 pixels of all corners of a
-// triangle, products of the coordinates exceed 32 bits.
+// Draws large triangles that overlap around one point. In the tiles near this point, all corners are less
+// than 128 pixels away, but products of the coordinates already need more than 32 bits.
 TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   constexpr int side = 256;
   std::mt19937 random(5);
@@ -245,9 +245,9 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
 }
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
-  // On the counted layer, w = 1/2 + y / 2000, where y is the vertex coordinate. The plane is behind the eye
-  // for y < -1000. Its horizon is 1000 pixels below the image centre, outside the picture, so the plane fills
-  // the picture.
+  // On the counted layer, w = 1/2 + y / 2000, where y is the vertex coordinate. The part of the layer with y
+  // < -1000 is behind the eye. The horizon of the layer's plane is 1000 pixels below the image centre,
+  // outside the picture, so the layer fills the picture.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
   const int n = 80 / GetParam().coarser;

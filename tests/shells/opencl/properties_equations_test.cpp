@@ -297,7 +297,7 @@ TEST(Equations, AlongAndAcrossTheLight) {
     EXPECT_NEAR(two.x / std::pow(0.64 * 0.8 + std::sqrt(1 - 0.64 * 0.64) * 0.6, p), 1, 1e-12 * p) << p;
     EXPECT_EQ(two.y, std::ldexp(1, -2 * p)) << p;
   }
-  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap = 0 gives the papers' equation
+  EXPECT_EQ(shim::wrapped_light(-1, 0), 1);  // wrap = 0: the factor is always 1, as in the papers
   EXPECT_EQ(shim::surface_diffuse(-1, 0), 0);
   EXPECT_EQ(shim::surface_diffuse(.25, 0), .25);
   EXPECT_EQ(shim::shadow_factor(1, 1.5), 1);

@@ -156,7 +156,7 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
   }
   EXPECT_LE(highest, 1 + 3e-7);  // the tolerance allows for a few float roundings
   EXPECT_GE(lowest, -3e-7);
-  EXPECT_GT(highest, 1 - 3e-7);  // both bounds are reached
+  EXPECT_GT(highest, 1 - 3e-7);  // tips reach both bounds
   EXPECT_LT(lowest, 3e-7);
 }
 
@@ -250,12 +250,12 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
   input.droplets = {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)};
   expect(texel(input), {.58, .55, .22, 1});  // Algorithm 1 with rho clamped to 1 and alpha = .8
   input.droplets = {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)};
-  // The first droplet's centre is outside the second droplet's disc of radius .2, so the second droplet
-  // overwrites the first.
+  // The first droplet's centre is outside the second droplet's disc of radius .2. In this case Algorithm 1
+  // overwrites the texel with the second droplet.
   expect(texel(input), {.6, .55, .2, .7});
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
-  // In the other order, the small droplet's centre is inside the large droplet's disc of radius .35. The
-  // droplets therefore blend by Algorithm 1 with alpha = .4.
+  // In the other order, the small droplet's centre is inside the large droplet's disc of radius .35. In this
+  // case Algorithm 1 blends the two droplets, with alpha = .4.
   expect(texel(input), {.48, .55, .26, 1});
 }
 

@@ -182,8 +182,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   }
   ASSERT_GT(farthest, 0.5);
   EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * face, 3 * face + 1, 3 * face + 2}));
-  // With a radius above 0, the poke acts on the triangles around the point where the ray meets the mesh, not
-  // on those around the ray's origin.
+  // With a radius above 0, the poke pushes the sticks around the point where the ray meets the mesh, not the
+  // sticks around the ray's origin.
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);

@@ -85,7 +85,7 @@ TEST(OpenGlPicture, OtherReadings) {
 }
 
 TEST(OpenGlPicture, PlainShells) {
-  // The shaders omit the equations of curls and clumps for this scene.
+  // This scene has no curls and no clumps, so the shaders are compiled without their equations.
   FrameInput input = *small_frame("curling");
   input.scene.curl.radius = 0;
   input.droplets.clear();
@@ -105,8 +105,8 @@ TEST(OpenGlPicture, AnyPictureSize) {
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
-  // picture. OpenGL drivers clip at other planes than docs/frame.md, and round the corners that clipping
-  // makes differently.
+  // picture. OpenGL drivers do not clip at the planes of docs/frame.md, so the rounded corners of clipped
+  // triangles are different.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};

@@ -10,9 +10,9 @@ namespace pelage::rival_tests {
 
 using namespace pictures;
 
-/// Returns the reference's wetness mask as the constructor of OpenGl takes it.
+/// Returns the reference's wetness mask in the format that the constructor of OpenGl takes.
 std::vector<glm::vec4> mask_of(const FrameInput& input);
-/// Returns the strand tips after `frames` frames of the reference, as OpenGl::bend() takes them.
+/// Returns the reference's strand tips after `frames` frames, one per strand: tip minus root, in R.
 std::vector<glm::vec3> tips_of(const FrameInput& input);
 
 /// `options` is text for opengl_options().

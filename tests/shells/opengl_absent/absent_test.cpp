@@ -1,4 +1,5 @@
-// Tests the error message of a build without libepoxy: OpenGL is missing, and which package to install.
+// Tests the error message of a build without libepoxy. It must say that OpenGL is missing and name the
+// package to install.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"

@@ -33,8 +33,8 @@ Scene scene_of(const Look& look, int layers) {
   return scene;
 }
 
-/// Divides the picture into windows of 16 x 16 pixels and returns one in six of them. Their columns differ
-/// from row to row.
+/// Divides the picture into windows of 16 x 16 pixels and returns one in six of them. The chosen columns
+/// differ from row to row.
 std::vector<Window> sample(const ImageScene& image) {
   std::vector<Window> windows;
   for (int y = 0; y + 16 <= image.height; y += 16)

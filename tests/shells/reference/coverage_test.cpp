@@ -39,8 +39,8 @@ TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
 }
 
 TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
-  // The top-left rule covers a pixel if the triangle contains the point that is e to the right of the pixel's
-  // centre and e^2 below it, for e -> 0. This test computes with scaled integers, so that nothing is rounded.
+  // The top-left rule is equivalent to a small shift of every pixel centre, by e to the right and e^2 down,
+  // in the limit e -> 0. This test computes with scaled integers, so that nothing is rounded.
   std::mt19937 random(3);
   std::uniform_int_distribution<int> coarse(-6 * 2, 6 * 2), fine(-6 * 256, 6 * 256);
   using Wide = __int128;

@@ -68,8 +68,8 @@ TEST(ReferenceMask, WetnessStopsAtOneAndAlphaFollows) {
 }
 
 TEST(ReferenceMask, ADistantCentreIsOverwritten) {
-  // The discs overlap, but the second droplet's disc does not contain the first droplet's centre. The second
-  // droplet therefore overwrites the texel.
+  // The texel is in both discs, but the first droplet's centre is outside the second droplet's disc. In this
+  // case S Algorithm 1 overwrites the texel with the second droplet.
   const Mask mask = wetness_mask(with({droplet(.3f, .55f, .35f, .4f), droplet(.6f, .55f, .2f, .7f)}));
   expect_clump(texel(mask, 4, 4), .6, .55, .2, .7);
 }
@@ -87,7 +87,7 @@ TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {
   FrameInput input = with({droplet(.5f, .5f, .4f, .5f)});
   input.droplets[0].point = input.mask_surface[4 * 8 + 4];
   input.droplets[0].reach = .3f;
-  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // far away on the surface
+  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // beyond the reach of .3
   const Mask mask = wetness_mask(input);
   EXPECT_EQ(texel(mask, 4, 4).wetness, .5);
   EXPECT_EQ(texel(mask, 5, 4).wetness, .5);

@@ -99,7 +99,7 @@ TEST(ReferenceRender, EightBitsRoundEveryPixelAndStayNear) {
   EXPECT_GT(agreement.psnr, 35);
 }
 
-/// Returns a scene with the camera close above a square, which extends behind the camera.
+/// Returns a scene with the camera close above a square. The square extends behind the camera.
 Scene skimming_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
@@ -189,8 +189,9 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
     for (auto& texel : level) texel = {255, 85};
   input.coat = {1, {{204, 102, 51, 255}}};
   const Picture picture = render(input, {});
-  // In S Eq. 6, |T x L| = 3/5. In the middle of the picture the view direction E is -z within 1/600. The base
-  // of the highlight's power, (T.L)(T.E) + |T x L||T x E|, is therefore negative, and there is no highlight.
+  // In S Eq. 6, |T x L| = 3/5. In the middle of the picture, the view direction E differs from -z by at most
+  // 1/600. The base of the highlight's power, (T.L)(T.E) + |T x L||T x E|, is therefore negative, and there
+  // is no highlight.
   const glm::vec4 middle = picture.at(80, 50);
   EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);

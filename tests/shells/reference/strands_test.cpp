@@ -175,7 +175,7 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
   }
   EXPECT_LE(highest, 1 + 1e-12);
   EXPECT_GE(lowest, -1e-7);       // n is a float vector, and its length is 1 within 6e-8
-  EXPECT_GT(highest, 1 - 1e-12);  // both bounds are reached
+  EXPECT_GT(highest, 1 - 1e-12);  // tips reach both bounds
   EXPECT_LT(lowest, 1e-7);
 }
 

@@ -40,9 +40,9 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
     ++steep;
     const glm::dvec3 shift = root_shift(step, normal, eye);
     EXPECT_NEAR(glm::dot(shift, normal), 0, 1e-14);
-    // The second strand has its root at `shift` relative to the root of the fragment's strand. On the layer
-    // below, it passes through the point shift - step relative to the fragment. This point must be on the
-    // view ray.
+    // The view ray meets one strand at the fragment and a second strand on the layer below. The root of the
+    // second strand is at `shift` relative to the root of the first. On the layer below, the second strand
+    // passes through the point shift - step relative to the fragment. This point must be on the view ray.
     EXPECT_LT(glm::length(glm::cross(shift - step, eye)), 1e-14);
   }
   EXPECT_GT(steep, 1000);
