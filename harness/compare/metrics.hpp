@@ -13,7 +13,7 @@ namespace pelage {
 /// values.
 struct Agreement {
   double psnr = 0;  ///< PSNR of red, green and blue in dB with peak 1; 200 if the pictures are equal
-  double psnr_without_flips = 0;  ///< PSNR over the pixels that are not flipped; 0 if all pixels are flipped
+  double psnr_without_flips = 0;  ///< PSNR over the pixels not counted in `flips`; 0 if there are none
   /// 99.9th percentile of the pixels' differences. The difference of a pixel is the largest absolute
   /// difference of its four channels.
   double p999 = 0;
@@ -32,8 +32,8 @@ struct Agreement {
 Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows = {});
 
 /// Returns whether two pictures count as equal: PSNR is at least tolerance::picture_psnr, p999 is at most
-/// tolerance::flip, and at most the fraction tolerance::flip_share of the pixels is flipped. Returns false if
-/// there is no fur pixel, because an empty comparison proves nothing.
+/// tolerance::flip, and at most the fraction tolerance::flip_share of the fur pixels is flipped (counted in
+/// Agreement::flips). Returns false if there is no fur pixel, because an empty comparison proves nothing.
 bool within(const Agreement& agreement);
 
 /// Returns `count` different windows of side x side pixels, or fewer if there are fewer candidates.

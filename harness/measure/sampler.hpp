@@ -14,7 +14,8 @@ namespace pelage {
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// Wall times of other work that is timed together with this frame, such as a baseline's frame.
+  /// Wall times of other work that is timed together with this frame, by name: for example the frames of the
+  /// baselines.
   std::map<std::string, double> phase_wall_ms = {};
   /// CPU times of this process (harness/measure/cpu_use.hpp) during the work of wall_ms and of phase_wall_ms.
   /// They are absent if the subject does not measure them.

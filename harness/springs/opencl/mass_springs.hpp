@@ -36,7 +36,7 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
-  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve; r is the solver's residual
+  double worst_residual = 0;  ///< largest |r| / |b| after a solve; r is the recursively updated residual
 };
 
 class MassSprings {
@@ -84,7 +84,7 @@ class MassSprings {
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< number of steps done or enqueued
   float length() const;       ///< length of the fur in R
-  std::size_t bytes() const;  ///< bytes of device memory in use, without the tables that memory() excludes
+  std::size_t bytes() const;  ///< bytes of device memory, counted as by memory() in layout.hpp
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels
 

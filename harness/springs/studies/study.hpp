@@ -14,7 +14,7 @@
 namespace pelage::springs {
 
 /// The mass-spring system of one case of an experiment. `start` is its initial state, which the device
-/// computes by simulating the scene's `dynamics.time` seconds from rest.
+/// computes by simulating `dynamics.time` seconds (a key of the scene) from rest.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
