@@ -30,8 +30,8 @@ struct Sampling {
   bool converged = false;  ///< whether the requested precision was reached
 };
 
-/// Times frames by calling `frame` until `limits` are met. `seconds` returns the time of a monotonic clock in
-/// seconds; tests pass a simulated clock.
+/// Times frames by calling `frame` until the median has the precision that `limits` requires or a limit is
+/// reached. `seconds` returns the time of a monotonic clock in seconds; tests pass a simulated clock.
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);

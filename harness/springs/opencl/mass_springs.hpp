@@ -24,7 +24,7 @@ struct MassSpringOptions {
   std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
   int blocks_per_item = 0;  ///< slices (16 sticks) per work-item; 0 selects the device's default
   /// Whether one work-item computes all steps of a launch for the whole model. On a CPU this is faster for
-  /// models so small that the launches take longer than the steps.
+  /// small models, whose launches take longer than the computation of the steps.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 

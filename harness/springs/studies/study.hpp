@@ -47,8 +47,9 @@ Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, fl
 /// length during two simulated seconds from rest. The metric is "longest_step_ms".
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
-/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses as one
-/// metric per simulated time in seconds, "energy_uJ_at_<seconds>".
+/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses at
+/// several times. The metric for each time is named "energy_uJ_at_<seconds>", with the simulated time in
+/// seconds.
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting);
 
 }  // namespace pelage::springs

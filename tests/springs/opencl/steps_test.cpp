@@ -66,7 +66,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       shim.push(force);
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
-      // Even in the double-precision build gravity, wind, 1/m and the unit normals are rounded to floats.
+      // Even in the double-precision build, gravity, wind, 1/m and the unit normals are rounded to floats.
       EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
       MassSprings device(queue(), topology, dynamics, {.whole = whole});
