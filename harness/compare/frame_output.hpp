@@ -15,7 +15,7 @@ struct FrameOutput {
   /// Name of the pipeline: "shells on DEVICE", "opengl on RENDERER, OPTIONS", "reference" or "reference, 8
   /// bits".
   std::string pipeline;
-  int frames = 0;  ///< number of frames of motion since rest, including this frame
+  int frames = 0;  ///< number of frames simulated from rest, including this frame
   /// Silva's strands: for each triangle, the tip minus the root of its strand, in R. Mass-spring topologies:
   /// for each stick, the top mass minus the base, in R.
   std::vector<glm::vec3> tips;

@@ -49,7 +49,8 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
                                  a.width, a.height, b.width, b.height));
   const std::vector<char> chosen = selected(a, windows);
   Agreement result;
-  // Sums of squared differences: `squares` over all pixels, `kept` over the pixels that are not flipped.
+  // Sums of squared differences: `squares` over all pixels, `kept` over the pixels with no channel that
+  // differs by more than tolerance::flip.
   double squares = 0, kept = 0;
   std::vector<double> differences;
   for (int y = 0; y < a.height; ++y)
@@ -80,7 +81,8 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   if (differences.empty()) return result;
   result.psnr = decibels(squares, result.pixels);
   if (result.flips < result.pixels) result.psnr_without_flips = decibels(kept, result.pixels - result.flips);
-  // `rank` is the index of the smallest difference that at least 99.9% of the pixels do not exceed.
+  // `rank` is the index, in ascending order, of the smallest difference that at least 99.9% of the pixels do
+  // not exceed.
   const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
   std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
   result.p999 = differences[rank];
@@ -97,8 +99,8 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
   std::vector<Window> cells;
   for (int y = 0; y < picture.height; y += side)
     for (int x = 0; x < picture.width; x += side) {
-      // The last row and column of the grid are moved inwards, so that every window has its full size if the
-      // picture is large enough.
+      // The cells of the last row and column are moved inwards, so that every window lies inside the picture
+      // if the picture is large enough.
       const Window cell{std::max(0, std::min(x, picture.width - side)),
                         std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
                         std::min(side, picture.height)};

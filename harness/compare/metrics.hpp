@@ -13,7 +13,7 @@ namespace pelage {
 /// values.
 struct Agreement {
   double psnr = 0;  ///< PSNR of red, green and blue in dB with peak 1; 200 if the pictures are equal
-  double psnr_without_flips = 0;  ///< PSNR over the pixels that are not flipped; 0 if all pixels are flipped
+  double psnr_without_flips = 0;  ///< PSNR without the pixels counted in `flips`; 0 if no pixel remains
   /// 99.9th percentile of the pixels' differences. The difference of a pixel is the largest absolute
   /// difference of its four channels.
   double p999 = 0;
@@ -26,14 +26,14 @@ struct Agreement {
   double flip_share() const { return pixels > 0 ? double(flips) / double(pixels) : 0; }
 };
 
-/// Compares the fur pixels of the whole pictures, or only those inside `windows` unless `windows` is empty.
-/// Pixels in several windows count once; parts of a window outside the picture are ignored. Throws InputError
-/// if the sizes differ.
+/// Compares the fur pixels inside `windows`, or all fur pixels if `windows` is empty. Pixels in several
+/// windows count once; parts of a window outside the picture are ignored. Throws InputError if the sizes
+/// differ.
 Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows = {});
 
 /// Returns whether two pictures count as equal: PSNR is at least tolerance::picture_psnr, p999 is at most
-/// tolerance::flip, and at most the fraction tolerance::flip_share of the pixels is flipped. Returns false if
-/// there is no fur pixel, because an empty comparison proves nothing.
+/// tolerance::flip, and at most the fraction tolerance::flip_share of the fur pixels is flipped (counted in
+/// Agreement::flips). Returns false if there is no fur pixel, because an empty comparison proves nothing.
 bool within(const Agreement& agreement);
 
 /// Returns `count` different windows of side x side pixels, or fewer if there are fewer candidates.

@@ -13,9 +13,9 @@ inline constexpr double picture_psnr = 60.0;
 /// Rounding alone changes a channel by less than one step. A larger difference means that the pixel sampled
 /// another texel or is covered by another triangle.
 inline constexpr double flip = 2.0 / 255.0;
-/// Largest accepted share of flipped pixels among the fur pixels. Comparisons decide which texel of the
-/// wetness mask a pixel samples and which triangles cover the pixel. At borders, rounding can change these
-/// decisions. This happens to about 1 pixel in 10^4.
+/// Largest accepted share of flipped pixels among the fur pixels. Comparisons of floats decide which texel of
+/// the wetness mask a pixel samples and which triangles cover the pixel. At borders, rounding can change
+/// these decisions. This happens to about 1 pixel in 10^4.
 inline constexpr double flip_share = 1e-3;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers filter textures
 /// with different arithmetic, so p99.9 and flips of the baseline are not checked.
@@ -46,8 +46,9 @@ inline constexpr double mask_texel = 1e-5;
 /// Limit for the distance of every top mass between device and reference, for sticks and separable
 /// topologies.
 inline constexpr double stick_top = 1e-4;
-/// Limits for the root mean square and for the 99th percentile of the distances on shared prisms. Compressed
-/// springs buckle in a direction that depends on rounding, so single top masses are not checked.
+/// Limits for the root mean square and for the 99th percentile of the distances on shared prisms (adjacent
+/// prisms share their sticks). Compressed springs buckle in a direction that depends on rounding, so single
+/// top masses are not checked.
 inline constexpr double prisms_rms = 1e-3, prisms_p99 = 1e-2;
 /// Limit for the distance between the reference and the kernels' source compiled as C++ in double precision.
 /// That code still reads gravity, wind and normals as floats.

@@ -21,7 +21,7 @@ struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;  ///< the comparison that decided
   Agreement sample;     ///< the comparison in the windows
-  Check windows;        ///< the first of `checks`: whether there were enough windows
+  Check windows;        ///< check that there were enough windows; also the first entry of `checks`
 };
 /// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
 /// the windows. `sticks` are the offsets (R) of the timed frame's sticks; empty for Silva's strands.

@@ -56,8 +56,8 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   view.insert(view.end(), {0, 0, 0, 1});
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
   file.write("camera/view", {4, 4}, view, "R",
-             "row-major matrix; its product with (p, 1) is the position of p to the right of, below and in "
-             "front of the eye");
+             "row-major matrix; its product with (p, 1) is the vector from the eye to p, in components along "
+             "the directions right, down and forward, followed by 1");
   file.write("camera/projection", {4, 4}, projection, "pixels",
              "row-major matrix; its product with the result of camera/view is (x w, y w, near, w), where "
              "x and y are the distances in pixels right and down from the picture's centre");

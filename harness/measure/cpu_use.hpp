@@ -48,11 +48,12 @@ class CpuWatch {
   double own_ms_;
 };
 
-/// A row's times are doubtful if other processes used more than this share of the machine's CPU time.
+/// The times in a row of results are doubtful if other processes used more than this share of the machine's
+/// CPU time.
 inline constexpr double most_other_share = 0.1;
 
 /// Returns a warning of one line if other processes used more than most_other_share of the machine's CPU time
-/// while the row was sampled. Returns an empty string otherwise, or if the share is unknown.
+/// while the case of `row` was timed. Returns an empty string otherwise, or if the share is unknown.
 std::string load_warning(const Row& row);
 
 }  // namespace pelage

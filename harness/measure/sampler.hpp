@@ -14,7 +14,8 @@ namespace pelage {
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// Wall times of other work that is timed together with this frame, such as a baseline's frame.
+  /// Wall times of other work that is timed together with this frame, by name: for example the frames of the
+  /// baselines.
   std::map<std::string, double> phase_wall_ms = {};
   /// CPU times of this process (harness/measure/cpu_use.hpp) during the work of wall_ms and of phase_wall_ms.
   /// They are absent if the subject does not measure them.
@@ -29,8 +30,8 @@ struct Sampling {
   bool converged = false;  ///< whether the requested precision was reached
 };
 
-/// Times frames by calling `frame` until `limits` are met. `seconds` returns the time of a monotonic clock in
-/// seconds; tests pass a simulated clock.
+/// Times frames by calling `frame` until the median has the precision that `limits` requires or a limit is
+/// reached. `seconds` returns the time of a monotonic clock in seconds; tests pass a simulated clock.
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);

@@ -19,14 +19,14 @@
 
 namespace pelage {
 
-/// Thrown if the device or the pipeline cannot run this case. The row gets the status `unsupported`, which is
-/// not a failure.
+/// Thrown if the device or the pipeline cannot run this case. The case's row of results gets the status
+/// `unsupported`, which is not a failure.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown if the simulation of the case diverges. The row gets the status `diverged` with the message as its
-/// reason.
+/// Thrown if the simulation of the case diverges. The case's row of results gets the status `diverged` with
+/// the message as its reason.
 struct OutOfBounds : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

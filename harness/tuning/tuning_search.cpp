@@ -24,7 +24,8 @@ class Contest {
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
-    // Logarithms of the time ratios, per configuration and round, summed over the scenes.
+    // logs[i][r]: logarithm of the time of configuration i divided by the incumbent's time, in round r,
+    // summed over the scenes.
     std::vector<std::vector<double>> logs(field.size(), std::vector<double>(std::size_t(rounds), 0.0));
     for (std::size_t s = 0; s < scenes_.size(); ++s) take_turns(s, rounds, result, logs);
     for (std::size_t i = 0; i < field.size(); ++i) {

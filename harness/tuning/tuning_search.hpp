@@ -55,9 +55,10 @@ struct TuningSearch {
 /// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best
 /// configuration so far; at first it is the shipped configuration. For each axis, the candidates are the
 /// configurations that differ from the incumbent in this axis only. The incumbent and the candidates run
-/// alternately on each scene, for `rounds` rounds. The fastest candidate that wins becomes the incumbent. One
-/// of many candidates may win by chance. Therefore the last incumbent is compared with the shipped
-/// configuration once more, with twice the rounds, and is dropped unless it wins again.
+/// alternately on each scene, for `rounds` rounds. A candidate wins if it has no fault and the whole 95%
+/// interval of its time ratio is below 1. The fastest winner becomes the incumbent. One of many candidates
+/// may win by chance. Therefore the last incumbent is compared with the shipped configuration once more, with
+/// twice the rounds, and is dropped unless it wins again.
 ///
 /// The shipped configuration is checked against the reference. A candidate whose last output equals a checked
 /// output bit for bit has no fault; any other output is checked against the reference. `told` is called with

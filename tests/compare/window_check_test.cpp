@@ -39,7 +39,7 @@ const Case& torus() {
   return made;
 }
 
-// Returns the picture with `count` pixels of the first window changed by `by`.
+// Returns the reference's picture after adding `by` to the colours of `count` pixels of the first window.
 Picture spoilt(int count, float by) {
   Picture p = torus().picture;
   for (int i = 0; i < count; ++i) {
@@ -51,7 +51,7 @@ Picture spoilt(int count, float by) {
   return p;
 }
 
-/// Returns the metrics of all checks, in order.
+/// Returns the names of the metrics of all checks, in order.
 std::string names_of(const WindowCheck& check) {
   std::string names;
   for (const Check& c : check.checks) names += c.metric + "; ";

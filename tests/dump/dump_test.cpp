@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 /// A dataset as described in the table of docs/frame.md or as found in a dump.
 struct Dataset {
-  std::string written;  ///< "always", "silva" or "topology"; empty for a dataset of a dump
+  std::string written;  ///< when it is written: "always", "silva", "topology"; empty if read from a dump
   std::string type, units, description;
-  std::vector<std::string> shape;  ///< numbers, or symbols of docs/frame.md such as V
+  std::vector<std::string> shape;  ///< sizes of the axes: numbers, or symbols such as V
 };
 using Datasets = std::map<std::string, Dataset>;
 

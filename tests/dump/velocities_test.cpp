@@ -1,5 +1,5 @@
-// Tests the velocities in a dump from a device: they agree with the reference, in R/s, in the order of the
-// tips.
+// Tests the velocities that a dump from a device holds: they agree with those of the reference, in R/s and in
+// the same order.
 #include <gtest/gtest.h>
 
 #include <algorithm>

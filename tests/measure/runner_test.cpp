@@ -267,7 +267,7 @@ TEST(Runner, InterruptedEndsWithItsCodeAndAWholeJournal) {
     const int number = moment % 2 ? SIGINT : SIGTERM;
     const fs::path file = folder.path / ("i" + std::to_string(moment) + ".jsonl");
     const int status = run_in_child(file, 24, double(random() % 30000) / 1000, number);
-    if (!WIFEXITED(status)) continue;  // the signal came before the handler was installed
+    if (!WIFEXITED(status)) continue;  // killed before the handler was installed
     if (WEXITSTATUS(status) == 0) continue;
     EXPECT_EQ(WEXITSTATUS(status), 128 + number);
     ++interrupted;

@@ -5,24 +5,25 @@
 
 namespace pelage::springs {
 
-/// Pointers to the arrays of a system; the struct owns no memory. The loops are compiled with special flags.
-/// They use no types of the standard library, because the linker could then use library functions compiled
-/// with these flags in the rest of the program.
+/// Pointers to the arrays of a system; the struct owns no memory. The loops over these arrays are compiled
+/// with special flags. They use no types of the standard library: with such types, the linker could use
+/// library functions compiled with these flags in the rest of the program.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
   const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
-  /// On shared prisms: indices of the two sticks and the rest length (R) of each edge. On separable prisms
-  /// with F triangles only the rest lengths are set: rest[c * F + f] belongs to side c of triangle f, and
-  /// stick c * F + f stands on corner c of triangle f.
+  /// On shared prisms (adjacent prisms share their sticks): for each edge (a spring between two top masses)
+  /// the indices of its two sticks and its rest length in R. On separable prisms with F triangles only the
+  /// rest lengths are set: rest[c * F + f] belongs to side c of triangle f, and stick c * F + f stands on
+  /// corner c of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
   T *q[3]{}, *v[3]{};          ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
   T *force[3]{}, *work[12]{};  ///< only on shared prisms: forces, and work arrays of RK4
 };
 
-/// The time steps of one call. moments[2 * i] holds wind, gravity and the object's motion at the start of
-/// step i.
+/// The time steps that one call of a function of Loops computes. moments[2 * i] holds wind, gravity and the
+/// object's motion at the start of step i.
 struct Course {
   Solver solver = default_solver;
   TopologyParams params{};
@@ -34,8 +35,8 @@ struct Course {
 template <class T>
 struct Loops {
   void (*sticks)(const Arrays<T>&, const Course&);     ///< all four solvers
-  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms; not backward Euler
-  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms; not backward Euler
+  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms; all solvers but backward Euler
+  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms; all solvers but backward Euler
 };
 
 /// Returns the loops compiled with -O3 only. The argument's type selects the number type; its value is

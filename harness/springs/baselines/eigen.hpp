@@ -31,8 +31,8 @@ class EigenSolver {
 };
 
 /// A mass-spring system as plain arrays. Each stick has a root (3 values), a normal (3 values), and the
-/// cosine and sine of the gust's phase (2 values). Each edge has the indices of its two sticks (`ends`) and a
-/// rest length in R.
+/// cosine and sine of the gust's phase (2 values). Each edge (a spring between two top masses) has the
+/// indices of its two sticks (`ends`) and a rest length in R.
 template <class T>
 struct EigenSystem {
   int sticks = 0, edges = 0;

@@ -1,6 +1,6 @@
 // The forces of docs/topology.md for one mass at a time, in the style of a plain program. Files that are
 // compiled with special flags include this file inside an unnamed namespace.
-#define PELAGE_INLINE [[gnu::always_inline]] inline  // a function call prevents the vectorization of a loop
+#define PELAGE_INLINE [[gnu::always_inline]] inline  // a call would prevent vectorization
 
 template <class T>
 struct V {
@@ -119,9 +119,10 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// The terms of one edge in the equations of backward Euler. The matrix even * I + along * s s^T is added to
-// the diagonal blocks of both ends and subtracted from the two blocks that couple the ends. `drawn` is h^2 K
-// dv, with the time step h, the edge's stiffness matrix K, and the velocity difference dv of the ends.
+// The terms of one edge (a spring between two top masses) in the equations of backward Euler. The 3 x 3
+// matrix even * I + along * s s^T is added to the diagonal blocks of both ends and subtracted from the two
+// blocks that couple the ends. `drawn` is h^2 K dv, with the time step h, the edge's stiffness matrix K, and
+// the velocity difference dv of the ends.
 template <class T>
 struct Coupling {
   V<T> s, drawn;

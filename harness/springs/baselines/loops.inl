@@ -129,8 +129,8 @@ void through_blocks(const Arrays<T>& given, const Course& course) {
   }
 }
 
-// Computes all forces on shared prisms. For each tile of edges, it computes the spring forces and then adds
-// them to the forces on both ends of the edges.
+// Computes all forces on shared prisms (adjacent prisms share their sticks). For each tile of edges, it
+// computes the spring forces and then adds them to the forces on both ends of the edges.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& given, const Constants<T>& constants, const Moment& moment, T* const qs[3],
                 T* const vs[3]) {

@@ -110,13 +110,14 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // `columns` is the number of floats per place (a stick or padding), at first those of the buffers sites,
-  // push, offset and speed. `values` is the number of other 4-byte values, such as the steps in which masses
-  // diverged.
+  // `columns` is the number of floats per place (a stick or padding), beginning with the floats of the
+  // buffers sites, push, offset and speed. `values` is the number of other 4-byte values, such as the steps
+  // in which masses diverged.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  // Speeds and tips are stored in rows of four floats: 1 more float per speed, and 4 floats per tip.
+  // Shared prisms: speeds and tips are stored in rows of four floats: 1 more float per speed, and 4 floats
+  // per tip.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
@@ -125,7 +126,7 @@ std::size_t memory(const Layout& layout, Solver solver) {
     columns += 8 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
-    columns += 8;  // tips and speeds after the step
+    columns += 8;  // tips and speeds after the step, 4 floats each
     if (solver.multistage())
       columns += 8 + 9;  // tips and speeds of a second stage (8); stage offsets and weighted sums (9)
   }

@@ -28,8 +28,8 @@ struct Layout {
   std::vector<float> sides;
   /// Only on shared prisms: the springs between top masses, as a sparse matrix in SELL-16 format (Kreutzer et
   /// al. 2014). Each spring occurs twice, once for each end. Entry 16 * (start[s] + k) + lane of `neighbour`
-  /// is neighbour k of place 16 * s + lane. If a place has fewer neighbours than another place of its slice,
-  /// its remaining entries hold its own index.
+  /// is the place at the other end of spring k of place 16 * s + lane. If a place has fewer neighbours than
+  /// another place of its slice, its remaining entries hold its own index.
   std::vector<std::int32_t> start, neighbour;
   std::vector<float> rest;
 

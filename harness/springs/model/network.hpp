@@ -18,7 +18,7 @@ namespace pelage::springs {
 /// Selects the places of the sticks in a topology that is not separable. `points` places one stick on each
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each mesh
 /// vertex. A vertex on a UV seam occurs once per side of the seam, so the topology is split along the seams.
-/// The paper counts vertices in this way. Separable topologies ignore this choice.
+/// Banisch and Wuethrich also count such a vertex once per side. Separable topologies ignore this choice.
 enum class Vertices { points, copies };
 
 /// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +

@@ -29,14 +29,15 @@ int corners_of(const Layout& layout, Solver solver, int lanes) {
 // (results/topology-notes.md). One work-item uses one core. Waking a second core takes some microseconds,
 // which is more than the second core saves on a small model.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks) {
-  // llvmpipe (platform rusticl) ends a loop of a work-item after 65535 iterations without an error.
+  // llvmpipe (platform rusticl) ends a loop after 65535 iterations and reports no error, so one work-item
+  // cannot compute all steps of a whole model.
   if (!device.cpu || device.platform == "rusticl") return false;
   if (!kind.shared_edges()) return sticks <= 2048;
   return sticks <= (solver.implicit ? 4096u : 2048u);
 }
 
-// On a CPU a work-item computes up to 64 slices of 16 sticks, so that there are about 8 work-items per core.
-// On a GPU a work-item computes one stick or triangle.
+// On a CPU the slices (16 sticks each) are divided among about 8 work-items per core, with at most 64 slices
+// per work-item. On a GPU a work-item computes one stick or triangle.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);
   if (lanes == 1) return 1;

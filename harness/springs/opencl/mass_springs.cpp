@@ -46,8 +46,8 @@ struct MassSprings::State {
   // The device holds wind, gravity and the object's motion for the steps known_from <= step < known_to.
   long known_from = 0, known_to = 0;
 
-  // Uploads wind, gravity and the object's motion for many steps at once, because a transfer takes as long as
-  // a launch for a small model.
+  // Uploads wind, gravity and the object's motion for many steps at once. For a small model, an upload before
+  // every launch would take as long as the launch.
   void know_moments(const cl::Queue& queue, int substeps) {
     if (known_from <= steps && steps + substeps <= known_to) return;
     const int count = std::max(substeps, 512);

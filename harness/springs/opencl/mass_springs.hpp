@@ -24,7 +24,7 @@ struct MassSpringOptions {
   std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
   int blocks_per_item = 0;  ///< slices (16 sticks) per work-item; 0 selects the device's default
   /// Whether one work-item computes all steps of a launch for the whole model. On a CPU this is faster for
-  /// models so small that the launches take longer than the steps.
+  /// small models, whose launches take longer than the computation of the steps.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
@@ -36,7 +36,7 @@ bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::si
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
-  double worst_residual = 0;  ///< largest |r| / |b| at the end of a solve; r is the solver's residual
+  double worst_residual = 0;  ///< largest |r| / |b| after a solve; r is the recursively updated residual
 };
 
 class MassSprings {
@@ -84,7 +84,7 @@ class MassSprings {
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;         ///< number of steps done or enqueued
   float length() const;       ///< length of the fur in R
-  std::size_t bytes() const;  ///< bytes of device memory in use, without the tables that memory() excludes
+  std::size_t bytes() const;  ///< bytes of device memory, counted as by memory() in layout.hpp
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels
 

@@ -9,7 +9,7 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // indices in kernels_ (implicit solver)
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // implicit solver: indices in kernels_
 enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // indices of the results that gradients_whole writes
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
@@ -215,8 +215,8 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     launch(queue, kernels_[TURN], chunks_);
   };
   // A convergence test waits for the queue. Therefore the first iterations of a step run without a test.
-  // Their number is the number of iterations of the previous step minus two. After them, a test follows every
-  // two iterations.
+  // Their number is the number of iterations of the previous step minus two, but at least two. Then the
+  // convergence is tested after every two iterations.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)
     for (int i = 0; i < 2; ++i) iterate();

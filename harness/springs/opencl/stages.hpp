@@ -1,5 +1,5 @@
 // The parts of MassSprings: the buffers that all solvers share, and two classes that enqueue kernels.
-// PrismStage handles shared prisms, BlockStage all other topologies.
+// PrismStage handles shared prisms (adjacent prisms share their sticks), BlockStage all other topologies.
 #pragma once
 #include <string>
 #include <vector>
@@ -54,9 +54,9 @@ class BlockStage {
   int blocks_, units_, per_item_;
 };
 
-/// Advances shared prisms. Explicit solvers need one launch per evaluation of the forces, and conjugate
-/// gradients three launches per iteration. If `whole` is set, one work-item computes all steps of the whole
-/// model in one launch.
+/// Advances shared prisms (adjacent prisms share their sticks). Explicit solvers need one launch per
+/// evaluation of the forces, and conjugate gradients three launches per iteration. If `whole` is set, one
+/// work-item computes all steps of the whole model in one launch.
 class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,

@@ -49,7 +49,7 @@ std::vector<std::uint32_t> spread(const SpringNetwork& topology, std::size_t cou
     std::iota(found.begin(), found.end(), 0u);
     return found;
   }
-  // In separable topologies the three sticks of a triangle are kept together.
+  // In separable topologies the three sticks of a triangle are selected together.
   const std::size_t together = separable(topology.kind) ? 3 : 1, groups = all / together;
   const std::size_t wanted = std::clamp<std::size_t>(count / together, 1, groups);
   for (std::size_t i = 0; i < wanted; ++i)

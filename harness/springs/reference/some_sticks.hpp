@@ -19,8 +19,9 @@ struct SomeSticks {
   std::vector<glm::dvec3> offset;    ///< per stick: the top mass relative to its base, in R
   std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
 };
-/// Computes the state of about `count` sticks with evenly spaced indices. On shared prisms each stick depends
-/// on its neighbours, so the function computes all sticks and ignores `count`.
+/// Computes the state of about `count` sticks with evenly spaced indices. On shared prisms springs connect
+/// neighbouring sticks, so each stick depends on all others. Therefore the function computes all sticks and
+/// ignores `count`.
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
 
 }  // namespace pelage::springs

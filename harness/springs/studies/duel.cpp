@@ -56,8 +56,8 @@ class Duel : public Subject {
       sample.phase_wall_ms[name] = theirs.wall_ms;
       sample.phase_cpu_ms[name] = theirs.cpu_ms;
       processor_[i].push_back(theirs.cpu_ms);
-      // OpenMP threads use CPU time for a while after their work, because they wait in a loop. The pause
-      // keeps this CPU time out of the next measurement.
+      // Baselines whose names end in "-2" use two OpenMP threads. After their work these threads wait in a
+      // loop for a while, which uses CPU time. The pause keeps this CPU time out of the next measurement.
       if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return sample;
@@ -132,9 +132,9 @@ class Duel : public Subject {
     return state;
   }
 
-  // Checks one step of backward Euler if the model is too large for the reference. Inserts the change of the
-  // velocities into the reference's equations and computes their residual. Also checks that the positions
-  // follow from the new velocities.
+  // Checks one step of backward Euler if the model is too large for the reference's factorization. Inserts
+  // the device's change of the velocities into the reference's equations and computes their residual. Also
+  // checks that the positions follow from the new velocities.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
     const Motions& before = setting_.start;
@@ -170,7 +170,7 @@ class Duel : public Subject {
   cl::Program measure_;
   cl::Kernel nothing_;
   std::array<cl::Buffer<float>, 7> nowhere_;
-  std::vector<double> enqueue_;  // wall times of empty launches in ms, warm-up frames included
+  std::vector<double> enqueue_;  // wall times in ms of launches of an empty kernel, warm-up included
   std::vector<NamedRival> rivals_;
   // CPU times in ms: one list per baseline, followed by one list for the device.
   std::vector<std::vector<double>> processor_;

@@ -25,8 +25,8 @@ Motions rest(const SpringNetwork& topology) {
   return state;
 }
 
-// Simulates `seconds` of motion in launches that cover 1/60 s each. Calls `after` with the simulated time in
-// seconds after each launch.
+// Simulates `seconds` of motion in launches that cover 1/60 s each. After each launch, calls `after` with the
+// simulated time in seconds.
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
               const std::function<void(double)>& after = {}) {
   const long steps = std::max(1L, std::lround(seconds / double(dynamics.step)));

@@ -14,7 +14,7 @@
 namespace pelage::springs {
 
 /// The mass-spring system of one case of an experiment. `start` is its initial state, which the device
-/// computes by simulating the scene's `dynamics.time` seconds from rest.
+/// computes by simulating `dynamics.time` seconds (a key of the scene) from rest.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
@@ -47,8 +47,9 @@ Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, fl
 /// length during two simulated seconds from rest. The metric is "longest_step_ms".
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
-/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses as one
-/// metric per simulated time in seconds, "energy_uJ_at_<seconds>".
+/// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses at
+/// several times. The metric for each time is named "energy_uJ_at_<seconds>", with the simulated time in
+/// seconds.
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting);
 
 }  // namespace pelage::springs

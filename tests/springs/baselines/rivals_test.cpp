@@ -1,5 +1,5 @@
-// Tests that every baseline solves the same equations as the reference. Otherwise the times of the baseline
-// would not be comparable with other times.
+// Tests that every baseline solves the same equations as the reference. Otherwise the baseline's times could
+// not be compared with those of the OpenCL solvers.
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
@@ -61,7 +61,8 @@ TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
           rival->advance(moments(dynamics, done, count), count);
         }
         const double error = largest_difference(rival->state().offset, offsets) / double(fur_length);
-        // Some inputs, the initial state and, in some baselines, the arithmetic are floats.
+        // Baselines in double precision still read some inputs and the initial state as floats. All other
+        // baselines also compute in floats and have a larger limit.
         EXPECT_LT(error, name.find("double") != std::string::npos ? tolerance::double_baseline
                                                                   : tolerance::stick_top)
             << name << ", " << topology.sticks() << " sticks";

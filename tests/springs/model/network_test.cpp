@@ -124,8 +124,8 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_EQ(apart.least, 3);
   EXPECT_EQ(apart.most, 3);
   const Degrees whole = degrees(build(Kind::prisms, mesh, length));
-  EXPECT_EQ(whole.least, 1 + 3);  // a corner: its stick, two sides and a diagonal
-  EXPECT_EQ(whole.most, 1 + 8);   // the centre: its stick, four sides and four diagonals
+  EXPECT_EQ(whole.least, 1 + 3);  // corner of the square: its stick, two sides and a diagonal
+  EXPECT_EQ(whole.most, 1 + 8);   // centre of the square: its stick, four sides and four diagonals
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 

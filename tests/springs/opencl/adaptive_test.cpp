@@ -1,5 +1,5 @@
-// Tests adaptive steps: the result is close to the fine solution, stiff springs need many steps, and a system
-// at rest needs few steps.
+// Tests adaptive steps: the result is close to a solution with short time steps, stiff springs need many
+// steps, and a system at rest needs few steps.
 #include "harness/springs/opencl/adaptive.hpp"
 
 #include <gtest/gtest.h>

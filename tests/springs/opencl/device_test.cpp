@@ -261,7 +261,7 @@ TEST(TopologyDevice, AnExplosionHasOneStepAndMassHoweverTheLaunchesAreCut) {
   }
 }
 
-// If a mass diverges, every solver ends and reports the mass. No solver loops forever.
+// If a mass diverges, every solver ends and reports the mass.
 TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)

@@ -156,7 +156,7 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  peaks.erase(peaks.begin() + 1);  // this entry is 0, because recording starts at the first crossing
+  peaks.erase(peaks.begin() + 1);  // 0: no lean is recorded before its first sign change
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());

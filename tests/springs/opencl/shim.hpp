@@ -32,9 +32,9 @@ BlockKernels triangle_kernels();
 /// Runs the kernel of `solver` for all work-items of one launch, which compute all sticks or triangles.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
-/// Both functions compute substep number `substep` of a launch on shared prisms. gradients_substep uses
-/// backward Euler. It iterates conjugate gradients until |r| <= `residual` |b|, and returns the number of
-/// iterations.
+/// Both functions compute substep number `substep` of a launch on shared prisms (adjacent prisms share their
+/// sticks). gradients_substep uses backward Euler. It iterates conjugate gradients until |r| / |b| is at most
+/// `residual`, and returns the number of iterations.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
 /// Both functions compute memory.params.substeps substeps on shared prisms in a single work-item. They return

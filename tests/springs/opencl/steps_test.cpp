@@ -57,7 +57,8 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
     EXPECT_GT(largest_difference(reference::offsets(topology, reference::rest(topology)), offsets), 0.01)
         << "something moved";
 
-    // Shared prisms have one set of kernels for many work-items, and one for a single work-item.
+    // Shared prisms (adjacent prisms share their sticks) have one set of kernels for many work-items, and
+    // another for a single work-item.
     std::vector<Whole> mappings{Whole::never};
     if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
@@ -65,7 +66,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       shim.push(force);
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
-      // Even in the double-precision build gravity, wind, 1/m and the unit normals are rounded to floats.
+      // Even in the double-precision build, gravity, wind, 1/m and the unit normals are rounded to floats.
       EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
       MassSprings device(queue(), topology, dynamics, {.whole = whole});
@@ -96,8 +97,10 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b)
   return {std::sqrt(squares / double(error.size())), error[error.size() * 99 / 100], error.back()};
 }
 
-// Tests an irregular mesh of the paper's size. Compressed springs between tops may buckle in a direction that
-// depends on rounding, so shared prisms are compared by rms and 99th percentile.
+// Tests an irregular mesh of the paper's size. On shared prisms (adjacent prisms share their sticks),
+// compressed springs between tops may buckle in a direction that depends on rounding. A few top masses may
+// therefore have large errors, so the test limits the rms and the 99th percentile of the errors instead of
+// the largest error.
 TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind kind : {Kind::prisms, Kind::separable_prisms})
