@@ -83,7 +83,7 @@ compilers() {
 }
 
 build() {
-  # A moved or copied build folder contains paths of its old location.
+  # A build folder that was moved or copied contains wrong absolute paths.
   if [[ -e $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     say "build/release belongs to another checkout: rebuilding from scratch"
     rm -rf "$build"

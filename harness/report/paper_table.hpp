@@ -35,7 +35,7 @@ struct CellText {
 };
 CellText cell_text(const Cell& cell);
 
-/// Returns the footnote of a model; "" if the model has no footnote.
+/// A function that returns the footnote of a model, or "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
 /// Returns one table per experiment, device and reading (value of the axis "reading"). It uses only cells
