@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Counts the places in harness/ and bench/ that name a mapping, pipeline, solver, topology or shading model.
 
-A place names an item by a string, an enumerator, a class or a factory. Places in the files that implement the named item and in the
-table of its family do not count.
+A place names an item by a string, an enumerator, a class or a factory. Places in the files that implement the named
+item and in the table of its family do not count.
 
 The exit status is 1 if a name has more than two such places. The option -v prints the places.
 """

@@ -1,5 +1,5 @@
-// A table of a paper that shows our numbers beside the paper's. It has one block of rows per layer count, one
-// row per model and three columns per picture size.
+// A table of our numbers beside the numbers of a paper's table. It has one block of rows per number of
+// layers. Each block has one row per model, and three columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>

@@ -1,5 +1,5 @@
-// Tests the verdicts on the paper's statements about Figures 9 to 11. For the synthetic times a statement
-// holds, does not hold, or is not measured.
+// Tests the verdicts on the paper's statements about Figures 9 to 11. The tests use synthetic times that
+// lead to each verdict: "holds", "does not hold" and "not measured".
 #include "harness/report/claims.hpp"
 
 #include <gtest/gtest.h>
