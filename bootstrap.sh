@@ -83,7 +83,7 @@ compilers() {
 }
 
 build() {
-  # A moved or copied build folder contains paths of its old location.
+  # A build folder that was moved or copied contains wrong absolute paths.
   if [[ -e $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     say "build/release belongs to another checkout: rebuilding from scratch"
     rm -rf "$build"
@@ -120,8 +120,8 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # Status 1 means that a case has no time; the report then gives the reason. After any other error there are no
-  # results.
+  # Status 1 means that a case has no time; the report then gives the reason. Any other error ends
+  # this script.
   if ((status == 130 || status == 143)); then
     say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi

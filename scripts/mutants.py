@@ -27,7 +27,7 @@ import tomllib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KEYS = {"name", "original", "replacement", "target", "filter", "why", "equivalent"}
 NEEDED = {"name", "original", "replacement", "target", "filter", "why"}
-TEST_LIMIT_S = 600  # A test that a mutant makes run longer than this counts as failed, so the mutant is detected.
+TEST_LIMIT_S = 600  # A test that takes longer with a mutant counts as failed, so it detects the mutant.
 
 
 class Mistake(Exception):

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Counts the places in harness/ and bench/ that name a mapping, pipeline, solver, topology or shading model.
 
-A place uses a string, an enumerator, a class or a factory. Places in the files that implement the named item and in the
-table of its family do not count.
+A place names an item by a string, an enumerator, a class or a factory. Places in the files that implement the named
+item and in the table of its family do not count.
 
 The exit status is 1 if a name has more than two such places. The option -v prints the places.
 """
@@ -14,8 +14,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MOST = 2
 
-# family -> files that contain its tables, {name: (pattern of other ways to write the name, its own files)}, and a
-# pattern of lines in which the string has another meaning
+# A family has three entries: the files that contain its tables; for each name, a pattern of the other ways to write the
+# name and the files that implement the named item; and a pattern of lines in which such a string has another meaning.
 FAMILIES = {
     "mapping": (["harness/shells/opencl/mappings.cpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
@@ -33,7 +33,7 @@ FAMILIES = {
         "springs-error": (r"make_solver_error", ["harness/springs/studies/study"]),
         "springs-limit": (r"make_solver_limit", ["harness/springs/studies/study"]),
         "springs-energy": (r"make_solver_energy", ["harness/springs/studies/study"]),
-    # In these lines the string is the name of a metric or of a file.
+    # In lines with this pattern, "springs" names a metric or a file.
     }, r'metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
         "explicit-euler": (r"Solver::explicit_euler", []),
@@ -46,12 +46,12 @@ FAMILIES = {
         "prisms": (r"Kind::prisms\b", []),
         "separable-sticks": (r"Kind::separable_sticks\b", []),
         "separable-prisms": (r"Kind::separable_prisms\b", []),
-    }, r'metrics\["sticks"\]'),  # other meaning: number of sticks
+    }, r'metrics\["sticks"\]'),  # this metric is the number of sticks
     "shading": (["harness/scene/shading_models.cpp"], {
         "curling": (r"ShadingModel::curling", []),
         "wet": (r"ShadingModel::wet", []),
         "lambert": (r"ShadingModel::lambert", []),
-    }, r'stage == "wet"'),  # other meaning: the stage that computes the wetness mask
+    }, r'stage == "wet"'),  # here "wet" is the stage that computes the wetness mask
 }
 
 

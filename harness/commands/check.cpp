@@ -123,8 +123,8 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   }
 }
 
-/// For every pixel mapping, prints hashes of the strands' tips, the wetness mask and the picture. Then calls
-/// print_spring_hashes().
+/// For every mapping of pixels to work-items, prints hashes of the strands' tips, the wetness mask and the
+/// picture. Then calls print_spring_hashes().
 void print_hashes(const cl::Device& device, const CheckScene& which) {
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
   for (const std::string& mapping : mappings()) {

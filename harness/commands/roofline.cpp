@@ -30,8 +30,9 @@ struct RooflineOptions {
   int frames = 15;
 };
 
-/// Returns the kernels in the order in which a frame runs them. A kernel's time is the sum over its launches
-/// in a frame, then the median over the frames. A kernel's bytes are those of the first frame.
+/// Returns the kernels in the order in which a frame runs them. The time of a kernel in a frame is the
+/// sum over its launches. Each returned time is the median over the frames. The bytes are those of the first
+/// frame.
 std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
                                    const std::map<std::string, double>& operations) {
   std::vector<KernelWork> kernels;

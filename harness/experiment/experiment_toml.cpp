@@ -131,7 +131,9 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   for (const toml::node& node : *cells) {
     const auto* cell = node.as_array();
     if (!cell || cell->size() != keys->size() + 1)
-      refuse(file, &node, fmt::format("a published cell must contain {} keys and a figure", keys->size()));
+      refuse(
+          file, &node,
+          fmt::format("each cell must contain {} values, one per key, and the paper's number", keys->size()));
     Published published;
     for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
     try {

@@ -31,7 +31,7 @@ void sync_folder(const fs::path& folder) {
   if (code != 0 && code != EINVAL) fail(folder, "cannot sync the folder", code);
 }
 
-/// Creates `folder` and its missing parents; syncs the parent of each new entry.
+/// Creates `folder` and its missing parents. Syncs the parent of each folder that it creates.
 void make_folder(const fs::path& folder) {
   if (folder.empty() || fs::is_directory(folder)) return;
   const fs::path parent = folder.parent_path();

@@ -5,8 +5,8 @@
 // O_APPEND. Each write is one whole line with a checksum. Interrupted and short writes are completed. A row
 // counts as written only after fdatasync. The folder is synced when the file is created. If a write fails,
 // for instance on a full disk, the file is truncated to its last complete row and append() throws. If
-// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line (without a
-// line feed). Any other damage is an error.
+// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line, which has
+// no line feed. Any other damage is an error.
 //
 // These rules protect the rows if the program is killed. They do not protect data that a disk loses in a
 // power failure.

@@ -38,7 +38,7 @@ void refuse_recordings(const fs::path& folder) {
       std::mismatch(recordings.begin(), recordings.end(), wanted.begin(), wanted.end());
   if (end == recordings.end())
     throw InputError(fmt::format(
-        "{}: this folder contains recordings, which a run must not change; give another folder with -o",
+        "{}: this folder contains recorded results, which a run must not change; give another folder with -o",
         folder.string()));
 }
 

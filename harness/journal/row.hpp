@@ -41,7 +41,7 @@ struct Row {
   std::string run_id;
   std::string experiment;
   std::string case_name;
-  std::string variant;                      ///< what was timed: pipeline, mapping, solver, tuning
+  std::string variant;                      ///< name of the timed variant, such as "shells/tile"
   std::map<std::string, std::string> axes;  ///< axis -> value; to_line() writes numbers as JSON numbers
   std::map<std::string, std::string>
       overrides;  ///< values of --set, --axis and --model; empty if the experiment was not changed

@@ -59,8 +59,8 @@ std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   return tables;
 }
 
-/// Computes one number from the times of one combination of model, topology and solver. Returns no value if
-/// the times are missing.
+/// A function that computes one number from the times of one combination of model, topology and solver. It
+/// returns no value if the times are missing.
 using Number = std::optional<double> (*)(const Table&, const Key&);
 
 std::optional<Times> times(const Table& table, const Key& key) {
@@ -77,8 +77,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, by_implicit}),
              fast = times(table, {model, topology, by_explicit});
-  // The two solvers differ only in the time of the simulation. The noise of the remaining frame time is
-  // larger than this difference, so only the simulation times of the two rows are compared.
+  // Only the simulation time depends on the solver. The noise of the remaining frame time is larger than the
+  // difference of the simulation times, so both frames get the remaining time of the explicit solver's row.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
@@ -130,7 +130,7 @@ const std::vector<Sentence>& sentences() {
       {"the number of mass points and springs needed for an entire surface is increased using these "
        "topologies",
        "about the separable topologies in section 4",
-       "simulation time of the separable form over that of the shared form is at least 1",
+       "simulation time of the separable topology over that of the topology with shared masses is at least 1",
        {elephant, dog},
        topologies(false),
        both,

@@ -14,15 +14,15 @@ struct Claim {
   std::string device;
   std::string sentence;  ///< the paper's sentence, quoted
   std::string source;    ///< the figure or section that the sentence is about
-  std::string reading;   ///< description of the number that is computed per cell, and its limit
+  std::string reading;   ///< describes the number computed for each model, topology and solver, and its limit
   Held held = Held::not_measured;
-  std::string found;  ///< the range of the numbers, and the cell with the worst number
+  std::string found;  ///< range of these numbers; model, topology and solver of the worst number
 };
 
 /// Tests the statements of Banisch and Wüthrich on Figures 9 to 11 for each device. Uses the rows of
-/// banisch2006-update-time that are ok and have no overrides. Returns no claims if there are no such rows. A
-/// claim is "not measured" if one of the cells that it covers has no time. Frame times are wall times;
-/// simulation times come from the device's timer.
+/// the experiment banisch2006-update-time that are ok and have no overrides. Returns no claims if there are
+/// no such rows. A claim is "not measured" if one of the cells that it covers has no time. Frame times are
+/// wall times; simulation times come from the device's timer.
 std::vector<Claim> claims_of(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<Claim>& claims);

@@ -1,5 +1,5 @@
-// A table of a paper that shows our numbers beside the paper's. It has one block of rows per layer count, one
-// row per model and three columns per picture size.
+// A table of our numbers beside the numbers of a paper's table. It has one block of rows per number of
+// layers. Each block has one row per model, and three columns per picture size.
 #pragma once
 #include <functional>
 #include <optional>
@@ -35,7 +35,7 @@ struct CellText {
 };
 CellText cell_text(const Cell& cell);
 
-/// Returns the footnote of a model; "" if the model has no footnote.
+/// A function that returns the footnote of a model, or "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
 /// Returns one table per experiment, device and reading (value of the axis "reading"). It uses only cells

@@ -117,7 +117,7 @@ void write_ways(Report& report, const fs::path& folder, bool several_devices) {
 }
 
 /// Writes tables/layers.csv: the frame time with all layers divided by the frame times with half and with a
-/// quarter of the layers. The three frames are drawn in the same rounds.
+/// quarter of the layers. Every round of the measurement draws all three frames.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;

@@ -25,14 +25,13 @@ struct ReportPicture {
 struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
-  std::vector<std::string> table_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
+  std::vector<std::string> table_stems;  ///< STEM of tables/STEM.csv and tables/STEM.tex, one per table
   std::vector<TopologyTable> topologies;
-  std::vector<std::string>
-      topology_stems;  ///< names STEM of the files tables/STEM.csv and .tex; one per table
+  std::vector<std::string> topology_stems;  ///< STEM of tables/STEM.csv and tables/STEM.tex, one per table
   std::vector<RivalTable> rivals;
-  std::vector<std::string> rival_stems;  ///< names STEM of the files tables/STEM.csv; one per table
+  std::vector<std::string> rival_stems;  ///< STEM of tables/STEM.csv, one per table
   std::vector<WayTable> ways;
-  std::vector<std::string> way_stems;  ///< names STEM of the files tables/STEM.csv; one per table
+  std::vector<std::string> way_stems;  ///< STEM of tables/STEM.csv, one per table
   std::vector<SolverLine> solvers;     ///< written to tables/topology-solvers.csv if not empty
   std::vector<Claim> claims;           ///< written to tables/claims.csv if not empty
   std::vector<ReportPlot> plots;

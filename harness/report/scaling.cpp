@@ -126,8 +126,8 @@ std::string in_turns_csv(const std::vector<Cell>& cells) {
 std::string in_turns_text(const std::vector<Cell>& cells) {
   if (cells.empty()) return {};
   std::string text =
-      "Frame time divided by the times with half and with a quarter of the layers, same rounds [95% "
-      "interval]\n";
+      "Frame time divided by the frame times with half and with a quarter of the layers: median over the "
+      "rounds [95% interval]\n";
   const auto shown = [](const Metric& m) {
     return fmt::format("{:.2f} [{:.2f}, {:.2f}]", m.value, m.low.value_or(m.value), m.high.value_or(m.value));
   };

@@ -1,6 +1,6 @@
-// Text and tables of the experiments that vary the numbers of layers, pixels and triangles. They show the
-// time ratios of cases that differ in their layers, the memory of the cases, and the table to which
-// plots/scaling.py fits a model.
+// Text and tables of the experiments that vary the numbers of layers, pixels and triangles. They
+// contain the time ratios of cases that differ only in their number of layers, and the memory of the cases.
+// plots/scaling.py fits a model to one of the tables.
 #pragma once
 #include <string>
 #include <vector>

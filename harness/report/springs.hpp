@@ -18,7 +18,7 @@ std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
 /// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. `ratio`
 /// is the median over the rounds of the baseline's wall time divided by ours; `low` and `high` are its 95%
-/// interval. `processor_ratio` is the baseline's CPU time divided by our CPU time per core, or 0 if a CPU
+/// interval. `processor_ratio` is the number of cores * the baseline's CPU time / our CPU time, or 0 if a CPU
 /// time is unknown. Other processes do not affect CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;

@@ -25,8 +25,8 @@ struct TopologyTable {
   };
   struct Summary {
     std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the table rows
-    std::optional<double> simulate;  ///< median over the rows of simulation time / frame time, 0..1
-    std::optional<double> worst;     ///< largest value over the rows of simulation time / frame time
+    std::optional<double> simulate;  ///< median of simulation time / frame time over the table rows, 0..1
+    std::optional<double> worst;     ///< largest simulation time / frame time over the table rows
     std::string worst_row;           ///< name of the table row with the largest value
   };
   std::string experiment, device, host;

@@ -18,7 +18,7 @@ struct WayTable {
   };
   struct Row {
     std::string way;
-    double times = 0;  ///< frame time / fastest_ms of the column, geometric mean over the row's ok cells
+    double times = 0;  ///< geometric mean of frame time / fastest_ms of the column, over the row's ok cells
     std::vector<std::optional<Cell>> entries;  ///< one per column
   };
   std::string experiment, device, host;

@@ -109,7 +109,7 @@ class ShellsSubject : public Subject {
   Agreement agreement_, sample_;
   std::uint64_t peak_ = 0;
   Shells shells_;
-  std::vector<glm::vec3> before_;  ///< tips of a topology's sticks before the first timed frame, R
+  std::vector<glm::vec3> before_;  ///< tips of the sticks before the first timed frame, in R
 };
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "tests/cli/shell.hpp"
 
-#ifdef PELAGE_BENCH  // defined if Google Benchmark was found, so that pelage-bench was built
+#ifdef PELAGE_BENCH  // CMake defines PELAGE_BENCH if it builds pelage-bench
 
 namespace pelage::cli {
 namespace {

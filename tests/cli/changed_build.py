@@ -27,7 +27,7 @@ def main(source, build, changes):
         out = file.with_suffix(".o")
         words[words.index("-o") + 1] = str(out)
         words[words.index("-c") + 1] = str(file)
-        words.insert(1, f"-I{changes}")  # searched before the source tree
+        words.insert(1, f"-I{changes}")  # the compiler searches CHANGES before the source tree
         objects.append(str(out))
         if not out.exists() or out.stat().st_mtime < file.stat().st_mtime:
             subprocess.run(words, cwd=entry["directory"], check=True)

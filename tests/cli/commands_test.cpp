@@ -145,7 +145,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
     }
   }
 
-  // All vertices are in front of the camera, and their mean is near the centre of the picture.
+  // All vertices are in front of the camera. The mean of their screen coordinates has a plausible size (below
+  // 4; the picture extends from -1 to 1).
   const Dataset view = read(file, "camera/view"), projection = read(file, "camera/projection");
   double x = 0, y = 0;
   for (std::size_t v = 0; v < vertices; ++v) {

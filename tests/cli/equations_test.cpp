@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An equation and the function that computes it.
+/// The name of an equation, and the name of a function that computes the equation.
 using Line = std::pair<std::string, std::string>;
 
 std::string text_of(const fs::path& path) {
@@ -50,7 +50,7 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      comment.clear();  // not after a function, because two one-line functions may share a comment
+      comment.clear();  // A function keeps the comment, because the function on the next line may share it.
     }
   }
   return anchors;
@@ -73,7 +73,7 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   }
 
   std::set<Line> table;
-  std::set<std::pair<std::string, std::string>> used, listed;  // group of tests, file
+  std::set<std::pair<std::string, std::string>> used, listed;  // pairs: group of tests, its file
   static const std::regex quoted("`([^`]+)`");
   const std::string document = text_of(root / "docs/equations.md");
   std::string row;
@@ -89,7 +89,7 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
     const std::vector<std::string> names = all(row, quoted);
     ASSERT_GE(names.size(), 5u) << row << " has no test";
     for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
-    for (std::size_t i = 0; i < 4; i += 2)  // a function of the kernels, one of the reference
+    for (std::size_t i = 0; i < 4; i += 2)  // function of the kernels, then function of the reference
       EXPECT_TRUE(std::regex_search(text_of(root / names[i + 1]), std::regex("\\b" + names[i] + "\\(")))
           << "no " << names[i] << " in " << names[i + 1];
     for (std::size_t i = 4; i < names.size(); ++i) {

@@ -166,8 +166,8 @@ TEST(Journal, ReadersPassOverATornTail) {
   EXPECT_FALSE(refusal([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
 }
 
-// Replacements for system calls, which fail as the variables below request. The journal takes plain
-// functions, so the variables are global.
+// The functions below replace system calls of the journal. The variables select which calls fail. They are
+// global, because the journal takes plain function pointers.
 int g_interrupts = 0;
 std::size_t g_short = 0;
 int g_fail_write_after = -1;

@@ -53,7 +53,8 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
   EXPECT_EQ(refused_lines(file, folder.path), 0);
 }
 
-// Earlier revisions wrote the rows in results/. Some rows have other phases, no CPU times, or no picture.
+// Earlier revisions wrote the rows in the repository's folder results/. Some rows have other phases, no CPU
+// times, or no picture.
 TEST(Schema, HoldsTheRowsOfResults) {
   const test::Folder folder;
   int journals = 0;

@@ -1,5 +1,5 @@
-// Tests the verdicts on the paper's statements about Figures 9 to 11. For the synthetic times a statement
-// holds, does not hold, or is not measured.
+// Tests the verdicts on the paper's statements about Figures 9 to 11. The tests use synthetic times that
+// lead to each verdict: "holds", "does not hold" and "not measured".
 #include "harness/report/claims.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(Claims, FailWhereOneCellSpeaksAgainstThem) {
 TEST(Claims, AreNotMeasuredWithoutTheirCells) {
   EXPECT_TRUE(claims_of({}).empty());
   std::vector<FoundRow> rows = as_the_paper_says();
-  rows[0].row.status = Status::failed_check;  // the elephant on sticks with the explicit solver
+  rows[0].row.status = Status::failed_check;  // row of the elephant on sticks with the explicit solver
   const std::vector<Held> found = verdicts(rows);
   EXPECT_EQ(std::count(found.begin(), found.end(), Held::not_measured), 3);
   rows[1].row.overrides["dynamics.step"] = "0.1";

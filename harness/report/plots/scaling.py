@@ -9,10 +9,11 @@ The model is this sum of costs with coefficients that are not negative:
 
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
-The fit minimizes the squared relative errors. Intervals are percentiles over 1000 resamplings of the cases. The fit
-leaves out a third of the smaller cases and all larger cases. Larger cases have more than 64 layers, more pixels than
-1680 x 1050, or more than a million triangles. The omitted third is chosen so that each number of triangles, layers and
-pixels occurs both in the fit and in the test. The program needs only matplotlib and numpy.
+The fit minimizes the squared relative errors. The intervals of the coefficients are percentiles over 1000 resamplings
+of the cases. The fit omits a third of the smaller cases and all larger cases; they test the fit. Larger cases have more
+than 64 layers, more pixels than 1680 x 1050, or more than a million triangles. The omitted third is chosen so that each
+number of triangles, layers and pixels occurs both in the fit and in the test. The program needs only matplotlib and
+numpy.
 """
 import csv
 import os
