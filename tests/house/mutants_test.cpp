@@ -2,6 +2,7 @@
 // in the sources. .ci/full applies them and runs their tests.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -29,7 +30,7 @@ TEST(MutantFiles, CanBeApplied) {
     ++files;
     EXPECT_EQ(checked(entry.path()), 0) << entry.path();
   }
-  EXPECT_EQ(files, 3u);
+  EXPECT_GE(files, 3u);
 }
 
 TEST(MutantFiles, AreAllRunByCi) {
@@ -41,7 +42,7 @@ TEST(MutantFiles, AreAllRunByCi) {
 
 TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
   if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
-  const fs::path data = fs::temp_directory_path() / fmt::format("pelage-mutants-{}.toml", std::rand());
+  const fs::path data = fs::temp_directory_path() / fmt::format("pelage-mutants-{}.toml", ::getpid());
   std::ofstream(data) << "[[mutant]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
                          "replacement = ''\ntarget = 'test_house'\nfilter = '*'\n";
   EXPECT_NE(checked(data), 0);
