@@ -1,8 +1,8 @@
 // `pelage run` warns if other processes use much of the machine's CPU time while a case is timed.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <vector>
 
 #include "tests/cli/shell.hpp"
