@@ -3,7 +3,7 @@
 
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
-The data file is tests/mutants/survivors.toml. Each mutant has a `name`. Its `original` is a text that occurs exactly
+FILE is tests/mutants/survivors.toml by default. Each mutant has a `name`. Its `original` is a text that occurs exactly
 once in the tracked files of harness/ and kernels/; all white space counts as equal. The program replaces this text
 by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail. `why`
 describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why no

@@ -53,7 +53,7 @@ const Tree& tree() {
 std::vector<std::string> gone(const std::string& text) {
   static const std::regex function(R"(`(?:\w+::)*(\w+)\(\)`)");
   static const std::regex placed(
-      R"(`(\w+)(?:\(\))?` (?:in|of) `((?:harness|kernels|shaders|tests)/[\w/.]+\.\w+)`)");
+      R"(`(\w+)(?:\(\))?`\s+(?:in|of)\s+`((?:harness|kernels|shaders|tests)/[\w/.]+\.\w+)`)");
   static const std::regex path(
       R"(`((?:harness|kernels|shaders|tests|docs|experiments|examples|scripts|results|bench)/[\w/.*-]*)`)");
   static const std::regex kernel(R"(`(\w+\.(?:cl|clh))`)");
@@ -97,7 +97,8 @@ TEST(Documents, PlantedNamesAreFound) {
   for (const char* text : {"(`no_such_function()` there)", "`pelage::gone_from_here()`",
                            "`kernels/wet/gone.cl`", "`results/gone/`", "`tests/topology/shim*.cpp`",
                            "`gone_sort.cl`", "`lit_by` in `kernels/rasterize/shading/fragment.clh`",
-                           "`lit_by()` of\n`kernels/wet/wet.cl`, `lit_by()` of `kernels/wet/wet.cl`"})
+                           "`lit_by()` of\n`kernels/wet/wet.cl`, `lit_by()` of `kernels/wet/wet.cl`",
+                           "(`lit_by` in\n  `kernels/rasterize/shading/fragment.clh`)"})
     EXPECT_GE(gone(text).size(), 1u) << text;
   for (const char* text :
        {"`main()`", "`kernels/wet/wet.cl`", "`docs/`", "`wet.cl`", "`examples/grass-*.toml`", "`pelage list`",

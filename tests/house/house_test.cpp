@@ -76,6 +76,15 @@ TEST(House, KeepsItsRulesOfText) {
   EXPECT_TRUE(faults.empty()) << joined(faults);
 }
 
+TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
+  Faults faults;
+  for (const std::string& file : written_files()) {
+    const Faults found = copy_faults(file, read(root / file));
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(faults.empty()) << joined(faults);
+}
+
 TEST(House, LinksAreReadFromCMake) {
   const Links small = room_links(
       "function(pelage_room name)\n"
@@ -149,4 +158,34 @@ TEST(House, PlantedTextsAreFound) {
   for (int i = 0; i < 400; ++i) lines += "x\n";
   EXPECT_EQ(count(lines), 0u);
   EXPECT_EQ(count(lines + "x\n"), 1u);
+}
+
+// The planted lines are those of the copies that the kernels once had.
+TEST(House, PlantedCopiesOfAComputationAreFound) {
+  const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
+                                "  h.b1 = b1 * iw1 * w;",
+                                "  h.b2 = b2 * t.iw2 * w;",
+                                "  h.b2 = w * d->iw2[slot];",
+                                "  h.b1 = d->iw1[slot] * b1 * w;",
+                                "  p.uv = vec2(c[0], c[1]);",
+                                "  p->a = vec3(row[2], row[3], row[4]);",
+                                "  p.along_u = vec3(t.s0, t.s1, t.s2);",
+                                "  p.curl_v = vec3(c[3], c[4], c[5]);"};
+  for (const char* copy : copies)
+    for (const char* file : {"kernels/rasterize/workgroup/batch.clh", "kernels/rasterize/tile/points.clh"})
+      EXPECT_EQ(copy_faults(file, std::string("// first line\n") + copy + "\n").size(), 1u) << copy;
+  const char* const others[] = {"  s.iw1 = s.swapped ? c.iw : b.iw;",
+                                "  float iw[SLOTS], iw1[SLOTS], iw2[SLOTS];",
+                                "  bool seen = fmax(t.iw, fmax(t.iw1, t.iw2)) >= least_iw;",
+                                "  Planes p = {t.slope[0].right, t.iw, t.iw1, t.iw2};",
+                                "  // b1 * iw1 * w",
+                                "  f.uv = vec2(fma(REAL(l.rate), f.pull.x, p.x), f.uv.y);",
+                                "  c.a = column3(vertex, ROOT_X, s->vertices, block);"};
+  for (const char* other : others)
+    EXPECT_TRUE(copy_faults("kernels/rasterize/tile/points.clh", other).empty()) << other;
+  EXPECT_TRUE(copy_faults("harness/shells/reference/render.cpp", copies[1]).empty());
+  // The file of a computation may contain it, and must.
+  EXPECT_TRUE(copy_faults("kernels/rasterize/coverage/perspective.clh", copies[1]).empty());
+  EXPECT_EQ(copy_faults("kernels/rasterize/coverage/perspective.clh", "").size(), 1u);
+  EXPECT_EQ(copy_faults("kernels/rasterize/shading/surface.clh", "").size(), 1u);
 }

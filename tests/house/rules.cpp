@@ -173,4 +173,29 @@ Faults text_faults(const std::string& path, const std::string& text) {
   return faults;
 }
 
+Faults copy_faults(const std::string& path, const std::string& text) {
+  struct Computation {
+    std::string file, what;
+    std::regex written;
+  };
+  static const Computation computations[] = {
+      {"kernels/rasterize/coverage/perspective.clh", "perspective-correct interpolation",
+       std::regex(R"(\biw[12](\[\w+\])?\s*[-*]|[-*]\s*\w*(\.|->)?iw[12]\b)")},
+      {"kernels/rasterize/shading/surface.clh", "the assembly of a Surface from attribute rows",
+       std::regex(R"((\.|->)(uv|a|b|along_u|along_v|curl_u|curl_v)\s*=\s*vec[23]\(\s*\w+(\[\d|\.s\d))")}};
+  Faults faults;
+  if (!starts_with(path, "kernels/")) return faults;
+  for (const Computation& one : computations) {
+    bool found = false;
+    for (const Line& line : lines_of(text)) {
+      if (!std::regex_search(line.text.substr(0, line.text.find("//")), one.written)) continue;
+      found = true;
+      if (path != one.file)
+        faults.push_back(fmt::format("{}:{}: {} belongs in {}", path, line.number, one.what, one.file));
+    }
+    if (path == one.file && !found) faults.push_back(fmt::format("{}: has no longer {}", path, one.what));
+  }
+  return faults;
+}
+
 }  // namespace pelage::house

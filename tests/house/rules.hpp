@@ -21,4 +21,10 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 /// missing newline at the end, and blanks or tabs at the end of a line.
 Faults text_faults(const std::string& path, const std::string& text);
 
+/// Finds second copies of the computations that stand in one kernel file each: perspective-correct
+/// interpolation (arithmetic with iw1 or iw2) in rasterize/coverage/perspective.clh, and the assembly of a
+/// Surface from attribute rows in rasterize/shading/surface.clh. It is also a fault if such a file no longer
+/// has its computation.
+Faults copy_faults(const std::string& path, const std::string& text);
+
 }  // namespace pelage::house

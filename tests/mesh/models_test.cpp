@@ -81,6 +81,15 @@ TEST(Models, can_be_had_at_another_face_count) {
     EXPECT_EQ(load_model("banisch-dog", fresh(faces))->triangle.size(), faces);
 }
 
+// Files keep all their large components (components_test.cpp); the named models keep one.
+TEST(Models, keep_the_largest_piece_of_their_source) {
+  const auto horse = load_model("horse", fresh(2000));
+  EXPECT_EQ(std::count(horse->notes.begin(), horse->notes.end(),
+                       "kept the largest of 13 pieces, 7148 of 7172 faces"),
+            1);
+  EXPECT_EQ(topology(*horse).components, 1u);
+}
+
 TEST(Models, all_say_where_they_come_from) {
   for (const Model& model : models()) {
     EXPECT_FALSE(model.licence.empty()) << model.name;

@@ -73,14 +73,20 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
+/// Draws a frame, and tests that this frame was written. Every call has its own background, because the
+/// memory of a picture that no kernel writes may contain the picture of an earlier call.
 void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
-  Shells shells(device(), input, {mapping, {}});
+  static int number = 0;
+  const auto own = std::make_shared<FrameInput>(*input);
+  own->scene.image.background = glm::vec3(0.01f * float(++number), 0.2f, 0.3f);
+  Shells shells(device(), own, {mapping, {}});
   shells.frame();
-  const Picture picture = shells.read();
-  EXPECT_GT(
-      std::count_if(picture.pixel.begin(), picture.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
-      0)
-      << "nothing was drawn";
+  std::size_t furry = 0;
+  for (const glm::vec4& pixel : shells.read().pixel) {
+    furry += pixel.w > 0;
+    EXPECT_TRUE(pixel.w > 0 || pixel == glm::vec4(own->scene.image.background, 0)) << "not drawn";
+  }
+  EXPECT_GT(furry, 0u) << "nothing was drawn";
   if (count) {
     EXPECT_GT(shells.count(), 0u);
   }

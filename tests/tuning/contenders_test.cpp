@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "harness/cl/program.hpp"
+#include "harness/shells/opencl/shells.hpp"
 #include "tests/support/fake.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -62,6 +63,15 @@ TEST(Contenders, MayMoveNoStrandElsewhere) {
 TEST(Contenders, MayWetNoTexelMore) {
   EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.wetness;", "= 0.5f * m.wetness;"), "");
   EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.radius;", "= 0.5f * m.radius;"), "");
+}
+
+// `pelage tune rasterize` writes the hash of the contender into the tuning file, and a row of results has the
+// hash of its Shells (tests/subjects/shells_test.cpp). Equal kernels have equal hashes in both files.
+TEST(Contenders, HaveTheKernelHashThatARowHas) {
+  const auto contender = tuning_scene("rasterize", "torus", cl::choose_device(""), small()).make({});
+  const Shells shells(cl::choose_device(""), small());
+  EXPECT_EQ(contender->kernel_hash(), shells.kernel_hash());
+  EXPECT_EQ(contender->kernel_hash().size(), 16u);
 }
 
 }  // namespace

@@ -1,0 +1,52 @@
+// Tests that the mutants of tests/mutants can still be applied: the original text of each occurs exactly once
+// in the sources. .ci/full applies them and runs their tests.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path root = PELAGE_SOURCE_DIR;
+
+/// Runs `scripts/mutants.py --check` on a data file. Returns its exit status.
+int checked(const fs::path& data) {
+  return std::system(
+      fmt::format("'{}' --check --data '{}' >&2", (root / "scripts/mutants.py").string(), data.string())
+          .c_str());
+}
+
+TEST(MutantFiles, CanBeApplied) {
+  if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(root / "tests/mutants")) {
+    if (entry.path().extension() != ".toml") continue;
+    ++files;
+    EXPECT_EQ(checked(entry.path()), 0) << entry.path();
+  }
+  EXPECT_GE(files, 3u);
+}
+
+TEST(MutantFiles, AreAllRunByCi) {
+  std::ifstream stream(root / ".ci/full");
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_NE(text.find("for data in tests/mutants/*.toml; do\n  scripts/mutants.py --data \"$data\"\ndone\n"),
+            std::string::npos);
+}
+
+TEST(MutantFiles, APlantedTextThatIsGoneIsSeen) {
+  if (!fs::exists(root / ".git")) GTEST_SKIP() << "mutants.py asks git for the sources";
+  const fs::path data = fs::temp_directory_path() / fmt::format("pelage-mutants-{}.toml", ::getpid());
+  std::ofstream(data) << "[[mutant]]\nname = 'gone'\nwhy = ''\noriginal = 'no such text in any source'\n"
+                         "replacement = ''\ntarget = 'test_house'\nfilter = '*'\n";
+  EXPECT_NE(checked(data), 0);
+  fs::remove(data);
+}
+
+}  // namespace

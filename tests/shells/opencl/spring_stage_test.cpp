@@ -1,0 +1,87 @@
+// Every stage of a frame writes its own buffers only. The spring stage computes the tips, and the raster
+// stage reads them.
+#include "harness/shells/opencl/spring_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "harness/shells/opencl/raster_stage.hpp"
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/synthetic.hpp"
+
+namespace pelage {
+namespace {
+
+/// The stages of a frame of sticks in the wind, after one frame of motion.
+struct Stages {
+  FrameInput input;
+  cl::Queue queue{pictures::device()};
+  shells::Geometry geometry;
+  shells::WetStage wet;
+  shells::RasterStage raster;
+  shells::SpringStage springs;
+
+  Stages()
+      : input(moved_input()),
+        geometry(shells::lay_out(input, 1)),
+        wet(queue, input),
+        raster(queue, input, geometry, wet, {"pixel", {}}),
+        springs(queue, input, geometry, 1) {
+    springs.frame(queue, nullptr);
+  }
+  static FrameInput moved_input() {
+    Scene scene = synthetic::lively_scene();
+    scene.dynamics.topology = "sticks";
+    scene.dynamics.drag = 0.004f;
+    scene.dynamics.wind.strength = 0.01f;
+    scene.image.width = 64;
+    scene.image.height = 48;
+    return synthetic::frame(scene, synthetic::torus(), 16, 12, 10);
+  }
+  const cl::Buffer<float>& tips() { return springs.tips(queue, raster.params(), raster.vertex(), nullptr); }
+  Picture drawn_with(const cl::Buffer<float>& tips) {
+    raster.frame(queue, tips, nullptr);
+    return raster.read(queue);
+  }
+};
+
+TEST(SpringStageTips, ChangeNoBufferOfTheRasterStage) {
+  Stages stages;
+  const std::vector<float> vertex = stages.raster.vertex().read(stages.queue);
+  const cl::Buffer<float>& tips = stages.tips();
+  EXPECT_NE(tips.get(), stages.raster.vertex().get());
+  EXPECT_TRUE(stages.raster.vertex().read(stages.queue) == vertex);
+}
+
+TEST(SpringStageTips, AreNotChangedByDrawingAndCounting) {
+  Stages stages;
+  const cl::Buffer<float>& tips = stages.tips();
+  const std::vector<float> before = tips.read(stages.queue);
+  EXPECT_GT(std::count_if(before.begin(), before.end(), [](float value) { return value != 0; }), 300);
+  stages.drawn_with(tips);
+  EXPECT_TRUE(tips.read(stages.queue) == before);
+  EXPECT_GT(stages.raster.count(stages.queue), 0u);
+  stages.raster.tally(stages.queue, 1);
+  EXPECT_TRUE(tips.read(stages.queue) == before);
+}
+
+TEST(SpringStageTips, AreWhatTheRasterStageReads) {
+  Stages stages;
+  const cl::Buffer<float>& tips = stages.tips();
+  const std::vector<float> values = tips.read(stages.queue);
+  const Picture drawn = stages.drawn_with(tips);
+  const std::uint64_t count = stages.raster.count(stages.queue);
+  // Equal tips in another buffer give the same picture; tips of length 0 give another picture, and the counts
+  // follow the buffer of the last frame.
+  const cl::Buffer<float> copy(stages.queue, std::span<const float>(values));
+  EXPECT_TRUE(stages.drawn_with(copy).pixel == drawn.pixel);
+  EXPECT_EQ(stages.raster.count(stages.queue), count);
+  const std::vector<float> zeros(values.size(), 0.0f);
+  const cl::Buffer<float> none(stages.queue, std::span<const float>(zeros));
+  EXPECT_FALSE(stages.drawn_with(none).pixel == drawn.pixel);
+  EXPECT_NE(stages.raster.count(stages.queue), count);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,88 @@
+// Tests what the OpenCL and the OpenGL pipeline write into a row of results.
+#include "harness/shells/opencl/shells.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/measure/runner.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/subjects/pipelines.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr const char* small_scene =
+    "name = 'one'\ntitle = 'one'\n[axes]\nmodel = ['torus']\nlayers = [4]\nsize = ['320x240']\n"
+    "[scene]\nfur.texture = 64\n"
+    "[preset.quick]\nwarm_up_s = 0.0\nleast = 3\nmost = 3\nprecision = 1.0\nlimit_s = 20.0\n";
+
+/// An experiment of one case, and its row on the first device.
+struct OneRow {
+  test::Folder folder;
+  cl::Device device = cl::choose_device("");
+  Experiment experiment;
+  Case which;
+  Row row;
+
+  explicit OneRow(const std::string& pipeline = "shells") {
+    test::write_text(folder.path / "one.toml", small_scene);
+    experiment = read_experiment(folder.path / "one.toml");
+    const Preset& preset = preset_of(experiment, "quick");
+    which = cases_of(experiment, preset).front();
+    which.pipeline = pipeline;
+    RunPlan plan = test::fake_plan(1);
+    plan.cases = {which};
+    row = run_case(plan, which, preset.limits, subjects_on(device, experiment, {}, {}));
+  }
+};
+
+TEST(ShellsRow, HasTheKernelHashOfItsShells) {
+  const OneRow one;
+  ASSERT_EQ(one.row.status, Status::ok) << one.row.reason;
+  const Scene scene = scene_of(one.experiment, one.which);
+  const Shells shells(one.device, prepare(scene, load_scene_mesh(scene, {})));
+  EXPECT_EQ(one.row.provenance.at("kernel_hash").get<std::string>(), shells.kernel_hash());
+}
+
+TEST(ShellsRow, HasTheTimeOfTheKernelsThatRunOncePerMaskApartFromTheFrame) {
+  const OneRow one;
+  ASSERT_EQ(one.row.status, Status::ok) << one.row.reason;
+  ASSERT_TRUE(one.row.metrics.contains("per_mask_ms"));
+  EXPECT_GT(one.row.metrics.at("per_mask_ms").value, 0);
+  EXPECT_EQ(one.row.metrics.at("per_mask_ms").unit, "ms");
+  for (const auto& [phase, samples] : one.row.samples)
+    EXPECT_TRUE(phase == "frame" || phase == "simulate" || phase == "transform" || phase == "bin" ||
+                phase == "raster")
+        << phase;
+}
+
+TEST(ShellsRow, HasTheCpuTimeOfEveryFrame) {
+  const OneRow one;
+  ASSERT_EQ(one.row.status, Status::ok) << one.row.reason;
+  const auto& frame = one.row.samples.at("frame");
+  ASSERT_EQ(frame.cpu_ms.size(), frame.wall_ms.size());
+  for (const double ms : frame.cpu_ms) EXPECT_GT(ms, 0);
+}
+
+TEST(OpenGlRow, HasTheCpuTimeOfEveryFrameAndTheWarningsOfTheMesh) {
+  const OneRow one("opengl");
+  if (one.row.status == Status::unsupported) GTEST_SKIP() << one.row.reason;
+  ASSERT_EQ(one.row.status, Status::ok) << one.row.reason;
+  const auto& frame = one.row.samples.at("frame");
+  ASSERT_EQ(frame.cpu_ms.size(), frame.wall_ms.size());
+  for (const double ms : frame.cpu_ms) EXPECT_GT(ms, 0);
+  EXPECT_TRUE(one.row.provenance.contains("mesh_warnings"));
+}
+
+TEST(DuelRow, HasTheCpuTimeOfBothPipelines) {
+  const OneRow one("shells+opengl");
+  if (one.row.status == Status::unsupported) GTEST_SKIP() << one.row.reason;
+  ASSERT_EQ(one.row.status, Status::ok) << one.row.reason;
+  for (const char* phase : {"frame", "opengl"}) {
+    const auto& samples = one.row.samples.at(phase);
+    EXPECT_EQ(samples.cpu_ms.size(), samples.wall_ms.size()) << phase;
+  }
+}
+
+}  // namespace
+}  // namespace pelage
