@@ -44,7 +44,8 @@ void dump_frame(const std::filesystem::path& path, const FrameInput& input, cons
     const Picture& image = output.image;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
                dump::flat<float>(image.pixel), "1",
-               "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the coverage of the fur elsewhere");
+               "RGBA in gamma space, top row first; alpha is 1 where the base surface is visible, and the "
+               "coverage of the fur elsewhere");
     file.close();
   });
 }

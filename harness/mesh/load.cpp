@@ -141,7 +141,7 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
     return unfold_large(surface, plan, name);
   };
   std::vector<TriedPlan> plans = plan_cuts(proxy, label, unfold_proxy, stages.parts());
-  
+  stages.begin("laying the surface flat" + of);
   return unfold_first(component, std::move(plans), label,
                       [&](const Surface& surface, const CutPlan& plan, const std::string& name) {
                         return unfold_large(surface, plan, name, stages.parts());

@@ -38,8 +38,9 @@ struct TopologyTable {
 /// Returns true for a cell whose experiment varies dynamics.topology.
 bool has_topology_axis(const Cell& cell);
 
-/// Returns one table per experiment, device and host. It uses only cells without
-/// overrides and with the axes model, layers, size and dynamics.topology.
+/// Returns one table per experiment, device and host. It uses the rows that were run
+/// without changes on the command line (--set, --axis, --model), of experiments that vary the model, the
+/// number of layers, the picture size and dynamics.topology.
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);

@@ -133,7 +133,7 @@ struct MotionScene {
 /// the intersected triangle.
 struct PokeScene {
   glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
-  glm::vec3 ray{0.0f};    ///< direction of the ray; zero: no ray
+  glm::vec3 ray{0.0f};    ///< direction of a ray that finds the centre of the force on the mesh; zero: no ray
   /// Radius of the area under the force, in R. If the radius is 0, the force acts only on the triangle that
   /// the ray hits, or on no triangle if there is no ray.
   float radius = 0.0f;

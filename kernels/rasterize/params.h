@@ -21,7 +21,7 @@ typedef struct {
   // Tiles and their triangles.
   int tiles_x, tiles_y;
   int layer_batch;                            // layers per layer batch; a tile selects visible triangles once per batch
-  int layer_batches;                          // number of layer batches of this pass, including the base
+  int layer_batches;                          // 1 for the base surface, plus the number of layer batches of this pass
   // Layers of this pass: first_layer <= n < end_layer. If N layers need too much memory, several passes draw them.
   int first_layer, end_layer;
   int chunk;                                  // number of triangles per chunk; a work-item counts one chunk

@@ -50,7 +50,7 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      comment.clear();  // A function keeps the comment, because the function on the next line may share it.
+      comment.clear();  // Not after a function: the function on the next line may share its comment.
     }
   }
   return anchors;
