@@ -85,7 +85,7 @@ TEST(Models, can_be_had_at_another_face_count) {
 TEST(Models, keep_the_largest_piece_of_their_source) {
   const auto horse = load_model("horse", fresh(2000));
   EXPECT_EQ(std::count(horse->notes.begin(), horse->notes.end(),
-                       "kept the largest of 13 pieces, 7148 of 7172 faces"),
+                       "kept the largest of 13 components, 7148 of 7172 faces"),
             1);
   EXPECT_EQ(topology(*horse).components, 1u);
 }
