@@ -10,7 +10,8 @@ describes the effect of the mistake. A mutant with the key `equivalent` is not r
 test can detect the mutant.
 
 The named tests must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when a
-test runs. The program restores every file at the end, also after Ctrl-C. The exit status is 0 if all mutants are
+test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while it runs. Afterwards
+build again, because the test programs may still contain the last mutant. The exit status is 0 if all mutants are
 detected, 1 if some are not detected or cannot be run, and 2 for an error in the data or the command line.
 """
 import argparse
