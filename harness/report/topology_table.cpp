@@ -108,8 +108,8 @@ std::string three(std::optional<double> value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
-/// Returns the texts of the frame time and the simulation time in ms. For a cell without a time, returns its
-/// status and "-".
+/// Returns the frame time and the simulation time as texts, in ms. If the cell has no time, returns the
+/// status of its row and "-".
 std::pair<std::string, std::string> shown(const std::optional<TopologyTable::Entry>& entry) {
   if (!entry) return {"-", "-"};
   if (!timed(entry)) return {std::string(to_text(entry->cell.status)), "-"};

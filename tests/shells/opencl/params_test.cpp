@@ -25,25 +25,25 @@ RasterParams params_of(const std::string& model) {
   return shells::raster_params(input, shells::lay_out(input, 1));
 }
 
-TEST(RasterParameters, OfTheCurlingModelAreTheScenes) {
-  const RasterParams p = params_of("curling");
-  EXPECT_EQ(p.surface_light, 0);
+void expect_constants_of_the_scene(const RasterParams& p) {
   EXPECT_EQ(p.specular[0], .25f);
   EXPECT_EQ(p.specular[1], .15f);
   EXPECT_EQ(p.specular[2], .08f);
   EXPECT_EQ(p.wrap, .5f);
   EXPECT_EQ(p.darkening, .3f);
+}
+
+TEST(RasterParameters, OfTheCurlingModelAreTheScenes) {
+  const RasterParams p = params_of("curling");
+  EXPECT_EQ(p.surface_light, 0);
+  expect_constants_of_the_scene(p);
   EXPECT_EQ(p.whole_exponent, 24) << "the exponent is equal for all fragments";
 }
 
 TEST(RasterParameters, OfTheWetModelAreTheScenesWithLightOnTheSurface) {
   const RasterParams p = params_of("wet");
   EXPECT_EQ(p.surface_light, 1);
-  EXPECT_EQ(p.specular[0], .25f);
-  EXPECT_EQ(p.specular[1], .15f);
-  EXPECT_EQ(p.specular[2], .08f);
-  EXPECT_EQ(p.wrap, .5f);
-  EXPECT_EQ(p.darkening, .3f);
+  expect_constants_of_the_scene(p);
   EXPECT_EQ(p.whole_exponent, 0) << "the exponent depends on the wetness of the fragment";
 }
 
