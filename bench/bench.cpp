@@ -121,8 +121,9 @@ Scene scene_of(const Options& options) {
 }
 
 /// Registers one benchmark per kernel. The number of iterations is computed from the time of a pilot frame.
-/// Google Benchmark would increase the number until the sum of the reported times is long enough. It would
-/// never stop with a device timer that reports times of 0.
+/// Without this number, Google Benchmark would increase the number of iterations until the sum of the
+/// reported times is long enough. With a device timer that reports times of 0, Google Benchmark would never
+/// stop.
 void register_all(Bench& bench, const Options& options, bool timer) {
   const FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {

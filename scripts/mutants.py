@@ -81,8 +81,9 @@ def planted(file, begin, end, replacement, built):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
             signal.signal(number, signal.SIG_IGN)  # a second Ctrl-C must not interrupt the restoration
         file.write_text(text)
-        # After a build the restored file must be newer than the objects, so that the next build compiles it. Without a
-        # build the old time is restored, so that the next build does not compile it.
+        # After a build, the restored file must be newer than the object files, so that the next build compiles the
+        # file. Without a build, the file gets its old modification time, so that the next build does not compile the
+        # file.
         if not built:
             os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
         take_signals()

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Counts the places in harness/ and bench/ that name a mapping, pipeline, solver, topology or shading model.
+"""Counts the code lines in harness/ and bench/ that refer to a mapping, pipeline, solver, topology or shading model.
 
-A place names an item by a string, an enumerator, a class or a factory. Places in the files that implement the named
-item and in the table of its family do not count.
+A line refers to such an item if the line contains the item's name as a string, its enumerator, its class or its
+factory. Lines in the files that implement the item are not counted. Lines in the files with the table of its family
+(for example, the family of all mappings) are not counted either.
 
-The exit status is 1 if a name has more than two such places. The option -v prints the places.
+The exit status is 1 if more than two lines refer to the same item. The option -v prints the lines.
 """
 import re
 import subprocess
@@ -14,8 +15,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MOST = 2
 
-# A family has three entries: the files that contain its tables; for each name, a pattern of the other ways to write the
-# name and the files that implement the named item; and a pattern of lines in which such a string has another meaning.
+# A family has three entries. The first entry lists the files that contain the tables of the family. The second entry
+# has two values for each name: a pattern that matches the enumerator, the class or the factory of the named item, and
+# the files that implement the item. The third entry is a pattern that matches lines in which a name has another
+# meaning.
 FAMILIES = {
     "mapping": (["harness/shells/opencl/mappings.cpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
@@ -46,7 +49,7 @@ FAMILIES = {
         "prisms": (r"Kind::prisms\b", []),
         "separable-sticks": (r"Kind::separable_sticks\b", []),
         "separable-prisms": (r"Kind::separable_prisms\b", []),
-    }, r'metrics\["sticks"\]'),  # this metric is the number of sticks
+    }, r'metrics\["sticks"\]'),  # here "sticks" names a metric: the number of sticks
     "shading": (["harness/scene/shading_models.cpp"], {
         "curling": (r"ShadingModel::curling", []),
         "wet": (r"ShadingModel::wet", []),

@@ -16,10 +16,13 @@
 #   pelage run rivals --anonymous --preset tori -o TORI
 #   pelage run rival-options --anonymous --preset quick -o RESULTS      # exit code 1: some checks fail
 #
-# These commands write the results for docs/scaling in about 10 minutes. Each PRESET (quick, beyond, millions) needs a
-# separate folder RESULTS:
+# Two commands write the results for docs/scaling in about 10 minutes. Run the first command once for each PRESET
+# (quick, beyond, millions), each time with a separate folder RESULTS:
 #
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
+#
+# Run the second command once:
+#
 #   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -42,10 +42,11 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """Yields paragraphs. `lines` has pairs of a line number and a text; an empty text ends a paragraph."""
+    """Yields paragraphs. `lines` has pairs of a line number and a text. An empty text, or a number that neither equals
+    the number before nor follows it, ends a paragraph."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
-        if words and (not text.strip() or (last is not None and number != last + 1)):
+        if words and (not text.strip() or (last is not None and number not in (last, last + 1))):
             yield Paragraph(name, start, kind, " ".join(words))
             words = []
         if text.strip():
@@ -72,8 +73,7 @@ def markdown(name, text):
             lines.append((number, ""))
             line = item.group(1)
         lines.append((number, line))
-    # The lines are renumbered, because an inserted empty line separates each item of a list from the line before.
-    yield from paragraphs_of_lines(name, "document", [(i, t) for i, (_, t) in enumerate(lines)])
+    yield from paragraphs_of_lines(name, "document", lines)
 
 
 C_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'', re.S)
@@ -107,12 +107,14 @@ def c_like(name, text):
 
 
 def hash_comments(name, text):
-    lines = []
+    """Yields comments on separate lines, and comments behind code (one paragraph each)."""
+    own_lines = []
     for number, line in enumerate(text.split("\n"), 1):
-        found = re.match(r"\s*#(?!!)\s?(.*)", line) or re.search(r'\s#\s([^"\']*)$', line)
-        if found:
-            lines.append((number, found.group(1)))
-    yield from paragraphs_of_lines(name, "comment", lines)
+        if own := re.match(r"\s*#(?!!)\s?(.*)", line):
+            own_lines.append((number, own.group(1)))
+        elif behind := re.search(r'\s#\s([^"\']*)$', line):
+            yield Paragraph(name, number, "comment", behind.group(1).strip())
+    yield from paragraphs_of_lines(name, "comment", own_lines)
 
 
 def python(name, text):
@@ -156,7 +158,7 @@ def sentences_of(paragraph):
     for part in re.split(r'(?<=[.?!;])["\')]*\s+(?=[A-Z`"(\[])', paragraph.text):
         part = part.strip(" ;")
         if not re.sub(r"`[^`]*`|[\s,|.;:()-]|\band\b", "", part) or part.startswith(("namespace ", "NOLINT")):
-            continue  # only names of files, code or commands; the end of a namespace; a remark for the linter
+            continue  # no sentence: only names of files, code or commands, the end of a namespace, or a linter remark
         words = re.findall(r"\b[A-Za-z][a-z']+\b", part)
         if len(words) >= FEWEST_WORDS and len(set(words)) > 2:
             yield part

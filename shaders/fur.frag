@@ -86,8 +86,8 @@ void main() {
 #endif
 
   vec3 nu = unit(normal), e = view();
-  // level is log2 of a pixel's footprint on the surface, in texels of mip level 0, plus the bias that LEVEL includes.
-  // gl_FragCoord.w is 1/w.
+  // level is log2 of a pixel's footprint on the surface in texels of mip level 0, plus fur.lod_bias. LEVEL contains the
+  // bias and log2 of the footprint's constant factors. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
   if (texel.r == 0.0) discard;
@@ -110,7 +110,7 @@ void main() {
 #ifdef WET_MODEL
   gamma *= 1.0 - DARKENING * rho;  // W Eq. 5
 #endif
-  vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // the shade is the byte / 127.5
+  vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // texel.g is half of the shade
   // The colour is multiplied by the coverage here, so that all four channels are blended in the same way.
   colour = texel.r * vec4(gamma * (light.x * hair + light.y * SPECULAR), 1.0);
 }

@@ -1,8 +1,8 @@
 // Values of a layer for its vertices and fragments, with the symbols of docs/frame.md. The host computes three rows per
 // layer (harness/shells/opengl/scene_glsl.cpp).
-//   bend holds the factors of A, B and of the curl's axes u and v.
-//   step holds the factors of A and B in dB(n).
-//   look holds f(h_n), f(h_n) - f(h_(n-1)), gamma(h_n) and n.
+//   `bend` has the factors of A, of B and of the curl's axes u and v in the position of a vertex.
+//   `step` has the factors of A and of B in the strand direction dB(n).
+//   `look` has f(h_n) and f(h_n) - f(h_(n-1)) for the clump's displacement, gamma(h_n) for the light, and n.
 #ifdef INSTANCED
 layout(std140, binding = 0) uniform Layers { vec4 layers[3 * LAYERS]; };
 #define LAYER_BEND layers[3 * gl_InstanceID]

@@ -5,8 +5,8 @@ layout(location = 0) in vec3 position;  // R
 layout(location = 1) in vec2 surface_uv;
 layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, along the normal
 layout(location = 3) in vec3 b;         // B: vector from the strand's root to its tip p
-layout(location = 4) in vec3 curl_u;    // (1 - rho) K_alpha u of S Eq. 4, in mesh radii
-layout(location = 5) in vec3 curl_v;
+layout(location = 4) in vec3 curl_u;    // first axis of the curl: (1 - rho) K_alpha u of S Eq. 4, in R
+layout(location = 5) in vec3 curl_v;    // second axis of the curl: (1 - rho) K_alpha v
 layout(location = 6) in vec3 dx_du;     // dX/du, in mesh radii per unit of u
 layout(location = 7) in vec3 dx_dv;
 
@@ -44,8 +44,9 @@ void main() {
   vec4 at = vec4(p, 1.0);
   vec3 eye = vec3(dot(CAMERA_X, at), dot(CAMERA_Y, at), dot(CAMERA_W, at));
 #ifdef SNAP
-  // Rounds to 1/256 pixel from the picture's centre. Drivers round positions in the same way for coverage, but
-  // interpolate from unrounded positions.
+  // Rounds the screen position to a multiple of 1/256 pixel, measured from the picture's centre. Drivers round
+  // positions in the same way to find the covered pixels, but interpolate attributes from unrounded positions. After
+  // this rounding, coverage and interpolation use the same positions.
   if (eye.z >= NEAR) eye.xy = roundEven(eye.xy / eye.z * GRID) / GRID * eye.z;
 #endif
   // The division by w turns z = near into near / w, so the depth test compares 1/w. y points down, because the top row

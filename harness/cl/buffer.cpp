@@ -32,8 +32,8 @@ void Queue::finish() const {
 }
 
 Memory::Memory(const Device& device, std::size_t bytes) : bytes_(bytes) {
-  // The size is tested here, because drivers allocate lazily. They would fail later, in a kernel launch,
-  // without naming the size.
+  // Drivers allocate lazily. Without this test, a kernel launch would fail later, with an error that does not
+  // name the size.
   if (bytes > device.info().max_allocation)
     throw DeviceError(
         fmt::format("clCreateBuffer: {} MB requested, but {} allocates at most {} MB at once: try a smaller "
@@ -69,7 +69,7 @@ void Memory::write(const Queue& queue, const void* source, std::size_t bytes) {
 void Memory::read(const Queue& queue, void* target, std::size_t bytes, std::size_t offset) const {
   if (offset > bytes_ || bytes > bytes_ - offset)
     throw DeviceError(
-        fmt::format("clEnqueueReadBuffer: {} bytes from offset {} on exceed a buffer of {} bytes", bytes,
+        fmt::format("clEnqueueReadBuffer: {} bytes at offset {} do not fit into a buffer of {} bytes", bytes,
                     offset, bytes_));
   if (bytes == 0) return;
   check(clEnqueueReadBuffer(queue.get(), memory_, CL_TRUE, offset, bytes, target, 0, nullptr, nullptr),

@@ -14,7 +14,7 @@ namespace pelage::cl {
 struct DeviceInfo {
   std::string platform_suffix;  ///< the loader's short name of the platform ("POCL", "NV"); may be empty
   std::string platform, platform_version, name, vendor, version, c_version, driver;
-  int platform_index = 0, device_index = 0;  ///< device_index counts the devices of one platform
+  int platform_index = 0, device_index = 0;  ///< device_index: position among the platform's devices, from 0
   bool gpu = false, cpu = false;
   unsigned compute_units = 0;
   std::uint64_t global_memory = 0, local_memory = 0, max_allocation = 0;
@@ -56,10 +56,10 @@ std::vector<PlatformInfo> platforms();
 std::vector<Device> devices();
 
 /// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" (where PLATFORM is part of the
-/// platform's name, or its index), or part of a device's name. If no device has that name, it may be part of
-/// a platform's name. If `wanted` is empty, $PELAGE_DEVICE replaces it; if this is also empty, the result is
-/// the first GPU, else the first CPU. Throws InputError with the candidates if no device or several devices
-/// match, and NoDeviceError if there are no devices.
+/// platform's name, or its index), or part of a device's name. If no device's name contains `wanted`, it may
+/// also be part of a platform's name. If `wanted` is empty, $PELAGE_DEVICE replaces it; if this is also
+/// empty, the result is the first GPU, else the first CPU. Throws InputError with the candidates if no device
+/// or several devices match, and NoDeviceError if there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

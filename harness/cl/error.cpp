@@ -78,7 +78,7 @@ constexpr Named names[] = {
     {-67, "CL_INVALID_LINKER_OPTIONS"},
     {-68, "CL_INVALID_DEVICE_PARTITION_COUNT"},
     {-1001, "CL_PLATFORM_NOT_FOUND_KHR"},
-    {-9999, "illegal memory access in a kernel (code of NVIDIA)"},
+    {-9999, "illegal memory access in a kernel (an error code of NVIDIA's driver)"},
 };
 
 const char* advice(cl_int code) {

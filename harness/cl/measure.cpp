@@ -36,8 +36,9 @@ double triad(const Queue& queue, const Program& program, std::size_t lanes) {
     floats /= 2;
   const Buffer<float> a(queue.device(), floats), b(queue.device(), floats), c(queue.device(), floats);
   Kernel clear(program, "triad"), kernel(program, "triad");
-  // The inputs b and c are written before they are timed. Otherwise all their pages could be the operating
-  // system's shared page of zeros.
+  // The arrays b and c are written once before the timed runs read them. Otherwise the operating system could
+  // map all pages of both arrays to one shared page of zeros, and the kernel would read from the cache
+  // instead of the memory.
   for (const auto* array : {&b, &c}) clear.with(*array, a, a, 0.0f).enqueue(queue, floats / lanes);
   kernel.with(a, b, c, 0.5f);
   const double best = best_seconds(7, [&] {

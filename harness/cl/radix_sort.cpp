@@ -39,8 +39,9 @@ RadixSort::RadixSort(const Device& device)
 
 std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
                              std::vector<Event>* events, bool read_sum) {
-  // Computes the sums of blocks of values, then of blocks of these sums, until one block is left. Then adds
-  // the prefix sums of each level to the level below, down to the values.
+  // Level 0 contains the values. The first loop computes the prefix sums within each block of a level, and
+  // stores the sums of the blocks as the next level. It ends at a level that has one block. The second loop
+  // returns to level 0. To each entry of a level, it adds the sum of all earlier blocks of this level.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

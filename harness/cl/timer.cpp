@@ -42,7 +42,7 @@ TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batc
   if (resolution_ns == 0) return fake("the driver reports a timer resolution of 0");
   for (std::size_t i = 0; i < batch.size(); ++i) {
     const Stamps& s = batch[i];
-    if (s.ended <= s.started) return fake("a command ends no later than it starts");
+    if (s.ended <= s.started) return fake("the end time of a command is not after its start time");
     if (s.queued > s.submitted || s.submitted > s.started)
       return fake("a command starts before it is queued");
     if (i > 0 && s.started < batch[i - 1].ended)

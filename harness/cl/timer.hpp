@@ -27,8 +27,8 @@ struct TimerCheck {
 TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batch, double wall_ms);
 
 /// Runs a batch of commands of about 0.2 s on the queue's device, and tests its timestamps by judge_timer().
-/// Other processes may delay the batch, so the function tries up to three batches. A fake timer fails in all
-/// of them.
+/// Other processes may delay a batch, so a real timer may fail the test. The function therefore tests up to
+/// three batches, until a batch passes. A fake timer fails with every batch.
 TimerCheck check_timer(const Queue& queue);
 
 }  // namespace pelage::cl

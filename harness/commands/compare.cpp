@@ -46,7 +46,8 @@ int compare(const CompareOptions& options) {
   const double threshold = threshold_from_text(options.threshold);
   const bool one_set = options.b.empty();
   if (one_set && by.text.empty())
-    throw InputError("give two sets of results, A and B, or one set and --by device, variant or axes.KEY");
+    throw InputError(
+        "give two sets of results (A and B), or one set with --by device, --by variant or --by axes.KEY");
   const std::vector<Cell> a = cells_of(read_results({options.a}));
   const std::vector<Cell> b = one_set ? a : cells_of(read_results({options.b}));
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, threshold);
@@ -68,7 +69,8 @@ void add_compare(CLI::App& app, Chosen& chosen) {
   CLI::App* command = app.add_subcommand("compare", "Compare two sets of results, case by case");
   command->add_option("a", options->a, "First set of results")->required()->type_name("A");
   command
-      ->add_option("b", options->b, "Second set of results; without it, --by compares the results within A")
+      ->add_option("b", options->b,
+                   "Second set of results; without it, --by compares results of A with each other")
       ->type_name("B");
   command->add_option("--by", options->by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");

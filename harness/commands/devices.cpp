@@ -79,7 +79,7 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
           : fmt::format("unreliable, only wall-clock times are usable: {}", speed->timer.reason));
   fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
   fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);
-  fmt::print("     launch    {:.1f} us for one kernel, {:.1f} us per kernel in a queue of 200\n",
+  fmt::print("     launch    {:.1f} us for a single kernel, {:.1f} us per kernel of 200 enqueued together\n",
              speed->launch_us, speed->queued_launch_us);
 }
 

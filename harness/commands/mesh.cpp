@@ -103,10 +103,10 @@ void print(const Mesh& mesh) {
   const UvQuality q = uv_quality(mesh);
   fmt::print("{}, content {}\n", mesh.name, mesh.hash);
   for (const std::string& note : mesh.notes) fmt::print("  {}\n", note);
-  fmt::print("vertices: {} with seam copies, {} welded; edges {}; faces {}\n", t.copies, t.points, t.edges,
-             t.faces);
-  fmt::print("components {}, genus {}, borders {} of {} edges, {}\n", t.components, t.genus, t.borders,
-             t.boundary_edges,
+  fmt::print("vertices: {} including copies on UV seams, {} without copies; edges {}; faces {}\n", t.copies,
+             t.points, t.edges, t.faces);
+  fmt::print("components {}, genus {}, borders {} with {} edges in total, {}\n", t.components, t.genus,
+             t.borders, t.boundary_edges,
              t.manifold() ? "manifold"
                           : fmt::format("NOT manifold: {} edges and {} points", t.bad_edges, t.bad_points));
   fmt::print(
@@ -115,8 +115,8 @@ void print(const Mesh& mesh) {
       q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " (periodic)" : "", 100 * q.covered,
       q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
   fmt::print(
-      "UV area over surface area (1: no distortion): {:.2f} at the 1%, {:.2f} at the 50%, {:.2f} at the 99% "
-      "quantile\n",
+      "UV area per surface area of a face, relative to the whole map (1: no distortion): {:.2f} at the 1% "
+      "quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
   fmt::print("surface length per unit of u {:.3f} R, of v {:.3f} R\n", mesh.length_per_uv.x,
              mesh.length_per_uv.y);

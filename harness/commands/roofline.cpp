@@ -31,8 +31,8 @@ struct RooflineOptions {
 };
 
 /// Returns the kernels in the order in which a frame runs them. The time of a kernel in a frame is the
-/// sum over its launches. Each returned time is the median over the frames. The bytes are those of the first
-/// frame.
+/// sum over its launches. Each returned time is the median over the frames. The returned number of bytes of a
+/// kernel is the sum over its launches in the first frame.
 std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
                                    const std::map<std::string, double>& operations) {
   std::vector<KernelWork> kernels;

@@ -62,8 +62,8 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
 }
 
 /// Returns the case with its mapping of pixels to work-items. The mapping is that of the experiment, if it
-/// names one; else that of --mapping; else the device's default. Renames the default variant to
-/// "shells/MAPPING".
+/// names one; else that of --mapping; else the device's default. If the variant's name begins with
+/// `default_variant`, this part becomes "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;

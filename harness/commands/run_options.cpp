@@ -116,7 +116,7 @@ void declare(CLI::App& command, RunOptions& options) {
                   "Longest wall-clock time of the whole run, for instance 90s, 5m or 1h")
       ->transform(CLI::AsNumberWithUnit(seconds).description(""))
       ->check([](const std::string& time) {
-        return time.starts_with('-') ? time + " s is negative; write for instance 90s, 5m or 1h"
+        return time.starts_with('-') ? "the time " + time + " s is negative; write for instance 90s, 5m or 1h"
                                      : std::string();
       })
       ->type_name("TIME");

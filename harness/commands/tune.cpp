@@ -75,7 +75,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
   for (const NamedInput& i : inputs) scenes += (scenes.empty() ? "" : ", ") + i.name;
   const std::string against =
       found.best.empty() ? std::string("no other values were faster than the shipped ones")
-                         : fmt::format("{:.3f} ({:.3f} to {:.3f}) times the time of the shipped values",
+                         : fmt::format("time relative to the shipped values: {:.3f} ({:.3f} to {:.3f})",
                                        found.last.ratio, found.last.interval.low, found.last.interval.high);
   const std::string note =
       fmt::format("{}, {}, driver {}; {}\npelage {}, kernels {}: {}\n{}", info.name, info.platform,
@@ -87,7 +87,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
     stream << text << std::flush;
     if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
   });
-  // This throws if the written file cannot be read back.
+  // Checks that the written file can be read back; throws if it cannot.
   read_tuning(file);
 }
 
@@ -110,13 +110,15 @@ int tune(const TuneOptions& options) {
   if (fs::exists(file)) read_tuning(file);  // reports a malformed file now instead of after the search
   if (options.dry_run) {
     for (std::size_t i = 0; i < stages.size(); ++i) print_axes(stages[i], axes[i]);
-    fmt::print(stderr, "pelage: would search on {} with the cases", device.info().name);
+    fmt::print(stderr, "pelage: nothing was run; without --dry-run, pelage would search on {} with the cases",
+               device.info().name);
     for (const Case& c : cases) fmt::print(stderr, " {}", c.name);
-    fmt::print(stderr, "; would store the result in {}; nothing was run\n", file.string());
+    fmt::print(stderr, " and would store the fastest values in {}\n", file.string());
     return 0;
   }
   const std::vector<NamedInput> inputs = prepared(experiment, cases);
-  fmt::print("{}\nstage\tconfiguration\ttime over the incumbent's time (95% interval)\n", device.info().name);
+  fmt::print("{}\nstage\tconfiguration\ttime divided by the incumbent's time (95% interval)\n",
+             device.info().name);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::vector<TuningScene> scenes;
     scenes.reserve(inputs.size());
@@ -132,7 +134,7 @@ int tune(const TuneOptions& options) {
       return 1;
     }
     if (!found.last.tuning.empty())
-      fmt::print("{}\t{}\t{} times the time of the shipped values{}\n", stages[i], text_of(found.last.tuning),
+      fmt::print("{}\t{}\ttime relative to the shipped values: {}{}\n", stages[i], text_of(found.last.tuning),
                  told(found.last), found.best.empty() ? "; dropped" : "");
     fmt::print("{}\t{}\tstored\n", stages[i], text_of(found.best));
     store(file, stages[i], found, scenes.front().make(found.best)->kernel_hash(), device, inputs);

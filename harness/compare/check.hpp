@@ -4,7 +4,7 @@
 
 namespace pelage {
 
-/// Value of Check::against for comparisons with the double-precision reference.
+/// Check::against has this value if the frame is compared with the double-precision reference.
 inline constexpr const char* against_reference = "reference";
 
 /// One comparison of the timed frame with a trusted result. The check holds if `value` is within `limit`.

@@ -11,7 +11,7 @@ namespace pelage::springs {
 
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length) {
   if (a.size() != b.size() || a.empty())
-    throw std::invalid_argument("spread: the states have different sizes or are empty");
+    throw std::invalid_argument("spread(): the two lists of masses have different sizes or are empty");
   std::vector<double> error;
   error.reserve(a.size());
   double squares = 0;

@@ -81,8 +81,7 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
   if (differences.empty()) return result;
   result.psnr = decibels(squares, result.pixels);
   if (result.flips < result.pixels) result.psnr_without_flips = decibels(kept, result.pixels - result.flips);
-  // `rank` is the index, in ascending order, of the smallest difference that at least 99.9% of the pixels do
-  // not exceed.
+  // `rank` is the index of the 99.9th percentile if the differences are sorted in ascending order.
   const std::size_t rank = std::size_t(std::ceil(0.999 * double(differences.size()))) - 1;
   std::nth_element(differences.begin(), differences.begin() + std::ptrdiff_t(rank), differences.end());
   result.p999 = differences[rank];

@@ -50,8 +50,8 @@ inline constexpr double stick_top = 1e-4;
 /// prisms share their sticks). Compressed springs buckle in a direction that depends on rounding, so single
 /// top masses are not checked.
 inline constexpr double prisms_rms = 1e-3, prisms_p99 = 1e-2;
-/// Limit for the distance between the reference and the kernels' source compiled as C++ in double precision.
-/// That code still reads gravity, wind and normals as floats.
+/// Limit for the distance of a top mass between the reference and the kernels' source, compiled as C++ in
+/// double precision. The compiled source still reads gravity, wind and normals as floats.
 inline constexpr double float_records = 1e-6;
 /// Limit for baselines that compute in double precision. Their states are set and read as floats.
 inline constexpr double double_baseline = 2e-5;
@@ -72,8 +72,9 @@ inline constexpr double small_scene = 2e-6;
 inline constexpr double velocity = 5e-4;
 
 /// Limit of the relative residual |b - A x| / |b|, where A x = b are the reference's equations of a backward
-/// Euler step and x is the device's change of the velocities. Velocities are floats some hundred times as
-/// large as their change in a step, so the rounding of the change alone gives a residual of 1e-5.
+/// Euler step and x is the device's change of the velocities. The velocities are floats. A velocity is
+/// some hundred times as large as its change in a step. The rounding error of the velocity is therefore about
+/// 1e-5 of the change, and this error alone gives a residual of 1e-5.
 inline constexpr double step_residual = 1e-3;
 
 }  // namespace pelage::tolerance

@@ -15,9 +15,10 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
                       true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
-  // In a flipped pixel, rounding has selected another texel of the mask, which changes a channel by about
-  // 0.2. One flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but not the PSNR of
-  // the whole picture. Therefore, if the windows fail, the comparison of the whole picture decides.
+  // In a flipped pixel, another texel of the mask was selected because of rounding. The other texel changes a
+  // channel by about 0.2. One flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but
+  // not the PSNR of the whole picture. Therefore, if the windows fail, the comparison of the whole picture
+  // decides.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();

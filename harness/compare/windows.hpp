@@ -10,8 +10,8 @@
 
 namespace pelage {
 
-/// Number of windows required by the check, and the side of a window in pixels. Every window contains fur or
-/// is next to a grid cell that contains fur.
+/// Number of windows required by the check, and the side of a window in pixels. The windows are cells of a
+/// grid over the picture. Every window contains fur or is adjacent to a cell that contains fur.
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
@@ -19,8 +19,8 @@ inline constexpr int kCheckSide = 16;
 /// windows fail, the whole picture is compared, and this comparison decides.
 struct WindowCheck {
   std::vector<Check> checks;
-  Agreement agreement;  ///< the comparison that decided
-  Agreement sample;     ///< the comparison in the windows
+  Agreement agreement;  ///< the comparison on which `checks` are based: the windows or the whole picture
+  Agreement sample;     ///< the comparison of the windows
   Check windows;        ///< check that there were enough windows; also the first entry of `checks`
 };
 /// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects

@@ -19,8 +19,9 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
   return out;
 }
 
-/// Returns the surface normal of each vertex (docs/frame.md, section 3): the direction of the vertex's stick
-/// at rest or, with Silva's strands, of the weighted mean of the triangle normals.
+/// Returns the surface normal of each vertex (docs/frame.md, section 3). With a mass-spring topology, the
+/// normal is the direction of the vertex's stick at rest. With Silva's strands, it is the normalized weighted
+/// mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<glm::vec3> normals(input.mesh->position.size());
@@ -55,12 +56,15 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
   }
   view.insert(view.end(), {0, 0, 0, 1});
   const std::vector<float> projection{focal, 0, 0, 0, 0, focal, 0, 0, 0, 0, 0, camera.near, 0, 0, 1, 0};
-  file.write("camera/view", {4, 4}, view, "R",
-             "row-major matrix; its product with (p, 1) is the vector from the eye to p, in components along "
-             "the directions right, down and forward, followed by 1");
-  file.write("camera/projection", {4, 4}, projection, "pixels",
-             "row-major matrix; its product with the result of camera/view is (x w, y w, near, w), where "
-             "x and y are the distances in pixels right and down from the picture's centre");
+  file.write(
+      "camera/view", {4, 4}, view, "R",
+      "row-major matrix; its product with (p, 1) is (x, y, z, 1), where x, y and z are the distances of the "
+      "point p from the eye to the right, downwards and forwards");
+  file.write(
+      "camera/projection", {4, 4}, projection, "pixels",
+      "row-major matrix; its product with the result of camera/view is (x w, y w, near, w), where w is the "
+      "view depth, near is the depth of the near plane, and x and y are the coordinates in pixels to the "
+      "right and downwards from the picture's centre");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
@@ -75,7 +79,7 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
-             "index of the strand, and of its triangle, of each entry");
+             "index of the strand of each entry, which is also the index of the strand's triangle");
   file.write("weight/value", {links}, std::span<const float>(strands.weight), "1",
              "weight of each entry: the triangle's share of the area around the surface point; the weights "
              "of a point sum to 1");
@@ -109,9 +113,9 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
              "first axis of the curl at each surface point, unit length");
   file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",
              "second axis of the curl at each surface point, unit length");
-  file.write(
-      "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
-      "texture coordinates at which each surface point samples the wetness mask: those of its first vertex");
+  file.write("curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
+             "position in UV at which each surface point samples the wetness mask: the UV of the point's "
+             "first vertex");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -207,7 +211,8 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   file.write(
       "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
       fmt::format(
-          "displacement from the mesh's surface per layer and {}, computed by the double-precision reference",
+          "displacement of each {} of each layer from the mesh's surface, computed by the double-precision "
+          "reference",
           separate ? "triangle corner" : "vertex"));
 }
 
@@ -227,7 +232,8 @@ void write_camera(Hdf5File& file, const Camera& camera) {
   file.write("camera/ray", {3, 3}, numbers({camera.ray, camera.ray_dx, camera.ray_dy}), "1, 1/pixel, 1/pixel",
              "direction of the ray through the picture's centre, and its change per pixel in x and in y; not "
              "normalized");
-  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1", "side of a pixel divided by its view depth");
+  file.write("camera/pixel", {1}, std::array{camera.pixel}, "1",
+             "width of a pixel at the view depth w, divided by w");
   file.write("camera/near", {1}, std::array{camera.near}, "R", "view depth of the near plane");
   file.write("camera/size", {2}, std::array{std::uint32_t(camera.width), std::uint32_t(camera.height)},
              "pixels", "width and height of the picture");

@@ -91,7 +91,8 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // A case's name contains neither the first value of the axis "reading" nor that of the axis "variant".
+    // The name of a case omits the value of the axis "reading" if it is the first value of this axis in the
+    // experiment file. The same is true for the axis "variant".
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
@@ -178,7 +179,8 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
     if (axis.key == "reading")
       for (const std::string& value : axis.values)
         if (!experiment.at.contains("reading") || !experiment.at.at("reading").contains(value))
-          throw InputError(fmt::format("{}: this experiment has no reading '{}'", experiment.name, value));
+          throw InputError(
+              fmt::format("{}: this experiment has no table [reading.{}]", experiment.name, value));
 
   std::vector<Case> result;
   std::vector<std::size_t> choice(axes.size(), 0);

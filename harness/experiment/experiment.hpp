@@ -37,7 +37,7 @@ struct SamplingLimits {
 
 struct Preset {
   SamplingLimits limits;
-  std::vector<Axis> axes;  ///< each replaces the experiment's axis with the same key
+  std::vector<Axis> axes;  ///< each axis is used instead of the experiment's axis that has the same key
 };
 
 /// One number from a paper. It applies to every case whose axes have the values in `at` (axis -> value).
@@ -46,12 +46,13 @@ struct Published {
   Metric figure;
 };
 
-/// Pipeline and variant of a case if the experiment names no variant. The variant's name is then
-/// "shells/MAPPING", where MAPPING is the device's default mapping of pixels to work-items. On CPUs this name
-/// is `default_variant`. Report tables do not print `default_variant`.
+/// `default_pipeline` is the pipeline of a variant without the key `pipeline`. `default_variant` is the
+/// variant of a case without the axis "variant". When such a case runs on a device, its variant is renamed to
+/// "shells/MAPPING", where MAPPING is the mapping of pixels to work-items. On CPUs the default mapping is
+/// "tile". Report tables do not print `default_variant`.
 inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
 
-/// Keys in a variant's table of the experiment file that are not scene keys.
+/// In an experiment file, the table of a variant may contain these keys and scene keys.
 inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapping", opengl_key = "opengl";
 
 struct Experiment {

@@ -114,7 +114,7 @@ Preset read_preset(const fs::path& file, const toml::table& table) {
   limits.precision = number_at(file, table, "precision", limits.precision, 0, 1);
   limits.limit_s = number_at(file, table, "limit_s", limits.limit_s, 0, 86400);
   if (limits.most < limits.least)
-    refuse(file, table.get("most"), "the key most must be at least as large as the key least");
+    refuse(file, table.get("most"), "the value of 'most' must not be smaller than the value of 'least'");
   if (const toml::node* axes = table.get("axes")) {
     if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
     preset.axes = read_axes(file, *axes->as_table());
@@ -131,9 +131,9 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   for (const toml::node& node : *cells) {
     const auto* cell = node.as_array();
     if (!cell || cell->size() != keys->size() + 1)
-      refuse(
-          file, &node,
-          fmt::format("each cell must contain {} values, one per key, and the paper's number", keys->size()));
+      refuse(file, &node,
+             fmt::format("each cell must contain {} values (one per key) and then the paper's number",
+                         keys->size()));
     Published published;
     for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
     try {

@@ -8,7 +8,7 @@
 // fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line, which has
 // no line feed. Any other damage is an error.
 //
-// These rules protect the rows if the program is killed. They do not protect data that a disk loses in a
+// The rules above protect the rows if the program is killed. They do not protect rows that a disk loses in a
 // power failure.
 #pragma once
 #include <sys/types.h>
@@ -68,8 +68,9 @@ class Journal {
   std::set<std::string> keys_;
 };
 
-/// Reads the rows of a journal. It takes no lock, because another process may write the file at the same
-/// time, and skips a truncated last line. Throws InputError for a damaged line.
+/// Reads the rows of a journal, also while another process holds the lock and writes the file. The function
+/// therefore takes no lock, and it ignores a last line that is not yet complete. Throws InputError for a
+/// damaged line.
 std::vector<Row> read_journal(const std::filesystem::path& file);
 
 }  // namespace pelage

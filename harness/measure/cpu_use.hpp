@@ -29,9 +29,9 @@ struct MachineTime {
 /// `ticks` is the number of ticks per second. Returns nothing if the line has another format.
 std::optional<MachineTime> machine_time(const std::string& line, double ticks);
 
-/// Returns the share (0 to 1) of the machine's CPU time between `before` and `after` that other processes
-/// used. `own_s` is the CPU time of this process in the same interval, in seconds. Returns nothing if the
-/// machine's counters did not change.
+/// Returns the share of CPU time that other processes used between `before` and `after`, as a fraction (0 to
+/// 1) of the machine's CPU time in this interval. `own_s` is the CPU time of this process in the same
+/// interval, in seconds. Returns nothing if the machine's counters did not change.
 std::optional<double> other_share(MachineTime before, MachineTime after, double own_s);
 
 /// Measures the CPU time of other processes since construction.

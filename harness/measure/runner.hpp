@@ -28,8 +28,9 @@ struct RunListener {
   std::function<void(std::size_t index, const Row&)> finished;
 };
 
-/// Number of cases by result. `kept` cases already have a row in the journal; `left` cases did not start
-/// within the time limit. `ok` includes unsupported cases.
+/// Numbers of cases. `kept` cases already had a row in the journal. `left` cases did not start within the
+/// time limit. The other cases ran: `ok` cases have the status `ok` or `unsupported`, and `not_ok` cases have
+/// another status.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
   bool bad_input = false;  ///< whether a row failed because of its input and not because of the device

@@ -17,8 +17,8 @@ struct FrameSample {
   /// Wall times of other work that is timed together with this frame, by name: for example the frames of the
   /// baselines.
   std::map<std::string, double> phase_wall_ms = {};
-  /// CPU times of this process (harness/measure/cpu_use.hpp) during the work of wall_ms and of phase_wall_ms.
-  /// They are absent if the subject does not measure them.
+  /// CPU times of this process (harness/measure/cpu_use.hpp) during the intervals that wall_ms and
+  /// phase_wall_ms measure. They are absent if the subject does not measure them.
   std::optional<double> cpu_ms = {};
   std::map<std::string, double> phase_cpu_ms = {};
 };

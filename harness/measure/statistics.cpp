@@ -20,8 +20,9 @@ std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
   // The number of values below the median is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
-  // At each end, the interval misses the median with the probability P(X <= r), where X is the number of
-  // values below the median.
+  // The median is below x_(r) if at most r values are below the median. The probability of this is P(X <= r),
+  // where X is the number of values below the median. By symmetry, the median is above x_(n-1-r) with the
+  // same probability.
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);

@@ -41,8 +41,8 @@ class Subject {
   /// Compares `timed`, the picture that read() returned, with trusted results. The row is ok only if there is
   /// at least one check and all checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
-  /// Adds build_ms, tuning and metrics to the row, and the hashes of mesh, kernels and scene to its
-  /// provenance. Metrics may be computed from row.samples, which is already filled.
+  /// Sets build_ms, tuning and metrics of `row`. Adds the hashes of mesh, kernels and scene to
+  /// row.provenance. Metrics may be computed from row.samples, which is already filled.
   virtual void describe(Row& row) = 0;
 };
 

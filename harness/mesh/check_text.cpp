@@ -165,7 +165,8 @@ void check_off(std::string_view bytes, const std::string& name) {
     const std::string_view first = words.next();
     const auto corners = read<std::int64_t>(first);
     if (!corners || *corners < 1)
-      fail(name, lines.number(), fmt::format("{} is not a number of corners", shown(first)));
+      fail(name, lines.number(),
+           fmt::format("a face cannot have {} corners; give a whole number of at least 1", shown(first)));
     for (std::int64_t k = 0; k < *corners; ++k) {
       const std::string_view corner = words.next();
       const auto index = read<std::int64_t>(corner);

@@ -81,8 +81,8 @@ double shelve(std::vector<Chart>& charts, const std::vector<std::size_t>& order,
 }
 
 // Packs the charts for many row widths and keeps the packing that needs the smallest square. Returns the side
-// of this square. The margin is a fraction of the side, which is not known in advance, so the packing is
-// repeated until the side changes little.
+// of this square. The margin around a chart is a fixed fraction of the side of the square, and this side
+// depends on the margin. The packing is therefore repeated until the side changes little.
 double pack(std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

@@ -23,8 +23,10 @@ struct Edge {
 struct Graph {
   std::vector<Edge> edge;
   std::vector<std::array<std::uint32_t, 3>> of_face;  // edge k of a face connects its corners k and k + 1
-  std::vector<std::uint32_t> row,
-      at_point;  // the edges at point p are at_point[row[p]] .. at_point[row[p + 1] - 1], ascending
+  // at_point lists the indices of the edges at point 0, then those of the edges at point 1, and so on. The
+  // indices at one point are in ascending order. row[p] is the position in at_point at which the list of
+  // point p starts.
+  std::vector<std::uint32_t> row, at_point;
   std::span<const std::uint32_t> of_point(std::uint32_t p) const {
     return {at_point.data() + row[p], at_point.data() + row[p + 1]};
   }
@@ -74,9 +76,10 @@ Graph make_graph(const Surface& surface) {
 using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
-// Returns a flag per edge: 1 if the edge is cut. First, all edges are cut except those that the shortest-path
-// tree over the faces crosses. If only one cut edge ends at a point, this edge is then removed from the cut.
-// The removal is repeated until every point has no cut edge or at least two.
+// Returns a flag per edge: 1 if the edge is cut. A shortest-path tree connects the faces across their shared
+// edges. At first, all edges are cut except the edges that the tree crosses. If only one cut edge ends at a
+// point, this edge is then removed from the cut. The removal is repeated until no point has exactly one cut
+// edge.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];

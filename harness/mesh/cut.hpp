@@ -10,7 +10,7 @@ namespace pelage {
 /// every corner of a triangle refers to one copy.
 struct Disk {
   std::vector<std::uint32_t> point;  ///< surface point of each copy
-  /// For each triangle of the surface: the indices of the copies at its three corners.
+  /// For each triangle of the surface: the indices in `point` of the vertex copies at its three corners.
   std::vector<Surface::Triangle> triangle;
 };
 

@@ -149,8 +149,8 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
       entries.emplace_back(int(q), int(p), -w);
     }
   }
-  // The larger diagonal element fixes the translation, which the other equations leave free: it keeps the
-  // first vertex at the origin. The shape of the solution does not change.
+  // The equations leave the translation of the map free. The doubled diagonal element fixes it: the first
+  // vertex of the map lies at the origin. The doubled element does not change the shape of the map.
   diagonal[0] *= 2;
   for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
   LaplaceSolver::Matrix matrix(size, size);
@@ -158,8 +158,9 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// Returns the right-hand side of the global step of Liu et al. 2008. For each triangle, it uses the rotation
-// that best fits the triangle's shape on the surface to the triangle's image in the current map x.
+// Returns the right-hand side of the linear system in the global step of Liu et al. 2008. The system needs
+// one rotation per triangle. This rotation turns the triangle on the surface so that it fits the triangle in
+// the current map x best.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };

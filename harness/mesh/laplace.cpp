@@ -9,7 +9,7 @@ namespace pelage {
 namespace {
 
 constexpr Eigen::Index direct_unknowns = 6000;
-constexpr double strong = 0.02;      // least ratio of |a_ij| to sqrt(a_ii a_jj) for a strong connection
+constexpr double strong = 0.02;      // i and j are strongly connected if |a_ij| > strong * sqrt(a_ii a_jj)
 constexpr double damping = 2.0 / 3;  // damping of the Jacobi step that smooths the interpolation
 constexpr double good = 1e-9, usable = 1e-5;
 constexpr int most_iterations = 300;

@@ -25,11 +25,11 @@
 namespace pelage {
 namespace {
 
-// Version of the mesh preparation, which is part of the name of every cached mesh. Increase it after a change
-// of the code that changes the mesh of any source.
+// Version of the mesh preparation. The file name of every cached mesh depends on it. Increase it whenever a
+// change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 3;
-constexpr int procedural_recipe = 3;  // version of the procedural shapes, used in addition to `recipe`
-constexpr int file_recipe = 1;  // version of the preparation of users' files, used in addition to `recipe`
+constexpr int procedural_recipe = 3;  // like `recipe`, but only for procedural shapes
+constexpr int file_recipe = 1;        // like `recipe`, but only for users' files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -111,10 +111,10 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 
-// Returns a coarse version of the surface with about `faces` faces, on which plan_cuts() tries cuts. A closed
-// surface has an even number of faces, so with_faces() removes one face if the final face count is odd. The
-// coarse count is then odd too, so that both meshes have this hole. Returns `surface` itself if it cannot be
-// made coarser.
+// Returns a coarse version of the surface with about `faces` faces. plan_cuts() tests possible cuts on it. A
+// closed surface has an even number of faces, so with_faces() removes one face if the final face count is
+// odd. The coarse count is then odd too, so that both meshes have this hole. Returns `surface` itself if it
+// cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -127,8 +127,9 @@ Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces
   }
 }
 
-// Returns a component of a mesh file with its UV map. If the file has many components, the coarse version on
-// which plan_cuts() tries cuts has fewer faces.
+// Computes the UV map of a component of a mesh file, and returns the component with this map. plan_cuts()
+// tests possible cuts on a coarse version of the component. The more components the file has, the fewer faces
+// the coarse version has.
 Surface mapped(const Surface& component, Model model, const std::string& label, std::size_t number,
                std::size_t count, Stages& stages) {
   const std::string of = count == 1 ? "" : fmt::format(", component {} of {}", number + 1, count);
@@ -270,8 +271,9 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   need_source(source);
   const glm::dvec3 rotate(options.rotate);
   if (!(glm::all(glm::lessThanEqual(glm::abs(rotate), glm::dvec3(360)))))
-    throw InputError(fmt::format("{}: a rotation by {}, {} and {} degrees; give -360 to 360 about each axis",
-                                 source.label, rotate.x, rotate.y, rotate.z));
+    throw InputError(
+        fmt::format("{}: the rotation is {}, {} and {} degrees; each angle must be -360 to 360 degrees",
+                    source.label, rotate.x, rotate.y, rotate.z));
   const Say say = options.progress ? options.progress : [](const std::string&) {};
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));

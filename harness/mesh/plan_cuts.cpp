@@ -14,9 +14,10 @@
 namespace pelage {
 namespace {
 
-// Returns the cost of a UV map; a lower cost is better. The cost is the logarithm of the ratio of the 99% to
-// the 1% percentile of the area scale, plus 20 times the sum of the overlapping and the flipped fraction of
-// the map. An overlap of 1% increases the cost as much as a ratio that is 22% larger.
+// Returns the cost of a UV map; a lower cost is better. Let r be the 99th percentile of the faces' area scale
+// divided by the 1st percentile. The cost is ln r + 20 (o + f), where o is the overlapping fraction of the
+// map's area, and f is the flipped fraction. An overlap of 1% therefore increases the cost as much as a 22%
+// greater r.
 double cost(const Surface& unfolded, const std::string& name) {
   const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
@@ -46,7 +47,8 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
     CutPlan longer = best.plan;
     longer.tips.push_back(tip.point);
     const double there = cost(surface, longer, name, unfold);
-    // As long as no plan has given a usable map, costs cannot be compared and every tip is added.
+    // All unusable maps have the same cost. Until a plan gives a usable map, each new tip is therefore kept
+    // in the plan.
     if (there < best.cost || best.cost == std::numeric_limits<double>::max()) {
       best = {longer, there};
     } else {
@@ -62,8 +64,8 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
                                  const std::function<void(double)>& part) {
   // On a surface with handles the cut graph depends on its root, so four roots far from each other are tried.
   std::vector<glm::dvec3> roots{proxy.point.front()};
-  const long euler =
-      2 * long(proxy.point.size()) - long(proxy.triangle.size());  // twice the Euler characteristic if closed
+  // For a closed surface this is twice the Euler characteristic.
+  const long euler = 2 * long(proxy.point.size()) - long(proxy.triangle.size());
   while (euler < 4 && roots.size() < 4) {
     const auto near = [&](const glm::dvec3& p) {
       double least = std::numeric_limits<double>::max();

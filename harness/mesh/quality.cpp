@@ -28,8 +28,8 @@ class Groups {
 };
 
 struct Side {
-  std::uint32_t low, high, face;
-  bool forward;  // true: the face's corners visit `low` before `high`
+  std::uint32_t low, high, face;  // low, high: indices of the side's end points, low < high
+  bool forward;  // true: `high` comes directly after `low` in the face's cyclic list of corners
 };
 
 // Returns the sides of all faces, sorted so that sides with the same end points are adjacent.
@@ -170,9 +170,9 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
     if (twice < 0) turned -= twice, ++faces;
   }
   if (faces > 0)
-    warnings.push_back(
-        fmt::format("UV map: {} {} flipped, {:.4f}% of the map; tangents point the other way there", faces,
-                    faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
+    warnings.push_back(fmt::format(
+        "UV map: {} {} flipped ({:.4f}% of the area of the map); textures are mirrored on flipped faces",
+        faces, faces == 1 ? "face is" : "faces are", area > 0 ? 100 * turned / area : 0));
   const Covered covered = covered_by(mesh, 2048);
   if (covered.more > 0 && double(covered.more) >= 1e-4 * double(covered.once))
     warnings.push_back(fmt::format(

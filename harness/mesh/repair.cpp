@@ -54,7 +54,7 @@ Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, St
   PMP::orient_polygon_soup(points, polygons);
   if (points.size() > joined)
     notes.push_back("split " + counted(points.size() - joined, "point", "points") +
-                    " between faces of inconsistent orientation");
+                    " shared by faces of inconsistent orientation");
   stages.begin("joining faces");
   Polyhedron mesh;
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);

@@ -18,7 +18,7 @@ class Stages {
 
   void begin(const std::string& stage);
   void part(double fraction);  ///< completed fraction of the stage, 0 to 1
-  /// Returns a callback that calls part().
+  /// Returns a callback that takes the completed fraction of the stage and passes it to part().
   std::function<void(double)> parts();
 
  private:

@@ -17,8 +17,10 @@ struct Surface {
   std::vector<Triangle> triangle;
   std::vector<Corners> uv;   ///< UV of the three corners of each triangle; empty if there is no UV map
   bool periodic_uv = false;  ///< see Mesh::periodic_uv; finish() does not change a periodic map
-  bool keep_uv = false;      ///< true: the file's map; finish() changes it only if it exceeds the unit square
-  bool packed_uv = false;    ///< true: charts packed into the unit square; finish() does not change the map
+  /// True if the UV map comes from the file. finish() changes this map only if it exceeds the unit square.
+  bool keep_uv = false;
+  /// True if the charts are packed into the unit square. finish() does not change a packed map.
+  bool packed_uv = false;
   std::vector<std::string> notes;  ///< see Mesh::notes
 };
 

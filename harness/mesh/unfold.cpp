@@ -61,7 +61,7 @@ Polyhedron flat_mesh(const Surface& surface, const Disk& disk) {
 }
 
 struct Map {
-  std::vector<glm::dvec2> uv;  // UV of each vertex copy
+  std::vector<glm::dvec2> uv;  // UV of each vertex of the cut mesh; a point on a cut has several vertices
   MapQuality quality;
 };
 

@@ -29,8 +29,8 @@ struct Few_enough_faces {
   }
 };
 
-// Removes the lowest face, in the direction `up`, that does not touch a border, so that the mesh stays a
-// manifold.
+// Removes one face. Among the faces that do not touch a border, this is the lowest face in the direction
+// `up`. Removing a face at a border could make the mesh non-manifold.
 void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
   Polyhedron::Face_index lowest;
   double least = std::numeric_limits<double>::max();
@@ -57,8 +57,8 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
   int rounds = 0;
   for (; mesh.number_of_faces() < faces; ++rounds) CGAL::Subdivision_method_3::Loop_subdivision(mesh);
   if (rounds > 0)
-    notes.push_back(fmt::format("subdivided {} faces into {} ({} x Loop)", surface.triangle.size(),
-                                mesh.number_of_faces(), rounds));
+    notes.push_back(fmt::format("subdivided {} faces into {} by Loop subdivision (steps: {})",
+                                surface.triangle.size(), mesh.number_of_faces(), rounds));
 
   const auto before = mesh.number_of_faces();
   SMS::edge_collapse(mesh, Few_enough_faces{faces, before, &part},
@@ -72,9 +72,9 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
     notes.push_back("dropped the lowest face: the count is odd, but a closed mesh has an even count");
   }
   if (mesh.number_of_faces() != faces)
-    throw InputError(
-        fmt::format("{}: {} faces cannot be reached without flipping a face; give {} or another count", name,
-                    faces, mesh.number_of_faces()));
+    throw InputError(fmt::format(
+        "{}: the mesh cannot be reduced to {} faces without flipping a face; give {} or another count", name,
+        faces, mesh.number_of_faces()));
   Surface result = from_cgal(mesh);
   result.notes = notes;
   return result;

@@ -15,8 +15,8 @@ Surface wrap(const Surface& surface) {
   CGAL::alpha_wrap_3(mesh, diagonal / 150, diagonal / 1500, skin);
   Surface wrapped = from_cgal(skin);
   wrapped.notes = surface.notes;
-  wrapped.notes.push_back(fmt::format("wrapped {} faces in a watertight skin of {}", surface.triangle.size(),
-                                      wrapped.triangle.size()));
+  wrapped.notes.push_back(fmt::format("wrapped {} faces in a watertight skin of {} faces",
+                                      surface.triangle.size(), wrapped.triangle.size()));
   return wrapped;
 }
 

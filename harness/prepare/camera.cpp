@@ -31,10 +31,11 @@ struct Stand {
   double across, along;
 };
 
-/// Returns the eye from which all points lie between two rays of the slopes +`slope` and -`slope`, and each
-/// of the two rays touches a point. Let p be the coordinate of a point across the view axis, and q its
-/// coordinate along the axis. The first ray touches the point of greatest p - slope q, and the second ray
-/// touches the point of greatest -p - slope q. Every point is extended on both sides by `margin`, in R.
+/// Returns the eye at which two rays start, with the slopes +`slope` and -`slope`, such that all points lie
+/// between the rays and each ray touches a point. Let p be the coordinate of a point across the view axis,
+/// and q its coordinate along the axis. The first ray touches the point with the greatest p - slope * q. The
+/// second ray touches the point with the greatest -p - slope * q. Each point is treated as a segment across
+/// the axis with the half length `margin`, in R.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -46,9 +47,9 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// Returns the eye at the given coordinate `along`, which is farther from the points than the eye that
-/// touch() returns for `slope`. Bisection finds the smaller slope for which touch() returns an eye at this
-/// coordinate.
+/// Returns an eye whose coordinate along the view axis is `along`. This eye must be at least as far from the
+/// points as the eye that touch() returns for `slope`. Bisection finds the slope, between 0 and `slope`, for
+/// which touch() returns an eye with the coordinate `along`.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

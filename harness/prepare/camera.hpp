@@ -7,9 +7,10 @@
 namespace pelage {
 
 /// Returns the camera for a picture of the size that `image` gives. If scene.framed is true, the camera looks
-/// along -scene.direction. It is placed so that all `points` (R), extended by `margin` (R) on every side, are
-/// centred in the picture and fill 88% of its height or 94% of its width, whichever is reached first. Throws
-/// InputError if eye and target coincide.
+/// along -scene.direction. The camera then shows all `points` (coordinates in R), extended by `margin` (in R)
+/// on every side, in the centre of the picture. They fill at most 88% of the picture's height and at most 94%
+/// of its width. The camera is as near to the points as these limits permit. Throws InputError if eye and
+/// target coincide.
 Camera make_camera(const CameraScene& scene, const ImageScene& image, std::span<const glm::vec3> points,
                    float margin);
 

@@ -21,8 +21,8 @@ double smoothstep(double low, double high, double x) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Returns the distance from p to the nearest point of a lattice with unit cells, which have one randomly
-/// placed point each.
+/// Returns the distance from p to the nearest of a set of random points. Each cell of a grid with cells of
+/// size 1 contains one of these points.
 double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   const Random random(seed, 0x5907u);
   const glm::dvec3 cell = glm::floor(p);
@@ -37,8 +37,8 @@ double spot_distance(glm::dvec3 p, std::uint32_t seed) {
   return least;
 }
 
-/// A function that returns the fraction of the second colour at the point p, 0..1. p is in units of the
-/// pattern's size.
+/// A function that returns the weight of the coat's second colour at a point, 0..1. p: position of the point
+/// in units of the pattern's size.
 using Pattern = double (*)(glm::dvec3 p, std::uint32_t seed);
 
 double plain(glm::dvec3, std::uint32_t) {

@@ -31,7 +31,8 @@ Spot spot(const Mesh& mesh, std::size_t face, glm::dvec3 bary) {
   return s;
 }
 
-/// Finds the surface points of explicit droplets. Each search tree is built when the first droplet needs it.
+/// Finds the surface points of the droplets that the scene lists (wetness.droplet). Each search tree is built
+/// when the first droplet needs it.
 class Places {
  public:
   explicit Places(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
@@ -107,8 +108,8 @@ class Crowd {
 };
 
 /// The contiguous areas of the surface in which random droplets are placed. In these areas a smooth noise
-/// exceeds a threshold. The threshold is the quantile for which the fraction `patch_cover` of the surface is
-/// wet.
+/// exceeds a threshold. The threshold is chosen such that the noise exceeds it on the fraction `patch_cover`
+/// of the surface.
 class Patches {
  public:
   Patches(const Skin& skin, const WetnessScene& wetness)

@@ -19,14 +19,14 @@ namespace pelage {
 struct StrandSet {
   std::vector<glm::vec3> root;    ///< centroid of each triangle in R
   std::vector<glm::vec3> normal;  ///< unit normal of each triangle; p0 of S is root + L0 * normal
-  std::vector<glm::vec3> anchor;  ///< tip at rest minus root, one vector of length L0 per triangle
+  std::vector<glm::vec3> anchor;  ///< vector from the root to the tip at rest, of length L0, per triangle
   std::vector<glm::vec2> phase;   ///< (cos, sin) of the phase of the wind's gusts at each root
   // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
-  // computes, for each point, the mean over the strands of the triangles around the point, weighted by the
-  // areas of these triangles.
-  /// Index in `face` and `weight` at which each row starts. An additional last value is their size.
+  // converts one value per strand to one value per surface point. The value at a point is the mean over the
+  // strands of the triangles around the point, weighted by the areas of these triangles.
+  /// Index in `face` and `weight` of the first element of each matrix row; the last value is their size.
   std::vector<std::uint32_t> row;
-  std::vector<std::uint32_t> face;  ///< triangle of each matrix element
+  std::vector<std::uint32_t> face;  ///< column of each matrix element: index of a triangle and of its strand
   std::vector<float> weight;        ///< weight of each matrix element; the sum over a row is 1
 };
 
@@ -63,7 +63,7 @@ struct Droplet {
   glm::vec2 centre;  ///< c_drop, UV
   float radius;      ///< r_drop, UV
   float wetness;     ///< rho_drop
-  glm::vec3 point;   ///< c_mesh, surface point at the centre of the droplet, in R
+  glm::vec3 point;   ///< c_mesh, the surface point at the UV c_drop, in R
   /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. The
   /// limit excludes other charts that are near in UV but far away on the surface.
   float reach;

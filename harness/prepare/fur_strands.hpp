@@ -11,8 +11,8 @@ namespace pelage {
 /// fractions of the square's side.
 struct FurStrand {
   glm::dvec2 root{0};       ///< position of the root in the square, in [0,1)^2
-  glm::dvec2 pull{0};       ///< displacement of the tip towards the centre of its lock
-  glm::dvec2 bend{0};       ///< sideways offset of the tip by the hair's bend
+  glm::dvec2 pull{0};       ///< displacement at height L0 towards the centre of the hair's lock
+  glm::dvec2 bend{0};       ///< sideways offset of the tip that the hair's bend causes
   double steep = 2.5;       ///< exponent c of the bend, see FurScene::bend_exponent
   double length = 1;        ///< length of the hair, as a fraction of L0
   double radius = 0;        ///< radius of the hair at its root
@@ -29,12 +29,13 @@ std::vector<FurStrand> grow_strands(const FurScene& fur);
 /// outside the unit square.
 glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h);
 
-/// Returns the radius of the strand's cross-section at height h <= length. The radius r decreases from the
-/// root to the tip, where it is fur.tip_radius times the radius at the root. Then the section is widened to a
-/// disc of the area pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is the distance between two slices.
-/// Consider parallel rays whose angle to the strand has the tangent fur.sweep. The rays that hit the strand
-/// between two slices cross a slice in an area of exactly this size. Without the widening, rays would pass
-/// between the sections of a strand if there are few layers, and the fur would look thinner and darker.
+/// Returns the radius of the strand's cross-section at height h <= length. The radius r of the hair itself
+/// decreases from the root to the tip, where it is fur.tip_radius times the radius at the root. The function
+/// returns the radius of a larger disc. Its area is pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is
+/// the distance between two slices. Consider parallel rays at the angle arctan(fur.sweep) to the strand. The
+/// rays that hit the strand between two slices cross a slice in exactly this area. Without the widening, rays
+/// would pass between the sections of a strand if there are few layers, and the fur would look thinner and
+/// darker.
 double strand_radius(const FurStrand& strand, const FurScene& fur, double h);
 
 /// Returns `count` points that are evenly distributed over [0,1)^2. The square is divided into rows of cells,

@@ -8,9 +8,10 @@
 namespace pelage {
 namespace {
 
-constexpr int fine = 4;                  // number of sub-samples per texel and axis
-constexpr double shade_unit = 127.5;     // stored byte value of the shade 1.0
-constexpr double reference_layers = 16;  // number of layers at which the stored coverage needs no correction
+constexpr int fine = 4;               // number of sub-samples per texel and axis
+constexpr double shade_unit = 127.5;  // stored byte value of the shade 1.0
+// The coverage is computed for this number of layers and then converted to the number fur.layers.
+constexpr double reference_layers = 16;
 
 /// One slice of the texture during its generation; coverage is 0..1.
 struct Slice {
@@ -36,11 +37,12 @@ int wrap(int i, int n) {
 /// The elliptic cross-section of a strand; its lengths are in texels.
 struct Section {
   glm::dvec2 centre, across;  ///< centre, and unit vector along the longer axis
-  double radius, width;       ///< the semi-axes are `radius`, and `width` * `radius` along `across`
+  double radius, width;       ///< semi-axes: width * radius along `across`, radius perpendicular to it
 };
 
-/// Draws cross-sections into a slice. For each texel, it counts the sub-samples inside the section and stores
-/// the greatest coverage by a single section.
+/// Draws cross-sections of strands into a slice. The coverage of a texel by a cross-section is the fraction
+/// of the texel's sub-samples inside the cross-section, times a weight. A texel stores the maximum of its
+/// coverages by all cross-sections.
 class Painter {
  public:
   explicit Painter(Slice& slice) : slice_(slice) {}
@@ -109,8 +111,9 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   return slice;
 }
 
-/// Assigns shades to empty texels: the mean shade of the covered texels within two texels, or the mean shade
-/// of the slice if there are none.
+/// Assigns shades to texels without coverage. Two passes assign the mean shade of those neighbours (8 texels
+/// around the texel) that already have a shade. All remaining texels get the mean shade of the slice,
+/// weighted by coverage.
 void spread_shade(Slice& slice) {
   constexpr int rings = 2;
   std::vector<char> known(slice.coverage.size());

@@ -15,7 +15,8 @@ struct Skin {
   std::vector<double> area;               ///< area of each triangle in R^2
   /// Unit normal of each triangle; if its area is 0, the mean normal of its corners.
   std::vector<glm::dvec3> face_normal;
-  /// Unit normal at each surface point, weighted by the areas of its triangles.
+  /// Unit normal at each surface point: the normalized, area-weighted mean of the normals of the triangles
+  /// around the point.
   std::vector<glm::dvec3> normal;
   std::vector<std::uint32_t> row;   ///< the triangles around point w are face[row[w]] .. face[row[w + 1] - 1]
   std::vector<std::uint32_t> face;  ///< indices of triangles, ascending for each point
@@ -23,10 +24,10 @@ struct Skin {
 
 Skin weld(const Mesh& mesh);
 
-/// Smooths a tangential vector field. Each iteration replaces the vector of a point by the mean of the
-/// vectors at all corners of the triangles around the point, projected onto the tangent plane. If `unit` is
-/// true, the result is normalized. All points are updated simultaneously, so the result does not depend on
-/// their order.
+/// Smooths a tangential vector field. For each point, an iteration computes the mean of the vectors at all
+/// corners of the triangles around the point. It projects this mean onto the tangent plane of the point. The
+/// projection is the point's new vector. If `unit` is true, the new vector is normalized. All points are
+/// updated simultaneously, so the result does not depend on their order.
 std::vector<glm::dvec3> smooth_tangents(const Skin& skin, std::vector<glm::dvec3> field, int iterations,
                                         bool unit);
 

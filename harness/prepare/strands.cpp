@@ -10,8 +10,8 @@ namespace pelage {
 namespace {
 
 constexpr double noise_size = 0.1;  // size of the features of the comb's noise, in R
-// The tilt decreases where the tangential part of the comb direction, a unit vector, is shorter than this
-// length.
+// The comb direction is a unit vector. Where its tangential part has this length, the tilt is fur.comb /
+// sqrt(2). With a shorter tangential part the tilt decreases to 0.
 constexpr double least_grip = 0.25;
 constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
 

@@ -1,5 +1,5 @@
-// The masses on springs that move the fur: their roots, their rest positions, and their weights for surface
-// points.
+// Computes the strands that move the fur. A strand is one mass on a spring with a root and a rest position.
+// Weights give the influence of the strands on each surface point.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -15,7 +15,7 @@ struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  std::vector<int> source;  ///< for each texel, index of the covered texel whose surface point it gets
+  std::vector<int> source;  ///< for each texel, index of the covered texel from which its point is copied
 };
 
 void draw(Grid& grid, const glm::dvec2 (&uv)[3], const glm::dvec3 (&position)[3]) {

@@ -23,7 +23,9 @@ struct Cell {
   Interval interval_ms;
   bool converged = true;        ///< true if every row reached the precision that the preset requires
   std::filesystem::path image;  ///< file of the cell's picture; it may not exist
-  std::string reading() const;  ///< value of the axis "reading"; "default" if the cell has no such axis
+  /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
+  /// paper; "default" if the cell has no such axis.
+  std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
   std::optional<Metric> paper_fps() const;
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }

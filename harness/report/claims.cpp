@@ -77,8 +77,9 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto& [model, topology, solver] = key;
   const auto slow = times(table, {model, topology, by_implicit}),
              fast = times(table, {model, topology, by_explicit});
-  // Only the simulation time depends on the solver. The noise of the remaining frame time is larger than the
-  // difference of the simulation times, so both frames get the remaining time of the explicit solver's row.
+  // The result is the ratio of the two solvers' frame times. The solver changes only the simulation time of a
+  // frame. The noise of the other phases is larger than the difference between the two simulation times, so
+  // both frame times use the explicit solver's time for the other phases.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
@@ -107,7 +108,7 @@ const std::vector<Sentence>& sentences() {
       {"for the moving fur simulation of the dog and the elephant, using non-separable topologies, the "
        "computational power needed for rendering the shell layers takes the greater part of the total "
        "performance",
-       "about Figures 9 and 10",
+       "statement about Figures 9 and 10",
        "the simulation's share of the frame time is at most 1/2",
        {elephant, dog},
        topologies(false),
@@ -117,10 +118,9 @@ const std::vector<Sentence>& sentences() {
        0.5},
       {"Even when using the potentially slower implicit solution method, no significant slowdown can be "
        "noticed",
-       "about the elephant on spring-sticks and prisms in Figure 9",
-       "frame time with the implicit solver's simulation over frame time with the explicit solver's "
-       "simulation "
-       "is at most 1.1",
+       "statement about the elephant with spring-sticks or prisms in Figure 9",
+       "the frame time with simulation by the implicit solver, divided by the frame time with simulation by "
+       "the explicit solver, is at most 1.1",
        {elephant},
        topologies(false),
        {by_implicit},
@@ -129,8 +129,9 @@ const std::vector<Sentence>& sentences() {
        1.1},
       {"the number of mass points and springs needed for an entire surface is increased using these "
        "topologies",
-       "about the separable topologies in section 4",
-       "simulation time of the separable topology over that of the topology with shared masses is at least 1",
+       "statement about the separable topologies, in section 4",
+       "the simulation time of the separable topology, divided by the simulation time of the topology with "
+       "shared masses, is at least 1",
        {elephant, dog},
        topologies(false),
        both,
@@ -139,7 +140,7 @@ const std::vector<Sentence>& sentences() {
        1},
       {"the separable topologies simulated using the explicit solver run at update rates which are still "
        "interactive",
-       "about the elephant in Figure 9",
+       "statement about the elephant in Figure 9",
        "the updates per second are at least 17, which the paper calls near the limits of interactive "
        "application",
        {elephant},
@@ -149,7 +150,7 @@ const std::vector<Sentence>& sentences() {
        false,
        17},
       {"Using the spring-sticks for the dynamical simulation does not noticeably slow down the system",
-       "about the dog in Figure 10",
+       "statement about the dog in Figure 10",
        "the simulation's share of the frame time is at most 1/20",
        {dog},
        {std::string(springs::Kind::sticks.name)},
@@ -159,7 +160,7 @@ const std::vector<Sentence>& sentences() {
        0.05},
       {"Nearly all the time needed to process the animation is required by the rendering, not by the "
        "physical system",
-       "about the grass in Figure 11",
+       "statement about the grass in Figure 11",
        "the simulation's share of the frame time is at most 1/10",
        {grass},
        every_topology(),

@@ -1,4 +1,4 @@
-// Tests with our measurements whether a paper's statements about its figures hold.
+// Uses our measurements to test a paper's statements about the paper's figures.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,9 +14,13 @@ struct Claim {
   std::string device;
   std::string sentence;  ///< the paper's sentence, quoted
   std::string source;    ///< the figure or section that the sentence is about
-  std::string reading;   ///< describes the number computed for each model, topology and solver, and its limit
+  /// Says which number is computed for each model, topology and solver, and which limit it must meet.
+  std::string reading;
   Held held = Held::not_measured;
-  std::string found;  ///< range of these numbers; model, topology and solver of the worst number
+  /// The range of the numbers of all models, topologies and solvers, and the worst number with its model,
+  /// topology and solver. If the limit is an upper limit, the worst number is the largest one, else the
+  /// smallest one.
+  std::string found;
 };
 
 /// Tests the statements of Banisch and Wüthrich on Figures 9 to 11 for each device. Uses the rows of

@@ -16,8 +16,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns, as one text, all properties that must agree in a pair of cells: the experiment, axes, overrides,
-/// variant and device, except the property `by`.
+/// Returns a text of all properties that must be equal in the two cells of a pair. The properties are the
+/// experiment, the axes, the overrides, the variant and the device. The property `by` is left out.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)

@@ -26,8 +26,8 @@ struct Pair {
 
 /// Pairs every cell of `a` with each cell of `b` that has the same properties, except possibly `by`. A pair
 /// counts as faster or slower only if the medians differ by more than `threshold` (0.05 is 5%) and their 95%
-/// intervals do not overlap. If `one_set` is true, `a` and `b` are the same set, and every two cells with
-/// different values of `by` are compared once. Throws InputError if there is no pair.
+/// intervals do not overlap. If `one_set` is true, `a` and `b` are the same set. Two cells of this set that
+/// differ only in `by` then form one pair, not two. Throws InputError if there is no pair.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, double threshold);
 

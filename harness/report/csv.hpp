@@ -16,7 +16,9 @@ std::string csv_line(const std::vector<std::string>& fields);
 /// line without times. Each axis has a column of its name. Each metric has a column "metric.NAME".
 std::string csv_by_phase(const std::vector<FoundRow>& rows);
 
-/// Returns CSV with the columns of csv_by_phase(), but with one line per sample in place of the median.
+/// Returns CSV with one line per sample. In place of the number, the median and the interval of the samples,
+/// a line contains the index and the time in ms of one sample. All other columns are those of csv_by_phase().
+/// A row that is not ok has no line.
 std::string csv_by_sample(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

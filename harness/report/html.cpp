@@ -103,9 +103,9 @@ std::string table_html(const PaperTable& table) {
       "<p class=\"soft\">{}Frames per second: 1000 divided by the median wall time of a warm frame in ms, "
       "first enqueue to finish. Ratio: ours divided by the paper's. * marks a median whose 95% interval is "
       "wider than the preset requires. Point at a figure for its time.</p>\n<ol class=\"notes\">",
-      table.hardware.empty()
-          ? std::string{}
-          : fmt::format("The paper's figures: {}, on {}. ", escaped(table.source), escaped(table.hardware)));
+      table.hardware.empty() ? std::string{}
+                             : fmt::format("The paper's frame rates are from {}, measured on {}. ",
+                                           escaped(table.source), escaped(table.hardware)));
   for (const std::string& note : table.footnotes)
     html += fmt::format("<li><sup>{}</sup> {}</li>", escaped(note.substr(0, 1)), escaped(note.substr(2)));
   return html + "</ol>\n";

@@ -38,8 +38,9 @@ CellText cell_text(const Cell& cell);
 /// A function that returns the footnote of a model, or "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// Returns one table per experiment, device and reading (value of the axis "reading"). It uses only cells
-/// without overrides and with the axes model, layers and size.
+/// Returns one table for each combination of experiment, device, host, variant and reading (value of the axis
+/// "reading"). The function omits cells with overrides (values of --set, --axis or --model), cells without
+/// one of the axes model, layers and size, and cells that have another kind of table (such as RivalTable).
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
 /// Returns the table as text for a terminal, with a legend.

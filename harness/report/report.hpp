@@ -15,25 +15,29 @@
 namespace pelage {
 
 struct ReportPlot {
-  std::string title, stem;  ///< the files are plots/STEM.svg, .pdf, .csv and .py
+  std::string title, stem;  ///< the files are plots/<stem>.svg, .pdf, .csv and .py
 };
 
 struct ReportPicture {
-  std::string title, file;  ///< images/FILE
+  std::string title, file;  ///< the picture is images/<file>
 };
 
 struct Report {
   std::vector<Cell> cells;
   std::vector<PaperTable> tables;
-  std::vector<std::string> table_stems;  ///< STEM of tables/STEM.csv and tables/STEM.tex, one per table
+  /// For each of `tables`, the name of its files in tables/ without the extensions .csv and .tex.
+  std::vector<std::string> table_stems;
   std::vector<TopologyTable> topologies;
-  std::vector<std::string> topology_stems;  ///< STEM of tables/STEM.csv and tables/STEM.tex, one per table
+  /// For each of `topologies`, the name of its files in tables/ without the extensions .csv and .tex.
+  std::vector<std::string> topology_stems;
   std::vector<RivalTable> rivals;
-  std::vector<std::string> rival_stems;  ///< STEM of tables/STEM.csv, one per table
+  /// For each of `rivals`, the name of its file in tables/ without the extension .csv.
+  std::vector<std::string> rival_stems;
   std::vector<WayTable> ways;
-  std::vector<std::string> way_stems;  ///< STEM of tables/STEM.csv, one per table
-  std::vector<SolverLine> solvers;     ///< written to tables/topology-solvers.csv if not empty
-  std::vector<Claim> claims;           ///< written to tables/claims.csv if not empty
+  /// For each of `ways`, the name of its file in tables/ without the extension .csv.
+  std::vector<std::string> way_stems;
+  std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv if not empty
+  std::vector<Claim> claims;        ///< written to tables/claims.csv if not empty
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py

@@ -10,8 +10,9 @@
 
 namespace pelage {
 
-/// The table has one row per reading (value of the axis "reading") and model. It has one column per number of
-/// layers and picture size.
+/// The table has one row for each value of the experiment's axis "reading" and each model. A value of this
+/// axis names a set of scene settings, for instance "default" or "plain". The table has one column for each
+/// number of layers and each picture size.
 struct RivalTable {
   struct Entry {
     Cell cell;
@@ -34,11 +35,14 @@ struct RivalTable {
     double least = 0;
     std::string least_cell;
   };
-  /// The cost of curls and clumps: the frame time with the scene settings "default" divided by that with
-  /// "plain", which has neither curls nor clumps.
+  /// The cost of curls and clumps. The cost is the frame time with the scene settings "default" divided by
+  /// the frame time with the settings "plain", which have neither curls nor clumps.
   struct Overhead {
-    std::size_t cells = 0;        ///< number of cells that have times with both settings
-    double ours = 0, opengl = 0;  ///< geometric means of the cost over the cells, for our pipeline and OpenGL
+    /// Number of cells (a model, a number of layers and a picture size) that have times with "default" and
+    /// with "plain".
+    std::size_t cells = 0;
+    /// Geometric means of the cost over these cells, for our pipeline and for the OpenGL baseline.
+    double ours = 0, opengl = 0;
   };
   std::string experiment, device, host, renderer;
   std::vector<Column> columns;  ///< sorted by layers, then by size
@@ -47,8 +51,8 @@ struct RivalTable {
   Overhead overhead;
 };
 
-/// Returns one table per experiment, device and host whose rows have the metric opengl_ratio. Uses only cells
-/// without overrides.
+/// Returns one table per experiment, device and host whose rows have the metric opengl_ratio. Ignores cells
+/// of runs in which --set, --axis or --model changed the experiment.
 std::vector<RivalTable> rival_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const RivalTable& table);

@@ -9,8 +9,8 @@
 
 namespace pelage {
 
-/// Returns the cells of the experiment "scaling" without overrides that have a time, a triangle count, a
-/// number of layers and a picture size.
+/// Returns the cells of the experiment "scaling". It omits cells with overrides (changes on the command
+/// line). It also omits cells without a time, a triangle count, a number of layers or a picture size.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
 /// Returns CSV with one line per cell; plots/scaling.py also reads it.
@@ -20,10 +20,12 @@ std::string scaling_csv(const std::vector<Cell>& cells);
 /// and the largest memory of a case.
 std::string scaling_text(const std::vector<Cell>& cells);
 
-/// Returns the ok cells with the metrics half_ratio and quarter_ratio (harness/subjects/fewer_layers.hpp).
+/// Returns the cells with status ok that have the metrics half_ratio and quarter_ratio. These metrics are the
+/// frame time with all layers divided by the time with half and with a quarter of the layers
+/// (harness/subjects/fewer_layers.hpp).
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 
-/// Returns CSV with one line per cell of in_turns_cells(): the two ratios with their intervals.
+/// Returns CSV with one line per cell of in_turns_cells(): half_ratio and quarter_ratio with their intervals.
 std::string in_turns_csv(const std::vector<Cell>& cells);
 
 /// Returns the ratios of in_turns_csv() as text for a terminal, followed by the largest ratios.

@@ -16,16 +16,17 @@ struct SpringsChart {
 /// Returns one chart per device for each experiment that has a chart and at least one ok row.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
-/// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. `ratio`
-/// is the median over the rounds of the baseline's wall time divided by ours; `low` and `high` are its 95%
-/// interval. `processor_ratio` is the number of cores * the baseline's CPU time / our CPU time, or 0 if a CPU
-/// time is unknown. Other processes do not affect CPU times.
+/// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. For each
+/// round, the baseline's wall time is divided by our solver's wall time; `ratio` is the median of these
+/// quotients, and `low` and `high` are the limits of its 95% interval. `processor_ratio` is the baseline's
+/// CPU time divided by our solver's CPU time per core, or 0 if a CPU time is unknown. Other processes do not
+/// affect CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;
 };
-/// Returns one line per baseline for every ok row without overrides. The lines are sorted by model, topology,
-/// solver and substeps.
+/// Returns one line per baseline for every ok row without overrides. The lines are sorted by device, model,
+/// topology, solver, substeps and baseline.
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);

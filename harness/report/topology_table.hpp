@@ -25,9 +25,9 @@ struct TopologyTable {
   };
   struct Summary {
     std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the table rows
-    std::optional<double> simulate;  ///< median of simulation time / frame time over the table rows, 0..1
-    std::optional<double> worst;     ///< largest simulation time / frame time over the table rows
-    std::string worst_row;           ///< name of the table row with the largest value
+    std::optional<double> simulate;  ///< median over the table rows of the ratio simulation time / frame time
+    std::optional<double> worst;     ///< largest ratio simulation time / frame time of a table row
+    std::string worst_row;           ///< name of the table row with the ratio `worst`
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;
@@ -38,9 +38,9 @@ struct TopologyTable {
 /// Returns true for a cell whose experiment varies dynamics.topology.
 bool has_topology_axis(const Cell& cell);
 
-/// Returns one table per experiment, device and host. It uses the rows that were run
-/// without changes on the command line (--set, --axis, --model), of experiments that vary the model, the
-/// number of layers, the picture size and dynamics.topology.
+/// Returns one table per experiment, device and host. It uses the experiments with the axes model, layers,
+/// size and dynamics.topology. It omits rows whose case was changed on the command line (--set, --axis,
+/// --model).
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const TopologyTable& table);

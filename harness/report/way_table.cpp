@@ -85,9 +85,9 @@ std::string times(double value) {
 }
 
 constexpr const char* legend =
-    "Frame time, ms: median and 95% interval (*: wider than the preset requires). times: time divided by the "
-    "time "
-    "of the fastest variant with a correct picture, geometric mean.";
+    "Frame time in ms: median and 95% interval (*: the interval is wider than the preset requires). "
+    "times: frame time divided by the frame time of the fastest variant with a correct picture, "
+    "geometric mean over the columns.";
 
 }  // namespace
 

@@ -18,7 +18,9 @@ struct WayTable {
   };
   struct Row {
     std::string way;
-    double times = 0;  ///< geometric mean of frame time / fastest_ms of the column, over the row's ok cells
+    /// Geometric mean, over the row's cells with status ok, of the cell's frame time divided by fastest_ms of
+    /// the cell's column.
+    double times = 0;
     std::vector<std::optional<Cell>> entries;  ///< one per column
   };
   std::string experiment, device, host;
@@ -30,9 +32,9 @@ struct WayTable {
 /// PaperTable.
 constexpr std::size_t fewest_ways = 4;
 
-/// Returns true if the results of the cell's experiment become a WayTable. Such an experiment has at least
-/// `fewest_ways` variants and the axes model, layers and size. Its cells have no number from a paper, no
-/// opengl_ratio and no axis dynamics.topology.
+/// Returns true if the report shows the results of the cell's experiment as a WayTable. Such an experiment
+/// has at least `fewest_ways` variants and the axes model, layers and size. Its cells have no number from a
+/// paper, no opengl_ratio and no axis dynamics.topology.
 bool has_ways(const std::vector<Cell>& cells, const Cell& cell);
 
 /// Returns one table per device and host for each experiment for which has_ways() is true. Only cells without

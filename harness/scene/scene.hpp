@@ -31,17 +31,17 @@ struct FurScene {
   float taper = 1.6f;              ///< exponent of the decrease of a hair's radius towards its tip
   float tip_radius = 0.15f;        ///< radius of a hair at its tip, as a fraction of its radius at the root
   int locks = 700;                 ///< number of locks of hair per slice; 0: no locks
-  /// Displacement of a strand's tip towards the centre of its lock, as a fraction of the distance between tip
-  /// and centre, 0..1.
+  /// A strand is displaced towards the centre of its lock. At the height h (fraction of L0) the displacement
+  /// is lock_pull * h^lock_power times the distance between root and centre. lock_pull is 0..1.
   float lock_pull = 0.45f;
-  float lock_power = 1.0f;  ///< exponent of the height h in the displacement by `lock_pull`
+  float lock_power = 1.0f;
   float bend = 0.0f;  ///< sideways offset of the tip of a blade of grass, in texels of a 256 x 256 slice
   /// Exponent c of the bend of a blade. At the fraction t of the blade's length, the sideways offset is
   /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
   float bend_spread = 0.0f;  ///< greatest random deviation of a blade's c, as a fraction of `bend_exponent`
-  /// Tangent of the angle between view ray and strand for which strand_radius() widens the slices of a
-  /// strand. At exactly this angle, the widening compensates for the gaps between the slices.
+  /// Tangent of an angle between view ray and strand. strand_radius() widens the cross-sections of a strand
+  /// so that, for view rays at this angle, the widening compensates for the gaps between the slices.
   float sweep = 0.18f;
   float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
   float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
@@ -107,7 +107,7 @@ struct WindScene {
 
 /// Springs of the mass-spring topologies (docs/topology.md). Silva's strand does not use these values.
 struct SpringsScene {
-  float stiffness = 10;         ///< stiffness of the sticks in N/m; 1 R counts as 1 m
+  float stiffness = 10;         ///< stiffness of the sticks in N/m, where the length 1 R is taken as 1 m
   float damping = 0.02f;        ///< damping coefficient along the sticks in N s/m
   float edge_stiffness = 2;     ///< stiffness of the springs between top masses in N/m
   float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
@@ -133,14 +133,15 @@ struct MotionScene {
 /// the intersected triangle.
 struct PokeScene {
   glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
-  glm::vec3 ray{0.0f};    ///< direction of a ray that finds the centre of the force on the mesh; zero: no ray
+  glm::vec3 ray{0.0f};  ///< direction of a ray from `point`, which hits the mesh at the centre; zero: no ray
   /// Radius of the area under the force, in R. If the radius is 0, the force acts only on the triangle that
   /// the ray hits, or on no triangle if there is no ray.
   float radius = 0.0f;
   glm::vec3 force{0.0f};  ///< force on each top mass in newtons
-  /// Additional force on each top mass in newtons, directed away from an axis through the centre.
+  /// Additional force on each top mass in newtons, directed away from an axis through the centre. `along` is
+  /// the direction of this axis.
   float spread = 0.0f;
-  glm::vec3 along{0.0f, 0.0f, 1.0f};  ///< direction of the axis of `spread`
+  glm::vec3 along{0.0f, 0.0f, 1.0f};
 };
 
 struct DynamicsScene {
@@ -152,7 +153,7 @@ struct DynamicsScene {
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4
   float mass = 0.001f;         ///< kg
-  float stiffness = 0.4f;      ///< k of Silva's strand in N/m; 1 R counts as 1 m
+  float stiffness = 0.4f;      ///< k of Silva's strand in N/m, where the length 1 R is taken as 1 m
   float drag = 0.01f;          ///< c, N s/m
   float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
   int substeps = 4;            ///< number of substeps per frame
@@ -194,8 +195,10 @@ struct ShadingScene {
   float occlusion = 0.85f;    ///< sigma_occ
   float darkening = 0.3f;     ///< sigma_wet
   float wet_specular = 0.5f;  ///< sigma_spec, < 1
-  std::string tangent = "paper";  ///< sign of the clump term in the tangent of W Eq. 4: "paper" | "drawn"
-  std::string sides = "one";      ///< sides of the surface that receive light: "one" (outside) | "two"
+  /// Sign of the clump term in the tangent of W Eq. 4: "paper" (the printed sign) | "drawn" (the opposite
+  /// sign, so that the tangent tilts in the same direction as the drawn strands).
+  std::string tangent = "paper";
+  std::string sides = "one";  ///< sides of the surface that receive light: "one" (outside) | "two"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two lights
 };
 

@@ -99,9 +99,10 @@ void check_topology(const Scene& scene, const std::string& source) {
   };
   if (has_springs(d)) {
     if (scene.fur.binding != "shared")
-      refuse("fur.binding", fmt::format("must be \"shared\" with dynamics.topology \"{}\"", d.topology));
+      refuse("fur.binding", fmt::format("must be \"shared\" if dynamics.topology is \"{}\"", d.topology));
     if (d.wind.strength > 0 && !(d.drag > 0))
-      refuse("dynamics.wind.strength", "acts on a topology through the drag; give dynamics.drag above 0");
+      refuse("dynamics.wind.strength",
+             "the wind acts on a topology only by the drag force; give dynamics.drag above 0");
     return;
   }
   const std::string alone =
@@ -159,7 +160,9 @@ void check_sizes(const Scene& scene, const std::string& source) {
   }
   if (scene.fur.strands + scene.fur.undercoat < 1) {
     throw InputError(
-        fmt::format("{}: fur.strands: neither guard hairs nor undercoat; give at least 1 of either", source));
+        fmt::format("{}: fur.strands: the fur has neither guard hairs nor undercoat; give fur.strands or "
+                    "fur.undercoat above 0",
+                    source));
   }
 }
 

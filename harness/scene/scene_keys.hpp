@@ -36,8 +36,8 @@ std::vector<Key> scene_keys(Scene& scene);
 /// no key has this name.
 std::vector<std::string> choices_of(std::string_view name);
 
-/// Returns the keys of one entry of [[wetness.droplet]] or [[shading.light]]. The name of such a key does not
-/// contain the name of the list, for instance "radius".
+/// Returns the keys of one entry of [[wetness.droplet]] or [[shading.light]]. The keys have short names
+/// without the name of the list: "radius", not "wetness.droplet.radius".
 std::vector<Key> droplet_keys(DropletScene& droplet);
 std::vector<Key> light_keys(LightScene& light);
 

@@ -85,8 +85,8 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
     for (const std::string_view name : names) {
-      // The second distance compares the names without their tables, because users may put a key into a wrong
-      // table or into none.
+      // The first distance compares the full names. The second distance compares the names without their
+      // tables, because users may put a key into a wrong table or into none.
       const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
     }
@@ -123,8 +123,8 @@ std::string string(const Source& source, const toml::node& node, const Key& key,
   return text->get();
 }
 
-/// Makes a path absolute, starting at the folder of the source. A scene with absolute paths can be used from
-/// any working directory.
+/// Returns an absolute path. Resolves a relative path against the folder of the source. A scene with absolute
+/// paths can be used from any working directory.
 std::string from_folder(const Source& source, const std::string& path) {
   if (path.empty()) return path;
   return fs::absolute(source.folder / path).lexically_normal().string();

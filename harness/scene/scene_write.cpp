@@ -105,7 +105,8 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222
   return hash;
 }
 
-/// Returns the hash of the file's content as text; if the file does not exist, its name without the folder.
+/// Returns the hash of the file's content as text. If the file cannot be opened, returns the file's name
+/// without the folder.
 std::string content(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (path.empty() || !file) return path.filename().string();
@@ -130,7 +131,9 @@ std::string write_scene(const Scene& scene) {
   const std::vector<Key> keys = scene_keys(values);
   const std::vector<Key> standards = scene_keys(defaults);
   std::string out =
-      "# A scene of pelage with all keys. The comments give the meaning and [range and unit; default].\n"
+      "# A scene of pelage with all keys. Each comment gives the meaning and, in brackets, the range, unit "
+      "and "
+      "default.\n"
       "# R is the radius of the model's bounding sphere.\n";
   std::string_view table;
   for (std::size_t i = 0; i < keys.size(); ++i) {

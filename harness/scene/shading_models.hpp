@@ -11,8 +11,8 @@ namespace pelage {
 struct ShadingModel {
   std::string_view name;  ///< value of the scene key shading.model
   std::string_view what;  ///< equations of the model
-  /// True: diffuse light and shadow use the surface normal (W Eq. 2 to 5). False: they use the strand's
-  /// tangent (S Eq. 6).
+  /// True: diffuse light and shadow use the surface normal (W Eq. 2 to 5). False: diffuse light and shadow
+  /// use the strand's tangent (S Eq. 6).
   bool surface_light;
   /// True: the model consists of Lambert's law and the self-shadow; it has no highlight, no wrapped light and
   /// no wet darkening.

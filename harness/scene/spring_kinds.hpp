@@ -46,8 +46,8 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
 }
 
 /// A time integration scheme, described by its properties. Code tests these properties and never compares
-/// names. To add a scheme, add a row to the table of spring_kinds.cpp and its step to kernels/springs/ and to
-/// harness/springs/reference/reference.cpp.
+/// names. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the time step of the
+/// scheme in kernels/springs/ and in harness/springs/reference/reference.cpp.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line
   bool implicit = false;  ///< true if a step solves a linear system

@@ -55,8 +55,9 @@ class ShellsSubject : public Subject {
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
-    // The masses are checked in the state before the first timed frame. The picture check above starts from
-    // the simulated masses of the picture's own frame, so that errors of the simulation do not affect it.
+    // The positions of the masses are checked as they were before the first timed frame. Errors of the
+    // simulation do not affect the picture check above: its reference picture uses the positions that the
+    // device has simulated for the same frame.
     if (springs)
       for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
         checks.push_back(std::move(check));

@@ -69,8 +69,9 @@ TuningAxis axis_of(const fs::path& file, const std::string& name, const toml::no
   const toml::table* table = node.as_table();
   const toml::array* values = table ? (*table)["values"].as_array() : nullptr;
   if (!values || values->empty())
-    throw InputError(place(file, node, name) +
-                     ": an axis must be a table with the keys what, values = [..] and optionally shipped");
+    throw InputError(
+        place(file, node, name) +
+        ": an axis must be a table with the keys 'what', 'values' (a list) and optionally 'shipped'");
   TuningAxis axis{name, (*table)["what"].value_or(std::string{}), {}, {}};
   for (const toml::node& value : *values) axis.values.push_back(axis_value(file, value, name));
   if (const toml::node* shipped = table->get("shipped")) axis.shipped = axis_value(file, *shipped, name);

@@ -34,8 +34,8 @@ std::vector<TuningAxis> tuning_axes(const std::string& stage);
 Tuning read_tuning(const std::filesystem::path& file);
 
 /// Returns the text of a tuning file in which `values` replace the values of `stage`. The values of other
-/// stages are kept. `before` is the present text of the file, or empty. `note` becomes a comment of one or
-/// more lines.
+/// stages are kept. `before` is the text of the file before the replacement; it is empty if there is no file.
+/// `note` becomes a comment of one or more lines.
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note);
 

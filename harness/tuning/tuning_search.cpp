@@ -24,8 +24,8 @@ class Contest {
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
-    // logs[i][r]: logarithm of the time of configuration i divided by the incumbent's time, in round r,
-    // summed over the scenes.
+    // The quotient of a configuration is its time divided by the incumbent's time for the same scene and
+    // round. logs[i][r] is the sum of the logarithms of these quotients over the scenes.
     std::vector<std::vector<double>> logs(field.size(), std::vector<double>(std::size_t(rounds), 0.0));
     for (std::size_t s = 0; s < scenes_.size(); ++s) take_turns(s, rounds, result, logs);
     for (std::size_t i = 0; i < field.size(); ++i) {
@@ -47,7 +47,8 @@ class Contest {
       try {
         work();
       } catch (const std::exception& error) {
-        // Without the incumbent the other candidates cannot be compared, so the search fails.
+        // Configuration 0 is the incumbent. Without its times the other candidates cannot be compared, so its
+        // error ends the search.
         if (i == 0) throw;
         field[i].fault = first_line(error.what());
         at_work[i].reset();

@@ -24,27 +24,28 @@ class Contender {
   virtual std::string fault() = 0;
 };
 
-/// A scene on which configurations are timed. If `make` throws, the device cannot run the configuration, and
-/// the configuration has a fault.
+/// A scene on which configurations are timed.
 struct TuningScene {
   std::string name;
+  /// Prepares a configuration for timing. It throws if the device cannot run the configuration. The search
+  /// then stores the message of the exception in Candidate::fault.
   std::function<std::unique_ptr<Contender>(const Tuning&)> make;
 };
 
 /// A configuration of the kernels and the result of its timing.
 struct Candidate {
   Tuning tuning;
-  /// Time of this configuration divided by the time of the incumbent (the best configuration so far):
-  /// geometric mean over scenes, then median over rounds.
+  /// Time of this configuration divided by the time of the incumbent (the best configuration so far). Each
+  /// round has the geometric mean of this quotient over the scenes. The ratio is the median of these means.
   double ratio = 0;
-  Interval interval;  ///< 95% interval of the ratio over rounds
+  Interval interval;  ///< 95% interval of the ratio, from the rounds
   /// Reason why the candidate cannot win: a failed check, or an error of the run. Empty if there is no fault.
   std::string fault;
-  bool wins = false;  ///< whether there is no fault and the whole interval is below 1
+  bool wins = false;  ///< whether `fault` is empty and the upper bound of `interval` is below 1
 };
 
 struct TuningSearch {
-  Tuning best;                   ///< fastest values without fault; empty if the shipped values are fastest
+  Tuning best;  ///< fastest values with correct output; empty if the shipped values are fastest
   std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
   /// Final comparison of the best configuration with the shipped configuration. The tuning is empty if no
   /// candidate won.
@@ -55,14 +56,14 @@ struct TuningSearch {
 /// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best
 /// configuration so far; at first it is the shipped configuration. For each axis, the candidates are the
 /// configurations that differ from the incumbent in this axis only. The incumbent and the candidates run
-/// alternately on each scene, for `rounds` rounds. A candidate wins if it has no fault and the whole 95%
-/// interval of its time ratio is below 1. The fastest winner becomes the incumbent. One of many candidates
-/// may win by chance. Therefore the last incumbent is compared with the shipped configuration once more, with
-/// twice the rounds, and is dropped unless it wins again.
+/// alternately on each scene, for `rounds` rounds. A candidate wins if its output is correct and the upper
+/// bound of the 95% interval of its ratio is below 1. The fastest winner becomes the incumbent. One of many
+/// candidates may win by chance. Therefore the last incumbent is compared with the shipped configuration once
+/// more, with twice the rounds, and is dropped unless it wins again.
 ///
-/// The shipped configuration is checked against the reference. A candidate whose last output equals a checked
-/// output bit for bit has no fault; any other output is checked against the reference. `told` is called with
-/// each candidate after its timing.
+/// The output of the shipped configuration is compared with the reference. If the last output of a candidate
+/// is bit-identical to an output that passed this comparison, the output is correct. Any other output is
+/// compared with the reference. `told` is called with each candidate after its timing.
 TuningSearch search_tuning(const std::vector<TuningAxis>& axes, const std::vector<TuningScene>& scenes,
                            int rounds, const std::function<void(const Candidate&)>& told);
 

@@ -25,8 +25,8 @@ void sort_count(int n, int shift, TABLE(int) key, __global int *count) {
   for (int d = 0; d < SORT_DIGITS; ++d) count[(size_t)d * runs + run] = mine[d][item];
 }
 
-// Moves the pairs to their positions in the order of this digit. start: exclusive prefix sums of the counts of
-// sort_count().
+// Writes the pairs (key, value) sorted by the digit that begins at bit `shift` of the key. start: exclusive prefix sums
+// of the counts of sort_count().
 __kernel __attribute__((reqd_work_group_size(SORT_ITEMS, 1, 1)))
 void sort_move(int n, int shift, TABLE(int) start, TABLE(int) key, TABLE(int) value, __global int *key_out,
                __global int *value_out) {

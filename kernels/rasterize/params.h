@@ -5,7 +5,8 @@
 typedef struct {
   // Picture and camera (docs/frame.md, section 4).
   int width, height;
-  // Rows of the camera matrix. Their products with (p, 1) are x w, y w and w; x and y are pixels from the image centre.
+  // Rows of the camera matrix. For a point p, their products with (p, 1) are x*w, y*w and w. w is the view depth of p;
+  // x and y are the position of p in the picture, in pixels from the image centre.
   float row_x[4], row_y[4], row_w[4];
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
   float near_depth;                           // view depth of the near plane, in mesh radii
@@ -32,13 +33,13 @@ typedef struct {
   int mask_size;
   float clump_shape;                          // w
   float clump_gain;
-  int clump_literal;                          // 1: scale clumps by r_mask, as printed, instead of clump_gain
+  int clump_literal;                          // factor of a clump's displacement (1: r_mask, as in S; 0: clump_gain)
   int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
   float log_layers;                           // k = ln N
   // Textures.
   int fur_size, fur_levels;
   float fur_scale[2];                         // repeats of the fur texture per unit of u and of v
-  float footprint;                            // texels of mip level 0 per pixel at view depth 1, times 2^bias
+  float footprint;                            // pixel width at view depth 1, in texels of mip level 0, times 2^lod_bias
   int substeps;                               // texture samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
   // Light (S Eq. 6 or W Eq. 2-5) for the shading models in harness/scene/shading_models.cpp. surface_light is 0 for the
@@ -52,11 +53,11 @@ typedef struct {
   int whole_exponent;                         // p if it is an integer and equal for all fragments, else 0
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
-  float drawn;                                // sign of the clump's drift in W Eq. 4: +1 as printed, -1 reversed
+  float drawn;                                // sign of the clump term in W Eq. 4 (+1: as printed; -1: the opposite)
   int lights;
   union {                                     // unit vectors towards the lights
-    // The flat array is the first member of the union because rusticl (Mesa 22.3) takes only the outer length, 2, as
-    // the size of light[2][3].
+    // rusticl (Mesa 22.3) uses a wrong size for the two-dimensional array light[2][3]: its outer length, 2. The flat
+    // array is the first member of the union, so that rusticl uses the correct size.
     float lights_flat[6];
     float light[2][3];
   };
@@ -67,13 +68,15 @@ typedef struct {
 // Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array: the position; the vector A of docs/frame.md, section 3 (weighted mean of the strands' L0
-// n); and the two axes of the curl.
+// Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/frame.md, section 3, which is the
+// weighted mean of the vectors L0 n of the strands. CURL_U and CURL_V: the two axes of the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
-// Number of floats in a vertex's row of an attribute buffer. A row holds (u, v, A, B), (dX/du, dX/dv), or the two axes
-// of the curl, depending on the buffer (docs/frame.md, section 3). The last floats of shorter rows are unused.
+// Number of floats in a vertex's row of an attribute buffer. There are three buffers. A row of the first buffer holds
+// the texture coordinates u and v and the vectors A and B. A row of the second buffer holds the tangents dX/du and
+// dX/dv. A row of the third buffer holds the two axes of the curl (docs/frame.md, section 3). The last two floats of
+// the second and third buffer's rows are unused.
 #define RECORD 8
 
 // Width and height of a tile in pixels: multiples of 4, at most 32 (tuning axes).
@@ -85,7 +88,7 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 #endif
 
 #define SUBPIXEL 256            // screen coordinates are rounded to 1/256 pixel
-#define GUARD 16384.0f          // guard band: greatest distance from the image centre, in pixels, before clipping
+#define GUARD 16384.0f          // triangles are clipped at this distance from the image centre, in pixels
 #define OPAQUE 0.001953125f     // transmittance at or below which a pixel is complete, 1/512
 
 #endif

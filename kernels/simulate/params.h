@@ -15,8 +15,9 @@ typedef struct {
   int substeps;
 } SimulateParams;
 
-// Columns of the array of constants: normal, anchor, gust phase. The columns of the state are q = p - root and v.
+// Columns of the array of constants: normal, anchor, gust phase.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
+// Columns of the array of the strands' state: three columns for q = p - root, and three columns for the velocity v.
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };
 
 #endif

@@ -25,10 +25,11 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
   return a;
 }
 
-// Defines the kernel of a scheme. moment: wind, weight and object motion at successive times; entry 2 i is the start of
-// substep i, entry 2 i + 1 its middle. offset, speed: the state of the top masses, q and v. Every substep tests whether
-// a mass diverged. If a mass diverged, the block is computed again to find the substep in which this happened. A
-// separate function does this, so that the usual computation needs no additional registers.
+// Defines the kernel of an integration scheme. `stepped` is an expression for one step of the scheme. `moment` holds
+// wind, weight and object motion at successive times: entry 2 i is for the start of substep i, and entry 2 i + 1 is for
+// its middle. `offset` and `speed` hold the positions q and the velocities v of the top masses. Every substep tests
+// whether a mass diverged. If a mass diverged, the block is computed again to find the substep in which this happened.
+// A separate function does this, so that the usual computation needs no additional registers.
 #define FRAME(name, stepped)                                                                                          \
   static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
                                                     TABLE(scalar) push, TABLE(scalar) sides,                          \

@@ -80,9 +80,9 @@ INLINE Symmetric inverse_of(Symmetric m) {
   return i;
 }
 
-// Two top masses joined by a spring have the matrix block -(even I + g g^T) in A. Only the vector g is stored, in three
-// columns per entry. The sum even + g.g is the same for all springs, so even_of() computes the number `even` from g. g
-// = 0 marks an entry without a spring.
+// Two top masses joined by a spring have the matrix block -(even I + g g^T) in A, with a number `even` and a vector g.
+// Only g is stored, in three columns per entry. The sum of `even` and g.g is the same for all springs, so even_of() can
+// compute `even` from g. An entry with g = 0 has no spring.
 INLINE real even_of(TopologyParams p, real3 g) {
   real along = dot3(g, g);
   real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;
@@ -93,8 +93,8 @@ INLINE real even_of(TopologyParams p, real3 g) {
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
 // Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then computes the
-// residual r = b - A x, the product z of the inverses and r, and the search direction d = z. at: index in `moments`
-// (wind, weight and object motion at successive times) of the end of the step.
+// residual r = b - A x, multiplies the inverses by r, and stores the product z as the first search direction d.
+// moments: wind, weight and object motion at successive times. at: index of the Moment at the end of the time step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
@@ -186,12 +186,12 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
 // Returns the step length r.z / d.Ad of the conjugate gradients. odd: 1 if the number of the iteration is odd.
 static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
-  // If dad is NaN, the result and x become NaN too, so note_step() reports the diverged masses. A result of 0 would
-  // leave these masses in place, and the divergence would go unnoticed.
+  // If dad is NaN, the returned step length and x become NaN too, so note_step() reports the diverged masses. If this
+  // function returned 0 for a NaN, these masses could stay in place, and the divergence would not be detected.
   return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 
-// Computes r -= alpha A d, and overwrites the buffer of A d by z = inverse r.
+// Computes the new residual r -= alpha A d, and the product z of `inverse` and r. Stores z in the buffer that held A d.
 INLINE void advance_chunk(TopologyParams p, int chunks, int chunk, int odd, TABLE(scalar) inverse,
                           __global scalar *product_d, __global scalar *r, __global total *sums) {
   real alpha = alpha_of(sums, chunks, odd);

@@ -16,7 +16,7 @@ typedef struct {
   float most_square;     // squared length above which a stick counts as diverged
   int substeps;          // number of substeps in this launch
   int first_step;        // number of the launch's first substep
-  int first_moment;      // index of the launch's start in the array of Moment
+  int first_moment;      // index of the Moment at the time at which this launch starts
   int moving;            // 1: the object rotates, so its frame is not inertial
   int pushed;            // 1: some local forces are not zero
   int sticks;            // number of sticks; entries beyond it are padding
@@ -35,8 +35,8 @@ typedef struct {
   float turn_up_x, turn_up_y, turn_up_z;     // derivative of the angular velocity, rad/s^2
 } Moment;
 
-// Columns of the constants of a stick. Root and normal have three columns each. The phase is that of the gust at the
-// stick's base.
+// Column numbers in the table of the sticks' constants. The root and the normal have three columns each. The last two
+// columns are the cosine and the sine of the gust's phase at the stick's base.
 enum { SITE_ROOT = 0, SITE_NORMAL = 3, SITE_PHASE_COS = 6, SITE_PHASE_SIN, SITE_COLUMNS };
 
 // Rows of the partial sums of the conjugate gradients: r.z of even iterations, r.z of odd iterations, d.Ad, r.r and

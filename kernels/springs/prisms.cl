@@ -12,8 +12,9 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// Computes one step of Euler's method, explicit if in_turn is 0 and semi-implicit if in_turn is 1. at: index in
-// `moments` (wind, weight and object motion at successive times) of the step. number: number of the step.
+// Computes one step of Euler's method. in_turn: 1: the semi-implicit method, which updates the positions with the new
+// velocities; 0: the explicit method. at: the index of the step's start in `moments` (wind, weight and object motion at
+// successive times). number: the number of the step since the start of the simulation.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
@@ -103,8 +104,8 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
             first);
 }
 
-// Computes all substeps. The tips and speeds of the stages alternate between the buffers other_* and spare_*. The tips
-// and speeds at the end of a step are in tip and speed.
+// Computes all substeps. The tips and speeds of the stages alternate between the buffers other_* and spare_*. At the
+// end of a step, the results are in the buffers tip and speed.
 __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,

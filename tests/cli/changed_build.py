@@ -2,8 +2,9 @@
 """Builds pelage with new and changed source files, without touching the source tree.
 
 usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. The
-program compiles the .cpp files of CHANGES with the options of BUILD. It links them before the libraries of BUILD into
-CHANGES/pelage. A changed header may only add declarations, because a file that includes it but is not in CHANGES is not
+program compiles the .cpp files of CHANGES with the options of BUILD. It links the program CHANGES/pelage from these
+object files and the libraries of BUILD. In the linker's command the object files stand before the libraries, so that
+their definitions are used. A changed header may only add declarations, because source files outside CHANGES are not
 compiled again.
 """
 import json

@@ -114,9 +114,9 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   }
   EXPECT_GT(moved, 0.005f);
 
-  // Without curl, the offset of the uppermost layer at a surface point is a weighted mean over the triangles
-  // around the point: the mean of the offsets of their tips, weighted by area. All vertices at one surface
-  // point have bitwise equal positions.
+  // A strand's tip offset is its tip minus its root. Without curl, the offset of the uppermost layer at a
+  // surface point is the mean of the tip offsets of the strands on the triangles around it, weighted by the
+  // areas of these triangles. All vertices at one surface point have bitwise equal positions.
   std::map<std::array<float, 3>, std::array<double, 4>> mean;
   const auto point = [&](std::size_t v) {
     return std::array{position.values[3 * v], position.values[3 * v + 1], position.values[3 * v + 2]};

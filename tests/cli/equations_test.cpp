@@ -36,7 +36,8 @@ std::vector<std::string> all(const std::string& text, const std::regex& pattern)
 
 const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
-/// Returns the functions of `source` with the numbered equations that the comment above each function names.
+/// Returns pairs of an equation and a function of `source`. The comment above the function names the number
+/// of the equation.
 std::set<Line> anchors_of(const std::string& source) {
   static const std::regex function(R"(^(?:static inline|INLINE) [\w ]+[ *](\w+)\()");
   std::set<Line> anchors;
@@ -50,7 +51,9 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      comment.clear();  // Not after a function: the function on the next line may share its comment.
+      // A line with a function does not clear the comment, because the comment may also describe the function
+      // on the next line.
+      comment.clear();
     }
   }
   return anchors;
@@ -89,7 +92,9 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
     const std::vector<std::string> names = all(row, quoted);
     ASSERT_GE(names.size(), 5u) << row << " has no test";
     for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
-    for (std::size_t i = 0; i < 4; i += 2)  // function of the kernels, then function of the reference
+    // names[0] is a function of the kernels, and names[2] is a function of the reference. The file of each
+    // function follows it in `names`.
+    for (std::size_t i = 0; i < 4; i += 2)
       EXPECT_TRUE(std::regex_search(text_of(root / names[i + 1]), std::regex("\\b" + names[i] + "\\(")))
           << "no " << names[i] << " in " << names[i + 1];
     for (std::size_t i = 4; i < names.size(); ++i) {

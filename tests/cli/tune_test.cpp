@@ -1,4 +1,5 @@
-// Tests pelage tune on a device with a configuration that computes a wrong picture and one that cannot run.
+// Tests pelage tune with two bad configurations of the kernels: one computes a wrong picture, and one cannot
+// run.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"

@@ -21,8 +21,8 @@ struct Case {
   Window first;     // the first of the windows that `seed` selects
 };
 
-// Returns a frame in which the fur covers more pixels than 64 windows can contain, with its reference
-// picture.
+// Returns a frame and its reference picture. The fur in this frame covers more pixels than 64 windows can
+// contain.
 const Case& torus() {
   static const Case made = [] {
     Scene scene;

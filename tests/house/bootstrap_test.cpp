@@ -103,7 +103,7 @@ TEST_F(Bootstrap, ListsWhatIsMissingAndTouchesNothing) {
 
 TEST_F(Bootstrap, InstallsWhatIsMissingOnly) {
   stub(folder_ / "bin/dpkg-query", "case $* in *libexample*) exit 1;; *) echo -n installed;; esac");
-  // This stub of sudo runs its command with the same stubs.
+  // This stub of sudo executes its arguments as a command, so the stub of apt-get is called.
   stub(folder_ / "bin/sudo", "exec \"$@\"");
   const Outcome outcome = run("setup");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.text;

@@ -29,7 +29,8 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The names that a document may contain.
+/// The names that exist in the repository. A document may name only functions and kernel files with these
+/// names.
 struct Tree {
   std::set<std::string> words;    // all words of the source files
   std::set<std::string> kernels;  // names of the files under kernels/

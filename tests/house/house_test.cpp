@@ -160,7 +160,7 @@ TEST(House, PlantedTextsAreFound) {
   EXPECT_EQ(count(lines + "x\n"), 1u);
 }
 
-// The planted lines are those of the copies that the kernels once had.
+// `copies` holds lines of duplicated code that earlier versions of the kernels contained.
 TEST(House, PlantedCopiesOfAComputationAreFound) {
   const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
                                 "  h.b1 = b1 * iw1 * w;",
@@ -184,7 +184,8 @@ TEST(House, PlantedCopiesOfAComputationAreFound) {
   for (const char* other : others)
     EXPECT_TRUE(copy_faults("kernels/rasterize/tile/points.clh", other).empty()) << other;
   EXPECT_TRUE(copy_faults("harness/shells/reference/render.cpp", copies[1]).empty());
-  // The file of a computation may contain it, and must.
+  // copies[1] is perspective-correct interpolation, which belongs in perspective.clh. copy_faults() also
+  // reports a file from which its computation is missing.
   EXPECT_TRUE(copy_faults("kernels/rasterize/coverage/perspective.clh", copies[1]).empty());
   EXPECT_EQ(copy_faults("kernels/rasterize/coverage/perspective.clh", "").size(), 1u);
   EXPECT_EQ(copy_faults("kernels/rasterize/shading/surface.clh", "").size(), 1u);

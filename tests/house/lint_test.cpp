@@ -107,8 +107,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// The order of unchanged files changes with every commit. Runs with a time limit therefore reach every file
-// after enough commits.
+// Each commit moves the start in the list of the unchanged files. A series of runs with a time limit
+// therefore checks every file after enough commits.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

@@ -29,8 +29,8 @@ std::string room_of(const std::string& path, const std::string& parent) {
 }
 
 // Returns the room of a file under harness/. A room is a library of CMakeLists.txt; its name is the path of
-// its folder with '_' in place of '/'. If several rooms contain the file, the room with the longest path
-// counts. If no room contains it, the result is the name of the folder directly below harness/.
+// its folder with '_' in place of '/'. If several rooms contain the file, the result is the room with the
+// longest path. If no room contains it, the result is the name of the folder directly below harness/.
 // "harness/springs/model/network.hpp" is in the room "springs_model".
 std::string harness_room_of(const std::string& path, const Links& links) {
   if (!starts_with(path, "harness/")) return {};

@@ -10,7 +10,8 @@ namespace pelage::house {
 using Faults = std::vector<std::string>;  ///< one line per violation, "path:line: what"
 
 /// Maps each room (a library of CMakeLists.txt) to the rooms whose headers it may include. These are the
-/// rooms that its pelage_room() line links, and the rooms that those link publicly.
+/// rooms that its pelage_room() line lists. If a listed room links other rooms publicly, these are included
+/// too, and so on.
 using Links = std::map<std::string, std::set<std::string>>;
 Links room_links(const std::string& cmake_lists);
 
@@ -21,10 +22,10 @@ Faults include_faults(const std::string& path, const std::string& text, const Li
 /// missing newline at the end, and blanks or tabs at the end of a line.
 Faults text_faults(const std::string& path, const std::string& text);
 
-/// Finds second copies of the computations that stand in one kernel file each: perspective-correct
-/// interpolation (arithmetic with iw1 or iw2) in rasterize/coverage/perspective.clh, and the assembly of a
-/// Surface from attribute rows in rasterize/shading/surface.clh. It is also a fault if such a file no longer
-/// has its computation.
+/// Two computations may each be in one kernel file only. Perspective-correct interpolation (arithmetic with
+/// iw1 or iw2) must be in rasterize/coverage/perspective.clh. The assembly of a Surface from attribute rows
+/// must be in rasterize/shading/surface.clh. The function reports copies in other kernel files. It also
+/// reports each of these two files that does not contain its computation.
 Faults copy_faults(const std::string& path, const std::string& text);
 
 }  // namespace pelage::house

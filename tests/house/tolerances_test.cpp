@@ -22,8 +22,8 @@ bool starts_with(const std::string& text, const std::string& prefix) {
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
   if (path == "harness/compare/tolerances.hpp") return {};
-  // Matches the limit of a Check. Two kinds of limits are not tolerances: a limit of 0, and a limit after a
-  // value converted by double(...), which is a count.
+  // Matches the limit of a Check. Two kinds of limits are not tolerances: a limit of 0, and the limit of a
+  // count. A limit belongs to a count if the value before the limit is a conversion double(...).
   static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
   static const std::regex constant(
       R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");

@@ -242,7 +242,8 @@ TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   EXPECT_FALSE(refusal([&] { journal.append(sample_row("b")); }).empty());
 }
 
-// With a limit on the file size, the operating system writes a part of the row and then reports an error.
+// The size of the file is limited. The operating system writes only a part of the second row and then reports
+// an error. The journal must remove this part.
 TEST(Journal, ARealLimitOnTheFile) {
   const Folder folder;
   const fs::path file = folder.path / "j.jsonl";

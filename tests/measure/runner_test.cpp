@@ -252,7 +252,8 @@ TEST(Runner, KilledAndResumedGivesTheSameRows) {
     const std::string before = fs::exists(file) ? text_of(file) : "";
     ASSERT_EQ(run_in_child(file, cases, -1, 0), 0);
     EXPECT_EQ(contents(file), whole) << "moment " << moment;
-    // Lines that were complete before the kill are unchanged.
+    // The resumed run must not change the lines of the journal that were complete when the first run was
+    // killed.
     const std::string acknowledged = before.substr(0, before.rfind('\n') + 1);
     EXPECT_EQ(text_of(file).substr(0, acknowledged.size()), acknowledged);
   }

@@ -23,8 +23,9 @@ TEST(Statistics, QuantilesAreThoseOfNumpy) {
   EXPECT_DOUBLE_EQ(quantile(v, 1), 50);
 }
 
-// The expected ranks are those in tables of the sign test (Conover, Practical Nonparametric Statistics): n =
-// 10 gives the 2nd and 9th values, n = 20 the 6th and 15th, n = 30 the 10th and 21st.
+// The expected 95% intervals of the median are those in tables of the sign test (Conover, Practical
+// Nonparametric Statistics). The interval of n sorted values runs from the 2nd to the 9th value for n = 10,
+// from the 6th to the 15th value for n = 20, and from the 10th to the 21st value for n = 30.
 TEST(Statistics, OrderStatisticsOfTheTables) {
   for (const auto& [n, low, high] : {std::tuple{6, 1, 6}, {10, 2, 9}, {20, 6, 15}, {30, 10, 21}}) {
     std::vector<double> v{};

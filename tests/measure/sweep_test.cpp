@@ -44,7 +44,8 @@ int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   return status;
 }
 
-/// Returns the content of all rows without times, paths and dates: case, status, picture, checks and hashes.
+/// Returns all rows, without the values that differ between equal runs: times, paths and dates. Case, status,
+/// picture, checks and hashes remain.
 std::set<std::string> said(const std::string& folder) {
   std::set<std::string> lines;
   for (FoundRow& found : read_results({folder})) {

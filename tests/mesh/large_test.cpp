@@ -1,5 +1,5 @@
-// Tests the solver and the flattening of large mesh files, whose time grows linearly with the number of
-// triangles, and the progress messages.
+// Tests the computation of UV maps for large mesh files: the linear solver and the flattening, whose
+// computation times grow linearly with the number of triangles. Also tests the progress messages.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -73,8 +73,9 @@ std::shared_ptr<const FrameInput> tiny(const std::string& topology, const std::s
   return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 8, 6, 6));
 }
 
-/// Draws a frame, and tests that this frame was written. Every call has its own background, because the
-/// memory of a picture that no kernel writes may contain the picture of an earlier call.
+/// Draws a frame, and tests that the kernels wrote its picture. Every call uses another background colour. If
+/// no kernel writes the picture, its memory can still contain the picture of an earlier call, whose
+/// background differs.
 void draw(const std::shared_ptr<const FrameInput>& input, const std::string& mapping, bool count) {
   static int number = 0;
   const auto own = std::make_shared<FrameInput>(*input);

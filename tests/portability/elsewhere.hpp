@@ -19,8 +19,8 @@
 
 namespace pelage::portability {
 
-/// A compiler of kernels, identified by its platform and by the environment variables that select it in a
-/// child process.
+/// An OpenCL compiler. `platform` is the name of its OpenCL platform. The environment variables in
+/// `environment` make a child process use this compiler.
 struct Place {
   std::string name, platform, environment;
   std::vector<std::string> mappings;  ///< mappings that this compiler supports (docs/devices.md)
@@ -85,8 +85,8 @@ class Elsewhere {
     const int status = std::system(command.c_str());
     std::ifstream stream(said);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    // PoCL prints this message if it does not know the method. It then uses its default method, so the test
-    // of the other method would be void.
+    // PoCL prints this message if it does not know the requested method. PoCL then uses its default method,
+    // so the child process did not test the requested method.
     if (text.find("Unknown work group generation method") != std::string::npos)
       return "PoCL knows no such method";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};

@@ -21,8 +21,9 @@ struct Sight {
   std::shared_ptr<const FrameInput> input;
 };
 
-/// Returns scenes of 160 x 100 pixels with few layers: combed, curly, wet and windy fur with the curling and
-/// the wet model, and a square so near that its triangles cross the near plane and the guard band.
+/// Returns three scenes of 160 x 100 pixels and 6 layers, with combed, curly, wet and windy fur. The first
+/// scene shows a torus with the curling model, and the second scene shows it with the wet model. In the third
+/// scene the camera is near a square, whose triangles cross the near plane and the guard band.
 std::vector<Sight> sights() {
   Scene near = synthetic::lively_scene();
   near.fur.length = .05f;

@@ -57,7 +57,8 @@ TEST(Droplets, KeepTheirDistanceInTheAtlasAndOnTheSurface) {
     const auto drops = droplets_of(wetness);
     ASSERT_GT(drops.size(), 100u);
     for (std::size_t i = 0; i < drops.size(); ++i)
-      // Droplet i is placed later than droplet j, so the radius of i determines the least distance.
+      // A new droplet keeps a least distance from the centres of the earlier droplets. This distance is
+      // `spacing` times the radius of the new droplet, here droplet i.
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * spacing * drops[i].radius);
         EXPECT_GE(glm::distance(drops[i].point, drops[j].point),

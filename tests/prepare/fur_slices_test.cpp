@@ -19,7 +19,7 @@ double coverage(const FurTexture& t, int layer, int x, int y) {
 // fraction of the slab's height that the strand fills.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur;
-  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
+  fur.layers = 16;  // for 16 layers, coverage is stored without a correction for the number of layers
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -46,7 +46,7 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
-  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
+  fur.layers = 16;  // for 16 layers, coverage is stored without a correction for the number of layers
   fur.strands = 1500;
   fur.undercoat = 500;
   fur.locks = 0;
@@ -63,7 +63,8 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
         weighted += double(texel[0]) * texel[1];
         plain += 0.25 * texel[1];
       }
-      if (sum < 100) continue;  // the rounding errors of small coverages change the weighted mean too much
+      // If the sum of the coverage bytes is small, their rounding errors change the weighted mean too much.
+      if (sum < 100) continue;
       const double expected = weighted / sum;
       // The tolerance covers three rounding errors: half a unit of the stored byte, half a unit of the bytes
       // of level 0, and the error of the rounded coverages.

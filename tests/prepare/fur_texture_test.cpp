@@ -33,14 +33,15 @@ double shade(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][1] / 127.5;
 }
 
-/// Means over parallel rays of the brightness and the opacity along a ray. The brightness of a fragment is
-/// shade * (0.5 + h/2); fragments are blended by source-over.
+/// The brightness and the opacity along a view ray, each averaged over parallel rays. The brightness of a
+/// fragment is shade * (0.5 + h/2); fragments are blended by source-over.
 struct Seen {
   double light = 0, opacity = 0;
 };
 
-/// Returns the means over rays that move sideways by `slope` R per R downwards. `azimuth` is the direction of
-/// the sideways movement in radians.
+/// Returns the mean brightness and opacity over parallel rays. `slope` is the tangent of the angle between
+/// the rays and the surface normal. `azimuth` is the direction of the rays projected onto the surface, in
+/// radians.
 Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double azimuth) {
   const double per_layer = slope * double(fur.length * fur.tile) * t.size / t.layers;  // texels
   Seen mean;
@@ -62,15 +63,17 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
   return {mean.light / texels, mean.opacity / texels};
 }
 
-/// Returns the means over angles of 0 to 63 degrees between view ray and strand. The weight of an angle is
-/// the projected area of the part of a furred sphere that is seen at this angle.
+/// Returns the mean brightness and opacity over angles of 0 to 63 degrees between view ray and strand. The
+/// mean is weighted for a picture of a furred sphere: the weight of an angle is the area of the picture in
+/// which the strands are seen at this angle.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
-      // The weight of the angle t is cos(t) sin(t) dt, where slope = tan(t). Adding 0.1 gives the angle 0 a
-      // weight above 0.
+      // In the picture of a sphere, the angles from t to t + dt have an area proportional to cos(t) sin(t)
+      // dt. With s = tan(t) this area is s / (1 + s^2)^2 ds. The constant 0.1 is added so that rays along the
+      // strands (s = 0) have a weight above 0.
       const double shown = (slope + 0.1) / std::pow(1 + slope * slope, 2);
       const Seen seen = along_rays(t, fur, slope, azimuth);
       sum.light += shown * seen.light;
@@ -141,7 +144,7 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
 /// area of the disc does not depend on its position.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;
-  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
+  fur.layers = 16;  // the texture stores 1 - (1 - a)^(16 / layers), which is the coverage a itself here
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -313,7 +316,7 @@ TEST(FurTexture, OfBladesComesInThePapersSizes) {
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // for 16 layers the texture stores coverage without correction
+  fur.layers = 16;  // the texture stores 1 - (1 - a)^(16 / layers), which is the coverage a itself here
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;

@@ -69,10 +69,10 @@ TEST(Strands, CombDoesNotJumpBetweenNeighbours) {
           std::clamp(double(glm::dot(set.normal[set.face[k]], set.normal[set.face[k - 1]])), -1.0, 1.0));
       worst = std::max(worst, bend - crease);
     }
-  // Where the comb direction is normal to the surface, the direction of the strands changes
-  // fur.comb / least_grip = 0.6 / 0.25 = 2.4 times as fast as the surface normal. The normal changes by 5.5
-  // degrees between adjacent faces. If the direction of the tilt were discontinuous there, adjacent strands
-  // would differ by 90 degrees.
+  // The tilt of the strands changes fastest at points where the comb direction is normal to the surface.
+  // There the change of the tilt is fur.comb / least_grip = 0.6 / 0.25 = 2.4 times the change of the surface
+  // normal. The normal changes by 5.5 degrees between adjacent faces. If the tilt were discontinuous at such
+  // a point, adjacent strands would differ by 90 degrees.
   EXPECT_LT(worst * 180 / std::numbers::pi, 2.4 * 5.5);
 }
 

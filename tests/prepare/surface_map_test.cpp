@@ -1,5 +1,6 @@
-// Tests the map of surface points. A texel inside a triangle has the point of the triangle under the texel's
-// centre. Other texels have the point of the nearest texel inside a triangle.
+// Tests surface_map(), which stores a surface point in each texel. If the centre of a texel is inside a
+// triangle, the texel stores the surface point at its centre. All other texels are uncovered. An uncovered
+// texel stores the point of the nearest covered texel.
 #include "harness/prepare/surface_map.hpp"
 
 #include <gtest/gtest.h>

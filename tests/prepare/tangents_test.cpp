@@ -141,8 +141,8 @@ TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
     EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
   }
   EXPECT_GT(most, 45.0);
-  // Edges are 0.1 R long, and the features of the noise are 0.4 R wide. At the greatest gradient of the
-  // noise, u rotates by 84 degrees along an edge.
+  // Edges are 0.1 R long, and the features of the noise are 0.4 R wide. Where the gradient of the noise is
+  // greatest, the directions u at the two ends of an edge differ by 84 degrees.
   EXPECT_LT(worst_edge(skin, varied), 90.0);
 }
 

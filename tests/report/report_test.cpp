@@ -126,8 +126,8 @@ TEST(Csv, Quotes) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
 }
 
-/// Python's csv module reads the files. All lines of a file must have the same number of columns, and the
-/// numbers must be equal to those of the rows.
+/// Python's csv module reads the files. All lines of a file must have the same number of columns. The numbers
+/// in a file must be equal to the numbers in `rows`.
 TEST(Csv, PythonReadsIt) {
   const Folder folder;
   auto rows = table1_rows();

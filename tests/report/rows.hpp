@@ -30,8 +30,8 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
 }
 
 /// Returns one row for each of the 32 cases. The median of the 21 frame times is factor * (F + P) * N / 1e6
-/// ms, where F is the number of triangles, P of pixels and N of layers. The times differ from the median by
-/// up to 1%.
+/// ms, where F is the number of triangles, P the number of pixels, and N the number of layers. The times
+/// differ from the median by up to 1%.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

@@ -48,7 +48,8 @@ void vary(const Key& key, std::mt19937& random) {
     if (end == 0) return key.least;
     if (end == 1) return key.most;
     const double t = std::uniform_real_distribution(0.0, 1.0)(random);
-    // The third power of t makes values near the lower bound more frequent; they have many decimal places.
+    // The third power of t makes values near the lower bound more frequent. Small values have many decimal
+    // places, which must not be lost when the scene is written.
     return key.least + t * t * t * (key.most - key.least);
   };
   std::visit(

@@ -8,8 +8,8 @@
 namespace pelage {
 namespace {
 
-/// Makes subjects whose frames take 1 ms per layer. The picture of the subject with `bad` layers fails its
-/// check.
+/// Makes subjects whose frames take 1 ms per layer. If a subject's number of layers is equal to `bad`, its
+/// picture fails the check.
 MakeSubject as_many_ms_as_layers(int bad) {
   return [bad](const Case& which) -> std::unique_ptr<Subject> {
     const int layers = std::stoi(which.settings.at("fur.layers"));

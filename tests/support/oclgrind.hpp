@@ -18,9 +18,9 @@ struct UnderOclgrind {
   std::string printed;  ///< output of the tests; with --inst-counts, also that of oclgrind
 };
 
-/// Runs the tests of this binary that match `filter`, including disabled tests. checks: options that are
-/// passed to oclgrind after --check-api. environment: "NAME=value" to set before the command, or an empty
-/// string.
+/// Runs the tests of this binary that match `filter`, including disabled tests. `checks` contains the options
+/// of oclgrind that follow --check-api. `environment` is an assignment "NAME=value" of an environment
+/// variable for the command, or an empty string.
 inline UnderOclgrind under_oclgrind(const std::string& filter, const std::string& checks,
                                     const std::string& environment = "") {
   namespace fs = std::filesystem;

@@ -26,9 +26,10 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
-/// Returns a summary for the message of a failed test, such as "74.3 dB, 74.9 dB without 1 flips, 99.9%
-/// within 0.0002, worst 0.03 at (143, 26), 25378 fur pixels". A flip is a pixel that differs from
-/// the reference by more than tolerance::flip in some channel.
+/// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flips and the number of
+/// flips, the 99.9th percentile of the pixels' differences, the largest difference and its pixel, and the
+/// number of fur pixels. A flip is a pixel that differs from the reference by more than tolerance::flip in
+/// some channel.
 std::string describe(const Agreement& agreement);
 
 }  // namespace pelage::pictures

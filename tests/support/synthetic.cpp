@@ -203,7 +203,8 @@ FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int
   input.curl.u.resize(mesh.welded);
   input.curl.v.resize(mesh.welded);
   input.curl.mask_uv.resize(mesh.welded);
-  // The loop runs backwards, so that the values of a surface point's first vertex copy remain.
+  // Several vertices can belong to one surface point. The loop runs backwards, so that the first of these
+  // vertices is processed last and its values remain.
   for (std::size_t i = mesh.position.size(); i-- > 0;) {
     const glm::dvec2 uv(mesh.uv[i]);
     const glm::dvec3 t = derivative(surface, uv.x, uv.y, 1, 0), b = derivative(surface, uv.x, uv.y, 0, 1);

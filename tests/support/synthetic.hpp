@@ -24,10 +24,10 @@ Surface torus();
 /// copies of the vertices on its borders.
 Mesh grid(const Surface& surface, int nu, int nv);
 
-/// Returns the input of a frame of `scene` on the grid: strands (combed by scene.fur.comb), axes of the curl,
-/// tangents, a fur texture of upright cones with mip levels, a coat of smooth noise, `droplets` random
-/// droplets, mask surface, fur scale and the camera. The scene's keys for strands per fur slice, for the
-/// coat's pattern and for random droplets have no effect.
+/// Returns the complete input of a frame of `scene`. The mesh is a grid of nu x nv quads over `surface`. The
+/// fur texture contains upright cones and has mip levels. The coat is smooth. `droplets` is the number of
+/// random droplets. The following keys of the scene have no effect: the number of strands per fur slice, the
+/// coat's pattern, and the number of random droplets.
 FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int droplets);
 
 /// Returns a scene of 16 layers and 160 x 100 pixels with combed, curly, wet and windy fur.

@@ -1,4 +1,4 @@
-// Tests that a contender (a configuration of kernels that a tuning search times) reports a fault if its
+// Tests that a contender (a configuration of kernels that a tuning search times) reports an error if its
 // output is wrong.
 #include "harness/tuning/contenders.hpp"
 
@@ -19,8 +19,10 @@ std::shared_ptr<const FrameInput> small() {
       synthetic::frame(synthetic::lively_scene(), synthetic::torus(), 48, 32, 60));
 }
 
-/// Returns the fault of a stage's contender after one run, or an empty string if there is no fault. Before
-/// the run, the function replaces `text` by `replacement` in a copy of the kernel source `file`.
+/// Runs the kernels of `stage` once in their default configuration and compares the output with the
+/// reference. Returns Contender::fault(): a description of the error, or an empty string if the output is
+/// correct. Before the run, the function replaces `text` by `replacement` in a copy of the kernel source
+/// `file`.
 std::string fault_of(const std::string& stage, const std::string& file = {}, const std::string& text = {},
                      const std::string& replacement = {}) {
   const fs::path original = cl::kernel_folder();
@@ -51,8 +53,8 @@ TEST(Contenders, HaveNoFaultAsTheyAre) {
   EXPECT_EQ(fault_of("wet"), "");
 }
 
-// The test plants an error in a kernel, which adds 1e-3 R to the tips of the first 16 of about 1500 strands.
-// This error is larger than tolerance::usual_tip.
+// The test changes a kernel so that it adds 1e-3 R to the x coordinate of the tips of the first 16 of about
+// 1500 strands. This error is larger than tolerance::usual_tip.
 TEST(Contenders, MayMoveNoStrandElsewhere) {
   EXPECT_NE(fault_of("simulate", "simulate/simulate.cl", "  store_column3(a.tip, state, TIP_X",
                      "  if (block * LANES < 16) a.tip.x += 1e-3f;\n"
@@ -65,8 +67,9 @@ TEST(Contenders, MayWetNoTexelMore) {
   EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.radius;", "= 0.5f * m.radius;"), "");
 }
 
-// `pelage tune rasterize` writes the hash of the contender into the tuning file, and a row of results has the
-// hash of its Shells (tests/subjects/shells_test.cpp). Equal kernels have equal hashes in both files.
+// `pelage tune rasterize` writes the contender's hash of the kernel sources into the tuning file. A row of
+// results contains the hash of the Shells object that drew its frames (tests/subjects/shells_test.cpp). If
+// the kernels are equal, the tuning file and the row have equal hashes.
 TEST(Contenders, HaveTheKernelHashThatARowHas) {
   const auto contender = tuning_scene("rasterize", "torus", cl::choose_device(""), small()).make({});
   const Shells shells(cl::choose_device(""), small());

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t densest_codec = 4096;  // limit of raw bytes per byte of file, with a margin
+// Greater than the compression ratio (decompressed bytes / file bytes) of every codec that pelage reads.
+constexpr std::uintmax_t densest_codec = 4096;
 
 /// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
 std::string one_line(const std::string& text) {

@@ -10,10 +10,10 @@ The model is this sum of costs with coefficients that are not negative:
     ms = a + b * triangles + c * triangles * layers + d * pixels + e * pixels * layers
 
 The fit minimizes the squared relative errors. The intervals of the coefficients are percentiles over 1000 resamplings
-of the cases. The fit omits a third of the smaller cases and all larger cases; they test the fit. Larger cases have more
-than 64 layers, more pixels than 1680 x 1050, or more than a million triangles. The omitted third is chosen so that each
-number of triangles, layers and pixels occurs both in the fit and in the test. The program needs only matplotlib and
-numpy.
+of the cases. A case is larger if it has more than 64 layers, more pixels than 1680 x 1050, or more than a million
+triangles. All other cases are smaller. The fit uses two thirds of the smaller cases. The remaining smaller cases and
+all larger cases test the fit. The smaller cases for the test are chosen so that each number of triangles, layers and
+pixels occurs both in the fit and in the test. The program needs only matplotlib and numpy.
 """
 import csv
 import os
@@ -37,7 +37,10 @@ def features(case):
 
 
 def fitted(cases):
-    """Returns the fitted coefficients. Removes the term of the most negative coefficient until none is negative."""
+    """Returns the fitted coefficients.
+
+    As long as a coefficient is negative, the function removes the term of the most negative one and fits again.
+    """
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))
     while kept:

@@ -91,7 +91,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
   const StrandSet& strands = input.strands;
   const bool separate = parts(input.scene), sticks = has_springs(input.scene.dynamics);
   if (sticks && input.stick_normal.size() != mesh.welded)
-    throw InputError("a mass-spring topology needs one stick normal per surface point");
+    throw InputError("FrameInput::stick_normal: a mass-spring topology needs one normal per surface point");
   std::vector<std::uint32_t> own(separate ? mesh.triangle.size() : 0);
   for (std::uint32_t f = 0; f < own.size(); ++f) own[f] = f;
   std::vector<Vertex> vertices = drawn_vertices(input);

@@ -43,7 +43,8 @@ struct MappingKind {
   std::string_view name;    ///< name in the option --mapping, in experiment files and in result rows
   std::string_view what;    ///< description for --help, one line
   std::string_view kernel;  ///< name of the drawing kernel
-  /// True if the kernel computes the view direction once per pixel, false if once per fragment.
+  /// True if the kernel computes the view direction once per pixel. False if the kernel computes it for every
+  /// fragment.
   bool one_eye_per_pixel;
   int (*lanes)(const cl::DeviceInfo&);  ///< lanes of the mapping's kernels and of the vertex kernels: 1 or 16
   Tuning (*tuning)(Tuning);             ///< adds the values of tuning axes that the mapping needs or prefers

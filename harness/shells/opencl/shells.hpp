@@ -26,13 +26,15 @@ struct ShellOptions {
   int layers_at_once = 0;             ///< number of layers per pass; 0: as many as fit in memory
 };
 
-/// Numbers of fragments of a frame in all layers, without the base surface.
+/// Fragment counts of a frame, summed over all layers. Fragments of the base surface are not counted.
 struct Tally {
-  /// Pairs of a layer's triangle and a pixel that the triangle covers, visible or not.
+  /// Number of covered fragments. Each triangle of a layer has one fragment in every pixel that it covers.
+  /// Hidden fragments are counted, too.
   std::uint64_t covered = 0;
-  /// Covered fragments that are not behind the base surface and are in a pixel that is not yet opaque.
+  /// Number of covered fragments that are not behind the base surface and are in a pixel that is not yet
+  /// opaque.
   std::uint64_t shaded = 0;
-  /// Shaded fragments whose fur is not fully transparent. Only these are lit and blended.
+  /// Number of shaded fragments whose fur is not fully transparent. Only these are lit and blended.
   std::uint64_t blended = 0;
 };
 
@@ -65,7 +67,7 @@ class Shells {
   FrameTiming frame();                  ///< simulates, draws and times one frame
   void advance(int frames);             ///< simulates `frames` frames without drawing
   Picture read() const;                 ///< copies the picture of the last frame to the host
-  int frames_simulated() const;         ///< number of frames since rest, including the last frame
+  int frames_simulated() const;         ///< number of frames simulated since the fur was at rest
   std::vector<glm::vec4> mask() const;  ///< wetness mask: wetness.size^2 texels (c_u, c_v, r, rho)
   /// Returns the tip minus the root of each strand, or the top minus the base of each stick, in R.
   std::vector<glm::vec3> tips() const;

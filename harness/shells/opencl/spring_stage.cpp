@@ -15,8 +15,9 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
   return masses;
 }
 
-// Returns one index into the buffer masses.offset() per drawn vertex. It is the index of the x component of
-// the offset (top minus base) of the vertex's stick. Padding vertices use the first stick.
+// Returns one index into the buffer masses.offset() per drawn vertex. At this index the buffer holds the x
+// component of the top minus the base of the vertex's stick. For vertices that only pad the array, the
+// function returns the index of the first stick.
 std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geometry& g) {
   const std::vector<std::int32_t> of_stick = masses.offset_columns();
   std::vector<std::int32_t> found(std::size_t(g.vertices), of_stick.front());

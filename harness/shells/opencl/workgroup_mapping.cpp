@@ -33,8 +33,8 @@ class WorkgroupMapping : public Mapping {
     const std::size_t items = std::size_t(p.layer_batches) * std::size_t(p.triangles);
     if (items > std::size_t(std::numeric_limits<std::int32_t>::max()))
       throw DeviceError(fmt::format(
-          "{} layer batches of {} triangles: the product must be below 2^31; use more layers per batch "
-          "(axis GROUP)",
+          "{} layer batches of {} triangles: the number of batches times the number of triangles must be "
+          "below 2^31; increase the number of layers per batch (tuning axis GROUP)",
           p.layer_batches, p.triangles));
     std::vector<cl::Event> launches;
     std::vector<cl::Event>* const noted = events ? &launches : nullptr;

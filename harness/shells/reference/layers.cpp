@@ -70,7 +70,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
       point_wanted[mesh.weld[mesh.triangle[f][int(c)]]] = 1;
     }
   }
-  if (!separate_ && !on_sticks)  // the strands of all triangles around a surface point bend it
+  if (!separate_ && !on_sticks)  // a point's bend is a mean over the strands of the triangles around it
     for (std::size_t p = 0; p < point_wanted.size(); ++p)
       if (point_wanted[p])
         for (std::uint32_t i = strands.row[p]; i < strands.row[p + 1]; ++i)

@@ -28,10 +28,12 @@ glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t);
 /// wetness, `radius` is K_alpha in R, `turns` is omega / (2 pi), and u and v are the axes of the curl.
 glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v);
 
-/// The bend of a vertex. The two vectors are relative to the root of a strand or the base of a stick.
+/// The bend of a vertex, as two vectors. For a strand, they are the control points p0 and p of the Bezier
+/// curve, relative to the strand's root. For a stick, they are L0 n and L0 s, where L0 is the stick's length,
+/// n the surface normal and s the stick's direction.
 struct Bend {
-  glm::dvec3 a{0.0};  ///< p0 - root of a strand, or L0 n of a stick, in R
-  glm::dvec3 b{0.0};  ///< p - root of a strand, or L0 s of a stick, in R
+  glm::dvec3 a{0.0};  ///< strand: vector from the root to p0; stick: L0 n; in R
+  glm::dvec3 b{0.0};  ///< strand: vector from the root to p; stick: L0 s; in R
 };
 
 /// Returns the bend of a stick by B Eq. 3. `top` is the stick's top minus its base; only the direction s of
@@ -45,21 +47,23 @@ Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& 
 glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h,
                               Mutant mutant = Mutant::none);
 
-/// The positions of all layers at one time. A slot is a vertex with its own displacement. The slots are the
-/// vertices of the mesh, or three corners per triangle if triangles do not share vertices (parts()).
+/// The positions of all layers at one time. A slot is a vertex with its own displacement. If the triangles of
+/// a layer share vertices, each vertex of the mesh is a slot. If they do not share vertices (parts() is
+/// true), each corner of each triangle is a slot.
 class Geometry {
  public:
   /// Computes the bend and the wetness of the slots after `frames` frames. `wanted` has one entry per face,
   /// which is 0 if the face is not needed. If `wanted` is empty, all faces are computed. With a mass-spring
-  /// topology, `sticks` gives the bend instead of a simulation of strands; Options::sticks describes its
-  /// entries.
+  /// topology, the bend comes from `sticks`, and no strands are simulated. Options::sticks describes the
+  /// entries of `sticks`.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
            Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
   std::size_t slots() const { return bend_.size(); }
   bool wanted(std::size_t slot) const { return wanted_[slot] != 0; }
   std::size_t slot(std::size_t face, std::size_t corner) const;
-  std::uint32_t vertex(std::size_t slot) const;  ///< index of the slot's vertex in the mesh
+  /// Returns the index of the mesh vertex at a slot. A slot is a mesh vertex or a corner of a triangle.
+  std::uint32_t vertex(std::size_t slot) const;
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
   glm::dvec3 position(std::size_t slot, int n) const;  ///< position on layer n, in R; n = -1: base surface
   /// Returns the curl offset of S Eq. 4 for the slot on layer n, in R. It is 0 for the base surface, n = -1.

@@ -9,8 +9,9 @@
 namespace pelage::reference {
 namespace {
 
-/// Returns the index of the texel that contains u along one axis of the repeating mask. It returns 0 if u is
-/// NaN, which happens only if a test plants certain mistakes (Mutant).
+/// Returns the index, along one axis of the mask, of the texel that contains the texture coordinate u. The
+/// mask repeats with period 1. The function returns 0 if u is NaN, which happens only if a test plants
+/// certain mistakes (Mutant).
 int repeated(double u, int size) {
   const double inside = u - std::floor(u);
   return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;

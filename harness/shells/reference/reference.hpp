@@ -19,11 +19,11 @@ enum class Mutant {
   layer_missing,       ///< layer N/2 is not drawn
   height_without_one,  ///< h = n/N instead of (1+n)/N
   triangles_reversed,  ///< triangles are drawn in reverse order in each layer
-  front_faces_culled,  ///< layers omit triangles for which Raster::faces_eye() is true
+  front_faces_culled,  ///< mistake: layers omit the triangles that face the eye
   uv_swapped,          ///< u and v are swapped in every texture lookup of a fragment
   mask_bilinear,       ///< the wetness mask is sampled bilinearly
   droplets_reversed,   ///< the droplets are blended into the mask from last to first
-  log_negated,         ///< k = -ln N in S Eq. 5, as the paper prints it
+  log_negated,         ///< mistake in the paper: S Eq. 5 with k = -ln N, not ln N
   sticks_straight,     ///< k = 1 in B Eq. 4, so that layers lie along the stick
   corners_turned,      ///< each corner of a triangle uses the stick of the next corner
 };

@@ -46,8 +46,8 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Projects the vertices (slots of Geometry) of layer n to the screen, except those that are not needed. n
-  /// = -1 is the base surface.
+  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. A vertex is a slot of
+  /// Geometry. Vertices that no drawn face uses are omitted (Geometry::wanted() is false).
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {

@@ -17,8 +17,9 @@ struct Fragment {
   double wetness = 0;  ///< rho
 };
 
-/// Returns whether the fragment shows the lit back of the surface. This is the case if shading.sides is "two"
-/// and `normal` faces away from the eye. `view` points from the eye to the surface.
+/// Returns true if the fragment shows the back of the surface and the back is lit like the front. This is the
+/// case if shading.sides is "two" and `normal` faces away from the eye. `view` points from the eye to the
+/// surface.
 bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
 /// Returns the normal to use in the lighting formulas. If shading.sides is "two" and `normal` faces away from

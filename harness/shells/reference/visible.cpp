@@ -19,8 +19,9 @@ struct Plane {
 };
 
 /// Returns the half space of the points p with sign * (dot(row, (p, 1)) - bound * w(p)) >= 0, where sign is 1
-/// or -1. In front of the eye and with sign = 1, these are the points whose screen coordinate in pixels is at
-/// least `bound`. The screen coordinate is x / w if `row` is row_x of the camera, and y / w if it is row_y.
+/// or -1. In front of the eye, the half space contains the points whose screen coordinate in pixels is at
+/// least `bound` (if sign is 1) or at most `bound` (if sign is -1). The screen coordinate is x / w if `row`
+/// is row_x of the camera, and y / w if it is row_y.
 Plane side(const glm::vec4& row, const glm::vec4& row_w, double bound, double sign) {
   const glm::dvec4 r = sign * (glm::dvec4(row) - bound * glm::dvec4(row_w));
   return {glm::dvec3(r), r.w};

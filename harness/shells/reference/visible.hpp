@@ -14,8 +14,8 @@ namespace pelage::reference {
 std::vector<Window> split(const std::vector<Window>& windows, const Camera& camera);
 
 /// Returns the faces that may cover a pixel of the window on some layer, in the mesh's order. The test uses a
-/// ball that contains the face on every layer and for any motion of its strands. The result can therefore
-/// contain faces that cover no pixel of the window.
+/// ball. The ball contains the face on all layers, no matter how the strands of the face move. The result can
+/// therefore contain faces that cover no pixel of the window.
 std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& window);
 
 }  // namespace pelage::reference

@@ -6,23 +6,24 @@
 namespace pelage::springs {
 
 /// Pointers to the arrays of a system; the struct owns no memory. The loops over these arrays are compiled
-/// with special flags. They use no types of the standard library: with such types, the linker could use
-/// library functions compiled with these flags in the rest of the program.
+/// with special flags. Arrays and loops contain no types of the standard library. With such types, the
+/// compiler would compile functions of the library with these flags, and the linker could take these copies
+/// for the whole program.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
   const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
   /// On shared prisms (adjacent prisms share their sticks): for each edge (a spring between two top masses)
-  /// the indices of its two sticks and its rest length in R. On separable prisms with F triangles only the
-  /// rest lengths are set: rest[c * F + f] belongs to side c of triangle f, and stick c * F + f stands on
-  /// corner c of triangle f.
+  /// the indices of its two sticks and its rest length in R. On separable prisms, `from` and `to` are not
+  /// used. There, with F triangles, stick c * F + f stands on corner c of triangle f, and rest[c * F + f] is
+  /// the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
   T *q[3]{}, *v[3]{};          ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
   T *force[3]{}, *work[12]{};  ///< only on shared prisms: forces, and work arrays of RK4
 };
 
-/// The time steps that one call of a function of Loops computes. moments[2 * i] holds wind, gravity and the
+/// One call of a function of Loops computes these time steps. moments[2 * i] holds wind, gravity and the
 /// object's motion at the start of step i.
 struct Course {
   Solver solver = default_solver;
@@ -31,12 +32,13 @@ struct Course {
   int steps = 0;
 };
 
-/// Functions that run the loops, one per kind of topology. All are compiled with the same compiler flags.
+/// Functions that advance the state by the steps of a Course, one function per kind of topology. All are
+/// compiled with the same compiler flags.
 template <class T>
 struct Loops {
-  void (*sticks)(const Arrays<T>&, const Course&);     ///< all four solvers
-  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms; all solvers but backward Euler
-  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms; all solvers but backward Euler
+  void (*sticks)(const Arrays<T>&, const Course&);     ///< sticks, by any of the four solvers
+  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms, not by backward Euler
+  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms, not by backward Euler
 };
 
 /// Returns the loops compiled with -O3 only. The argument's type selects the number type; its value is

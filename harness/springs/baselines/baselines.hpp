@@ -37,8 +37,8 @@ struct NamedRival {
 
 /// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
 /// factorization takes seconds and gigabytes on large systems, so it is included only for fewer than
-/// `most_direct` sticks. Baselines compiled for the build machine's processor are omitted if this processor
-/// lacks its instructions.
+/// `most_direct` sticks. Some baselines are compiled for the processor of the machine that built pelage. They
+/// are omitted if the processor that runs pelage does not support the same vector instructions.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 

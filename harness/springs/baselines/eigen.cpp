@@ -1,6 +1,6 @@
-// This macro renames the namespace Eigen in this file. The file is compiled with -march=native. Without the
-// new name the linker could use this file's template instances in other files, whose code must run on any
-// processor.
+// This macro renames the namespace Eigen in this file. The file is compiled with -march=native; other files
+// of pelage must run on any processor. Without the new name, the linker could use the template instances of
+// this file in the other files.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 
@@ -202,8 +202,9 @@ class Whole : public Base<T> {
     s.setTolerance(T(0));
   };
 
-  // Lists the 3 x 3 blocks of each block row by ascending column, with the edge of each block (-1 for the
-  // diagonal block). Writes the sparsity pattern to the matrix.
+  // Computes the sparsity pattern. The matrix consists of 3 x 3 blocks; row i of blocks belongs to the top
+  // mass of stick i. For each row of blocks, lists the columns of the blocks in ascending order, and for each
+  // block the edge that it belongs to (-1 for the diagonal block). Then writes the pattern to the matrix.
   void lay_out() {
     for (int e = 0; e < this->edges_; ++e)
       ++first_[this->ends_[2 * e] + 1], ++first_[this->ends_[2 * e + 1] + 1];

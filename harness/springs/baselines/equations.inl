@@ -1,6 +1,7 @@
-// The forces of docs/topology.md for one mass at a time, in the style of a plain program. Files that are
-// compiled with special flags include this file inside an unnamed namespace.
-#define PELAGE_INLINE [[gnu::always_inline]] inline  // a call would prevent vectorization
+// The equations of docs/topology.md in scalar C++. Each function computes one stick or one edge; the compiler
+// may vectorize the loops that call it. Files that are compiled with special flags include this file inside
+// an unnamed namespace.
+#define PELAGE_INLINE [[gnu::always_inline]] inline  // a function call in a loop would prevent its vectorization
 
 template <class T>
 struct V {
@@ -99,8 +100,8 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
           b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
 }
 
-// The terms of one stick in the equations of backward Euler: block * dv = load, where dv is the change of the
-// top mass's velocity.
+// The equation of backward Euler for one stick without edges: block * dv = load. The unknown dv is the change
+// of the top mass's velocity, `block` is a 3 x 3 matrix, and `load` is the right-hand side.
 template <class T>
 struct Row {
   Symmetric<T> block;
@@ -119,10 +120,10 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// The terms of one edge (a spring between two top masses) in the equations of backward Euler. The 3 x 3
-// matrix even * I + along * s s^T is added to the diagonal blocks of both ends and subtracted from the two
-// blocks that couple the ends. `drawn` is h^2 K dv, with the time step h, the edge's stiffness matrix K, and
-// the velocity difference dv of the ends.
+// The terms that one edge adds to the equations of backward Euler. An edge is a spring between two top
+// masses. The 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of both ends and
+// subtracted from the two blocks that couple the ends. `drawn` is h^2 K dv, with the time step h, the edge's
+// stiffness matrix K, and the velocity difference dv of the ends.
 template <class T>
 struct Coupling {
   V<T> s, drawn;

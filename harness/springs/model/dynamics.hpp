@@ -11,11 +11,12 @@
 
 namespace pelage::springs {
 
-/// Wind along `direction`. At time t its speed is speed * (1 + gust * sin(2 pi (frequency * t - x . d /
-/// wavelength))), where d is the normalized direction and x the position of the stick's base at time 0.
+/// The wind blows along `direction`. Let d be the unit vector of `direction`, and let x be the position of a
+/// stick's base at time 0. At time t the wind at this stick has the speed `speed` * (1 + gust * sin(2 pi
+/// (frequency * t - x . d / wavelength))).
 struct Wind {
   glm::vec3 direction{1, 0, 0};  ///< any length except 0
-  float speed = 0;               ///< m/s; the length unit R (bounding sphere's radius) counts as 1 m
+  float speed = 0;               ///< mean speed in m/s; R, the radius of the bounding sphere, counts as 1 m
   float gust = 0;                ///< amplitude as a fraction of `speed`; 0 for steady wind
   float frequency = 1;           ///< Hz
   float wavelength = 1;          ///< R

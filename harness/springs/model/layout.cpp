@@ -110,25 +110,27 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // `columns` is the number of floats per place (a stick or padding), beginning with the floats of the
-  // buffers sites, push, offset and speed. `values` is the number of other 4-byte values, such as the steps
-  // in which masses diverged.
+  // All values have 4 bytes. `columns` is the number of floats per place (a stick or padding). The initial
+  // value counts the buffers sites, push, offset and speed. `values` is the number of all other values. Its
+  // initial value counts the steps in which masses diverged and the rest lengths of separable prisms.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  // Shared prisms: speeds and tips are stored in rows of four floats: 1 more float per speed, and 4 floats
-  // per tip.
+  // Only shared prisms reach this line. They store speeds and tips in rows of four floats. A speed therefore
+  // takes one float more than the three that are already counted. A tip takes four floats.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    // Conjugate gradients on A x = b: x and direction d (8 floats), residual r and A d (6 floats), and the
-    // diagonal blocks of A and their inverses (12 floats).
+    // Conjugate gradients solve A x = b. Per place they store x and the direction d in rows of four floats (8
+    // floats), the residual r and the product A d in three columns each (6 floats), and a diagonal block of A
+    // and its inverse, which are symmetric 3 x 3 matrices (12 floats).
     columns += 8 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
-    columns += 8;  // tips and speeds after the step, 4 floats each
-    if (solver.multistage())
-      columns += 8 + 9;  // tips and speeds of a second stage (8); stage offsets and weighted sums (9)
+    columns += 8;  // tip and speed after the step, 4 floats each
+    // RK4 has a second pair of tip and speed (8 floats). It also stores the offset at a stage and the
+    // weighted sums of the stages' offsets and speeds (9 floats).
+    if (solver.multistage()) columns += 8 + 9;
   }
   return 4 * (columns * layout.places() + values);
 }

@@ -16,9 +16,10 @@
 namespace pelage::springs {
 
 /// Selects the places of the sticks in a topology that is not separable. `points` places one stick on each
-/// surface point, so that the topology is connected across UV seams. `copies` places one stick on each mesh
-/// vertex. A vertex on a UV seam occurs once per side of the seam, so the topology is split along the seams.
-/// Banisch and Wuethrich also count such a vertex once per side. Separable topologies ignore this choice.
+/// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
+/// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so the topology is split
+/// along the seams. Like `copies`, Banisch and Wuethrich count such a point once per side. Separable
+/// topologies ignore this choice.
 enum class Vertices { points, copies };
 
 /// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +

@@ -5,21 +5,22 @@
 namespace pelage::springs {
 
 /// Computes frames of equal duration. Each frame is computed in n equal steps and, from the same state, again
-/// in 2 * n steps. If the two results differ by more than the tolerance, or if one of them diverges, n is
-/// doubled and the frame is repeated. Otherwise the result of 2 * n steps is kept. If the kept result differs
-/// by less than a quarter of the tolerance, the next frame starts with n / 2: halving n doubles the error of
-/// a first-order scheme, which still meets the tolerance. A frame takes three times as long as n steps, plus
-/// transfers of the state to the host and back.
+/// in 2 * n steps. If the difference between the two results is greater than the tolerance, or if one of them
+/// diverges, n is doubled and the frame is repeated. Otherwise the result of 2 * n steps is kept. If the
+/// difference is less than a quarter of the tolerance, the next frame starts with n / 2. Halving n doubles
+/// the error of a first-order scheme, and the doubled error still meets the tolerance. A frame without
+/// repetition takes three times as long as n steps, plus transfers of the state to the host and back.
 class AdaptiveSteps {
  public:
-  /// span: duration of a frame in seconds. steps: initial value of n. tolerance: limit of the 99th percentile
-  /// of the differences of the top masses, as a fraction of the fur's length. most: largest value of 2 * n.
-  /// Throws InputError unless span and tolerance are above 0 and 1 <= steps <= most.
+  /// span: duration of a frame in seconds. steps: value of n for the first frame. tolerance: greatest allowed
+  /// difference between the results of n and of 2 * n steps. The difference is the 99th percentile, over the
+  /// top masses, of the distance between the two computed positions, as a fraction of the fur's length. most:
+  /// largest value of 2 * n. Throws InputError unless span and tolerance are above 0 and 1 <= steps <= most.
   AdaptiveSteps(float span, int steps, float tolerance, int most = 4096);
 
   struct Frame {
     int steps = 0;     ///< number of steps of the kept result
-    double error = 0;  ///< difference from the result of half as many steps, in fur lengths
+    double error = 0;  ///< difference between the results of `steps` and `steps` / 2 steps, in fur lengths
   };
   /// Computes the next frame. `masses` must be at rest (first call) or in the state that the previous call
   /// left. Throws Diverged or InputError if `most` steps do not suffice.

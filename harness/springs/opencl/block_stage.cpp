@@ -15,9 +15,9 @@ std::string frame_kernel(const Solver& solver) {
 }
 
 // Returns the number of slices (16 sticks each) that a work-item computes at a time. An explicit or
-// semi-implicit Euler step of a stick is a short chain of dependent operations, so one slice alone does not
-// keep the vector unit busy and the work-item computes two. The other solvers would need too many registers
-// for two slices.
+// semi-implicit Euler step of a stick is a short chain of dependent operations, so one slice does not keep
+// the vector unit busy. The work-item therefore computes two slices. The other solvers would need too many
+// registers for two slices.
 int corners_of(const Layout& layout, Solver solver, int lanes) {
   const bool brief = !solver.implicit && !solver.multistage();
   return layout.corners == 1 && lanes == 16 && brief ? 2 : layout.corners;

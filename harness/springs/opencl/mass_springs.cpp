@@ -60,8 +60,8 @@ struct MassSprings::State {
     known_to = steps + count;
   }
 
-  // Reads one vector per stick from a buffer on the device. The buffer has three columns, or rows of four
-  // floats if `rows` is set.
+  // Reads one vector per stick from a buffer on the device. If `rows` is set, the buffer stores each vector
+  // in a row of four floats. Otherwise it stores x, y and z in three columns.
   std::vector<glm::vec3> by_stick(const cl::Queue& queue, const cl::Buffer<float>& buffer, bool rows) const {
     const std::vector<float> value = buffer.read(queue);
     std::vector<glm::vec3> values;

@@ -55,8 +55,8 @@ class MassSprings {
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
-  /// Sets the time step of all later steps, in seconds. The number of steps done stays the same; set() can
-  /// change it. Throws InputError if check(dynamics) throws it.
+  /// Sets the time step of all later steps, in seconds. Keeps the count of the steps done; set() can change
+  /// this count. Throws InputError if check(dynamics) throws it.
   void retime(float step);
 
   /// Sets local forces on the top masses, one per stick, in newtons, in the object's frame. An empty vector

@@ -9,8 +9,10 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };           // implicit solver: indices in kernels_
-enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };  // indices of the results that gradients_whole writes
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // implicit solver: indices in kernels_
+// Indices of the results that the kernel gradients_whole writes: the number of all iterations, the greatest
+// number of iterations in a step, and the greatest |r| / |b| after a step. SOLVED is the number of results.
+enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
 
@@ -39,7 +41,8 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Returns one row of four floats per place: the position of the top mass (root + q, in R), and 0.
+// Returns the positions of the top masses. Each place (a stick or padding) has a row of four floats: x, y, z
+// of root + q, in units of R, and 0.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
   std::vector<float> found(4 * layout.places(), 0.0f);
   for (std::size_t place = 0; place < layout.places(); ++place)
@@ -106,8 +109,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
-  // A single Euler step is one launch in any case. It is faster with many work-items, because several cores
-  // then read the host's new data in parallel.
+  // A single Euler step takes one launch, with one work-item or with many. Many work-items are faster,
+  // because several cores then read the data from the host in parallel.
   const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);
@@ -192,7 +195,7 @@ bool PrismStage::converged(const cl::Queue& queue) {
   else
     read(0.0f);
   if (!std::isfinite(rr) || !std::isfinite(bb))
-    return true;  // the masses diverged; gradients_move records this
+    return true;  // the masses diverged; the kernel gradients_move stores the step number in diverged_at
   const bool done = rr <= residual_ * residual_ * bb;
   last_residual_ = bb > 0 ? std::sqrt(rr / bb) : 0;
   return done;

@@ -10,14 +10,16 @@
 
 namespace pelage::springs {
 
-/// Buffers that all solvers share. The float buffers are stored slice by slice in columns (see places.clh).
-/// On shared prisms `speed` is stored in rows of four floats instead.
+/// Buffers that all solvers share. A slice consists of 16 sticks. The float buffers store one slice after
+/// another. In a slice, each component of a value, such as x, has a column of 16 floats (see places.clh). On
+/// shared prisms `speed` has one row of four floats per stick instead.
 struct Buffers {
   /// Wind, gravity and the object's motion at each half step. A launch reads the entries from index
   /// params.first_moment on.
   cl::Buffer<Moment> moments;
   cl::Buffer<float> sites, push, offset, speed;
-  /// For each place (stick or padding), the number of the first step after which its mass was out of bounds.
+  /// One value per place (a stick or padding): the number of the first step after which the stick's top mass
+  /// had diverged (see diverged() in kernels/springs/equations.clh).
   cl::Buffer<std::int32_t> diverged_at;
   cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
 };
@@ -25,9 +27,9 @@ struct Buffers {
 /// Returns the build options that set LANES and TURNING. `turning`: whether the object rotates.
 std::string build_options(int lanes, bool turning);
 
-/// Returns the number of units per work-item. A unit is `lanes` sticks of a slice. A slice has 16 sticks and
-/// therefore 16 / lanes units. `units` is the number of units of the whole model. `wanted` is the desired
-/// number of slices per work-item, or 0 for the device's default.
+/// Returns the number of units per work-item. A unit consists of `lanes` sticks of one slice. A slice has 16
+/// sticks and therefore 16 / lanes units. `units` is the number of units of the whole model. `wanted` is the
+/// desired number of slices per work-item, or 0 for the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
 /// Returns the work-group size: `wanted` if it is above 0, else 64 for one lane (GPU) and 1 for 16 lanes
@@ -100,10 +102,10 @@ class PrismStage {
   cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per place
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
-  // Buffers of conjugate gradients on A x = b, in the order of their declaration: the 3 x 3 diagonal blocks
-  // of A, their inverses, the coupling of each spring, the solution x, the residual r, the direction d, and
-  // the product A d. The last buffer later holds z, the preconditioned residual. x and d have rows of four
-  // floats.
+  // Buffers of conjugate gradients on A x = b. diagonal_: the 3 x 3 diagonal blocks of A. inverse_: their
+  // inverses. coupling_: the coupling of each spring. change_: the solution x. left_: the residual r. way_:
+  // the direction d. along_: the product A d, and later z, the preconditioned residual. change_ and way_ have
+  // rows of four floats.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // results of gradients_whole

@@ -28,8 +28,8 @@ Pose pose(const Motion& m, double t) {
   const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
   const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
   // Rodrigues' formula for the angle a and the axis n: R = cos(a) I + sin(a) [n] + (1 - cos(a)) n n^T, where
-  // [n] is the cross-product matrix of n. The chain rule gives the time derivatives of R from its derivatives
-  // by the angle.
+  // [n] is the cross-product matrix of n. The chain rule gives the derivatives of R with respect to time from
+  // the derivatives of R with respect to the angle.
   const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
   const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
   const double c = std::cos(angle), s = std::sin(angle);
@@ -120,11 +120,13 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// The equations of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v), where M holds the masses,
-// h is the time step, v the velocity, dv its change, and f the force at the new time and the old state. J is
-// the derivative of the force by the positions. It omits the parts that would make the matrix indefinite: the
-// transverse part of compressed springs, and the asymmetric part of B Eq. 5. D, the derivative of the force
-// by the velocities, holds the damping of the springs and the drag.
+// The linear system of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v). M is the matrix of
+// the masses, and h is the time step. v is the velocity before the step, and dv is the change of the
+// velocity. f is the force at the new time, computed from the positions and velocities before the step. D is
+// the derivative of the force with respect to the velocities: the damping of the springs and the drag. J is
+// the derivative of the force with respect to the positions, without the parts that would make the matrix
+// indefinite. These parts are the transverse stiffness of compressed springs, and the asymmetric part of the
+// derivative of B Eq. 5.
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;

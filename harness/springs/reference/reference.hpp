@@ -35,8 +35,9 @@ std::vector<glm::dvec3> forces(const System& system, const State& state, double 
 /// earlier steps.
 State step(const System& system, const State& state, long number);
 
-/// Returns the relative residual |b - A x| / |b| of the equations A x = b of one backward Euler step. x is
-/// `change`: the change of the top masses' velocities (R/s) in the step that follows `number` earlier steps.
+/// Returns the relative residual |b - A x| / |b| of the linear system A x = b of one backward Euler step. The
+/// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the number
+/// of earlier steps.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
 /// Returns the kinetic energy plus the potential energy of the springs, in joules. The sum excludes the

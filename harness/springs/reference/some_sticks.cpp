@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
-// Returns the network of the given sticks (in ascending order) and the springs between them.
+// Returns the part of the network that consists of the given sticks and the springs between these sticks. The
+// numbers in `sticks` are in ascending order.
 springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std::uint32_t>& sticks) {
   SpringNetwork part;
   part.kind = whole.kind;

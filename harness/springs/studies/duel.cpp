@@ -134,7 +134,7 @@ class Duel : public Subject {
 
   // Checks one step of backward Euler if the model is too large for the reference's factorization. Inserts
   // the device's change of the velocities into the reference's equations and computes their residual. Also
-  // checks that the positions follow from the new velocities.
+  // checks that each new position is the old position plus the time step times the new velocity.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
     const Motions& before = setting_.start;

@@ -264,7 +264,7 @@ std::unique_ptr<Subject> make_solver_energy(SubjectContext& context, const Case&
 std::unique_ptr<Subject> make_solver_error(SubjectContext& context, const Case& which) {
   const Scene scene = scene_with_springs(context, which);
   Setting setting = setting_of(context, scene);
-  Scene any = scene;  // cases that differ only in time step and solver have the same exact state
+  Scene any = scene;  // the exact solution does not depend on time step and solver
   any.dynamics.step = 1;
   any.dynamics.substeps = 1;
   any.dynamics.solver = highest_order.name;

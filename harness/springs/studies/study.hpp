@@ -19,7 +19,7 @@ struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
   Motions start;
-  long steps = 0;  ///< number of steps done before the initial state
+  long steps = 0;  ///< number of time steps from rest to `start`
 };
 
 /// These functions make the subjects described in docs/topology.md, section Studies, from the scene of the
@@ -43,8 +43,9 @@ std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting,
 /// seconds.
 Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
-/// Makes a subject that finds the longest time step with which every stick stays shorter than twice its rest
-/// length during two simulated seconds from rest. The metric is "longest_step_ms".
+/// Makes a subject that finds the longest stable time step. A time step is stable if no stick reaches twice
+/// its rest length in two simulated seconds from rest; the lengths are tested every half second. The metric
+/// is "longest_step_ms".
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
 /// Makes a subject that simulates four seconds from rest. It reports the energy of springs and masses at

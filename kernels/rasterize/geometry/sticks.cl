@@ -2,8 +2,9 @@
 // LANES vertices.
 #include "rasterize/geometry/transform.clh"
 
-// stick: for each vertex, the index in `offset` of its stick's q_x. q_y and q_z are 16 and 32 entries later, because
-// sticks are stored in slices of sixteen. level: 1 for the tangential form of B Eq. 4.
+// offset: the vectors q of the sticks (top minus base). The sticks are stored in slices of 16, so q_y is stored 16
+// entries and q_z 32 entries after q_x. stick: for each vertex, the index of q_x of the vertex's stick. level: 1
+// selects B Eq. 4 without its component along the normal, see level_tip().
 __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(float) offset, TABLE(float) vertex,
                          __global float *tip) {
   int block = (int)get_global_id(0);

@@ -3,10 +3,10 @@
 // other mappings with it on every device.
 //
 //   triangles_at reads a triangle's vertices in the layer (coverage/fan.clh).
-//   triangle_hit tests coverage and locates the pixel on the triangle (below, coverage/).
-//   surface_at interpolates the attributes there (shading/one_pixel.clh).
-//   fur_fragment computes clump and fur texture (shading/fragment.clh).
-//   fur_colour computes light (shading/fragment.clh).
+//   triangle_hit tests coverage and locates the pixel on the triangle (this file, coverage/).
+//   surface_at interpolates the attributes at the pixel (shading/one_pixel.clh).
+//   fur_fragment computes the clump and samples the fur texture (shading/fragment.clh).
+//   fur_colour computes the light (shading/fragment.clh).
 //   over_base adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
@@ -70,8 +70,8 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
     Hit h = triangle_hit(&s, of.geometry, base, -1, list[k], origin_x, origin_y, vertices);
     if (!h.covered || h.at.iw <= nearest.at.iw) continue;
-    // `nearest = h` would be wrong on rusticl (Mesa 22.3), which also copies the struct in lanes that took the other
-    // branch.
+    // The members are copied one by one. rusticl (Mesa 22.3) would execute `nearest = h` also in lanes that skip it by
+    // `continue`.
     nearest.covered = true;
     nearest.at.iw = h.at.iw;
     nearest.at.w = h.at.w;

@@ -5,14 +5,15 @@
 // the paper's 'over' operator. A pixel is complete when its transmittance is at most OPAQUE. A tile runs these stages
 // in this order:
 //
-//   draw_layer sets up the triangles of a layer (below, coverage/).
-//   keep and cover_pixels add the triangles to the lists of the blocks that they cover (fragments.clh).
-//   find_next selects the next triangle of each pixel (lists.clh).
-//   points_at locates the pixels on their triangles (points.clh, coverage/perspective.clh).
-//   shade and flush compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
-//   find_hidden finds the depths behind which the base hides fragments, after the base is drawn (hidden.clh).
-//   may_be_seen selects the triangles that may be visible in a layer batch (hidden.clh).
-//   resolve adds the base surface or the background (blocks.clh).
+//   draw_layer() sets up the triangles of a layer (this file, coverage/).
+//   keep() and cover_pixels() add each triangle to the lists of the blocks that the triangle covers (fragments.clh).
+//   find_next() selects the next triangle of each pixel (lists.clh).
+//   points_at() computes the position of each pixel on its triangle (points.clh, coverage/perspective.clh).
+//   shade() and flush() compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
+//   find_hidden() runs after the base is drawn. It computes the bounds of 1/w below which the base hides a fragment
+//   (hidden.clh).
+//   may_be_seen() selects the triangles that may be visible in a layer batch (hidden.clh).
+//   resolve() adds the base surface or the background (blocks.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/cells.clh"
 #include "rasterize/coverage/perspective.clh"
@@ -54,7 +55,8 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
   return covered;
 }
 
-// Draws LANES triangles of which some need clipping, which is rare. It draws them one by one to keep their order.
+// Draws LANES triangles if some of them need clipping (a rare case). It draws the triangles one by one to keep their
+// order.
 static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);
   truth outside = needs_clip(b);
@@ -89,11 +91,11 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
   }
 }
 
-// Draws `entries` triangles of the layer of `pass`. Returns the number of covered fragments.
+// Draws the first `entries` triangles of `from` in the layer pass->n. Returns the number of covered fragments.
 static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
-  real4 next_corners;                    // rows of m.corners of the next LANES triangles, if prefetched
+  real4 next_corners;                    // rows of m.corners of the next LANES triangles; valid if `fetched`
   bool fetched = false;
   for (int done = 0; done < entries; done += LANES) {
     int begin = n < 0 ? done : (entries - 1) / LANES * LANES - done;
@@ -125,7 +127,7 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
       covering ^= 1u << lane;
       if (d->most == ENTRIES) {
         flush(pass, 0, d, tile);
-        d->used = slot + LANES;   // the slots of this batch of triangles stay in use
+        d->used = slot + LANES;   // keeps the slots of the current LANES triangles; some are not drawn yet
       }
       covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
     }

@@ -1,8 +1,8 @@
 // Bins of the workgroup mapping: for each layer batch, a list of the triangles that may touch each tile of TILE_W x
 // TILE_H pixels, in the mesh's order. The first kernel counts the tiles of each triangle. A prefix sum of the counts
-// gives the positions at which the second kernel writes pairs of list and triangle. A stable sort
-// (common/radix_sort.cl) groups the pairs by list. No capacity is fixed in advance, so the number of triangles is not
-// limited.
+// gives the positions at which the second kernel writes pairs (list number, triangle number). A stable sort
+// (common/radix_sort.cl) groups the pairs by list number. No capacity is fixed in advance, so the number of triangles
+// is not limited.
 #include "rasterize/geometry/boxes.clh"
 
 typedef struct { int left, top, right, bottom; } Span;
@@ -23,8 +23,11 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
 
-// Writes pairs of a list number and a triangle number. start: prefix sums of the counts. key: the list number of each
-// pair, g * tiles + tile for layer batch g. triangle: the triangle number of each pair.
+// Writes a pair (list number, triangle number) for each tile of each triangle in each layer batch. The list number is
+// g * tiles + tile for layer batch g.
+//   start     prefix sums of the results of group_count
+//   key       receives the list number of each pair
+//   triangle  receives the triangle number of each pair
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,
                          __global int *triangle) {
   int i = (int)get_global_id(0);
@@ -38,8 +41,8 @@ __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box,
     }
 }
 
-// Finds the start of each list in `count` sorted keys. list_start has one more entry, which is the end of the last
-// list.
+// Finds the first pair of each list. key: the list numbers of the `count` sorted pairs. list_start receives one entry
+// per list, and after them one more entry, which is the end of the last list.
 __kernel void group_starts(RasterParams s, int count, TABLE(int) key, __global int *list_start) {
   int i = (int)get_global_id(0);
   if (i > count) return;

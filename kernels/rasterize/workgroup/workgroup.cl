@@ -5,12 +5,12 @@
 // with front-to-back compositing. Layers write no depth, so the 'under' operator in reverse order gives the same result
 // as the paper's 'over' operator.
 //
-//   put_triangle sets up one triangle and the mask of its pixels (batch.clh, coverage/).
-//   draw_clipped draws a triangle that needs clipping (below, coverage/fan.clh).
-//   perspective_in locates the pixel on the triangle (batch.clh, coverage/perspective.clh).
-//   draw keeps the nearest triangle of the base, or shades and blends a layer (below).
-//   blend_under computes clump, fur texture and light of a fragment, and blends it (shading/one_pixel.clh).
-//   over_base adds the base surface or the background (shading/one_pixel.clh).
+//   put_triangle() sets up one triangle and the mask of its pixels (batch.clh, coverage/).
+//   draw_clipped() draws a triangle that needs clipping (this file, coverage/fan.clh).
+//   perspective_in() computes the position of a pixel on a triangle (batch.clh, coverage/perspective.clh).
+//   draw() keeps the nearest triangle of the base, or shades and blends a fragment of a layer (this file).
+//   blend_under() computes clump, fur texture and light of a fragment, and blends the fragment (shading/one_pixel.clh).
+//   over_base() adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
 #include "rasterize/shading/one_pixel.clh"
@@ -52,12 +52,12 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective
 #endif
 }
 
-// Clips the triangle in `slot`, and draws the fan of triangles of the remaining polygon. One work-item clips, a few
-// work-items set up one triangle of the fan each, and all work-items draw. All work-items of the group must call this
-// function together.
+// Clips the triangle in `slot`, and draws the fan of triangles into which the remaining polygon is divided. One
+// work-item clips the triangle. Each of a few work-items sets up one triangle of the fan. All work-items draw the fan.
+// All work-items of the group must call this function together.
 INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot, int item, int origin_x, int origin_y,
                          int width, int height, Pixel *p) {
-  barrier(CLK_LOCAL_MEM_FENCE);              // waits until the previous fan has been drawn
+  barrier(CLK_LOCAL_MEM_FENCE);              // waits until the previous clipped triangle has been drawn
   if (item == 0) {
     Cut polygon[POLYGON];
     int corners = clipped_triangle(pass->s, m, pass->layer, w->drawn.v0[slot], w->drawn.v1[slot], w->drawn.v2[slot], polygon);
@@ -132,7 +132,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
         mine |= (work.drawn.covered[slot] >> item & 1) << slot;
       }
       if (n >= 0) p.fragments += (uint)popcount(mine);
-      // The triangles that come before a triangle that needs clipping must be drawn before it.
+      // Keeps the drawing order: each round draws the triangles before the next clipped triangle, then this triangle.
       for (;;) {
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {

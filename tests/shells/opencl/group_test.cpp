@@ -38,8 +38,8 @@ TEST(Group, CountsTheFragmentsThatTheOthersCount) {
 }
 
 TEST(Group, CoversThePixelsThatTilesCover) {
-  // A fan of thin triangles around one point. Some corners are beyond the guard band. With the second row_w,
-  // some triangles also cross the near plane.
+  // A fan of thin triangles around one point. Some corners are beyond the guard band. The second value of
+  // row_w makes w depend on y, so some triangles also cross the near plane.
   for (const glm::vec4 row_w : {glm::vec4(0, 0, -.5f, 1), glm::vec4(0, .001f, -.5f, 1)}) {
     Flat flat{{{3, -7}}, {}, 131, 77, row_w};
     constexpr std::uint32_t spokes = 40;

@@ -11,8 +11,8 @@
 namespace pelage {
 namespace {
 
-/// Returns the parameters of a scene whose shading keys differ from 0, so that a key that a model ignores is
-/// visible as 0.
+/// Returns the parameters of a scene whose shading keys are not 0. If `specular`, `wrap` or `darkening` is 0
+/// in the result, the model ignores the key of this name.
 RasterParams params_of(const std::string& model) {
   Scene scene = synthetic::lively_scene();
   scene.shading.model = model;
@@ -56,7 +56,7 @@ TEST(RasterParameters, OfLambertsModelHaveNoHighlightNoWrapAndNoDarkening) {
   EXPECT_EQ(p.occlusion, .7f) << "the self-shadow of the paper stays";
 }
 
-// A new model needs a test of its own in this file.
+// Fails if a model of shading is added. The parameters of the new model then need their own test above.
 TEST(RasterParameters, OfEveryModelAreTested) {
   EXPECT_EQ(shading_models().size(), 3u);
 }

@@ -58,8 +58,9 @@ TEST_P(Passes, ArePartsOfOnePicture) {
   const auto input = wet_frame();
   const Drawn whole = drawn(input, GetParam(), layers);
   EXPECT_GT(whole.tally.blended, 1000u);
-  // 7 layers per pass are rounded down to 4, the size of a layer batch. With 3, a pass is smaller than a
-  // layer batch, and the last pass has one layer. With 1, every pass has one layer.
+  // The 16 layers are drawn with at most 7, 3 or 1 layers per pass. pelage rounds 7 down to 4, the size of a
+  // layer batch. With 3 layers per pass, a pass is smaller than a layer batch, and the sixth pass has only
+  // one layer.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
     const Drawn parts = drawn(input, GetParam(), at_once);

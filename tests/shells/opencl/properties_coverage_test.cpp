@@ -27,8 +27,8 @@ struct Mapping {
   ShellOptions options;
   int pictures;    ///< number of pictures of random triangles
   int triangles;   ///< triangles per picture; a million in total for the default mapping
-  int repeats;     ///< number of random versions of each mesh with shared edges
-  int coarser;     ///< factor on the grid cell size of the meshes with shared edges
+  int repeats;     ///< number of random meshes of each kind in the test of shared edges
+  int coarser;     ///< divisor of the numbers of grid columns and rows in the tests of shared edges
   int spokes;      ///< number of triangles in each star
   double samples;  ///< least number of pixel centres next to shared edges that the meshes must have
 };
@@ -57,15 +57,15 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
     case 0:
     case 1:
       return {near(3000), near(3000), near(3000)};
-    case 2:  // corners and edges through pixel centres
+    case 2:  // coordinates are multiples of 1/2 pixel; corners and edges may be on pixel centres
       return {aligned(near(2500)), aligned(near(2500)), aligned(near(2500))};
     case 3:  // smaller than a pixel
       return {near(200), near(200), near(200)};
-    case 4: {  // a sliver that is a few 1/256 pixel wide
+    case 4: {  // a sliver whose width is a few times 1/256 pixel
       const Snapped a = near(20000), b = near(20000);
       return {a, b, Snapped{(a.x + b.x) / 2 + within(3), (a.y + b.y) / 2 + within(3)}};
     }
-    case 5: {  // vertical and horizontal edges through pixel centres
+    case 5: {  // vertical and horizontal edges, which may pass through pixel centres
       const Snapped a = aligned(near(2500)), b = aligned(near(2500));
       return {a, Snapped{b.x, a.y}, Snapped{a.x, b.y}};
     }
@@ -168,16 +168,17 @@ Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   return flat;
 }
 
-/// Returns the number of pixel centres next to shared edges. In each row or column that an edge crosses, it
-/// counts one centre on either side of the edge. Only the part of an edge inside the picture counts.
+/// Returns the number of pixel centres next to shared edges, inside the picture. In each row or column that
+/// an edge crosses, one centre on each side of the edge counts.
 double samples(const Flat& flat) {
   double sum = 0;
   for (const glm::uvec3& t : flat.triangle)
     for (int c = 0; c < 3; ++c) {
       const auto inside = [](double x) { return std::clamp(x, -.5 * size, .5 * size); };
       const glm::vec2 a = flat.vertex[t[c]], b = flat.vertex[t[(c + 1) % 3]];
-      // Each of the two triangles at an edge adds the number of rows or columns that the edge crosses. The
-      // sum therefore counts the centres on both sides of the edge.
+      // The loop visits a shared edge twice, once for each of its two triangles. Each visit adds the number
+      // of rows or columns that the edge crosses, whichever is larger. The sum therefore counts one centre on
+      // each side of the edge.
       sum += std::max(std::abs(inside(a.x) - inside(b.x)), std::abs(inside(a.y) - inside(b.y)));
     }
   return sum;
@@ -245,9 +246,9 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
 }
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
-  // On the counted layer, w = 1/2 + y / 2000, where y is the vertex coordinate. The part of the layer with y
-  // < -1000 is behind the eye. The horizon of the layer's plane is 1000 pixels below the image centre,
-  // outside the picture, so the layer fills the picture.
+  // A vertex (x, y) of `flat` has the view depth w = 1/2 + y / 2000 on the counted layer (the layer with
+  // fur). The part of the layer with y < -1000 has w < 0, so it is behind the eye. The horizon of the layer's
+  // plane is 1000 pixels below the image centre, outside the picture, so the layer fills the picture.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
   const int n = 80 / GetParam().coarser;

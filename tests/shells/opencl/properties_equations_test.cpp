@@ -119,7 +119,7 @@ TEST(Equations, Equation3HoldsUnderRandomForces) {
       input.scene.dynamics.gravity = 300.0 * any.vector();
       strand = stepped(input, strand, i);
       ASSERT_LE(glm::length(glm_of(strand.tip)),
-                length * (1 + 1e-7));  // the kernel squares the length in float
+                length * (1 + 1e-7));  // the kernel rounds the squared strand length to a float
       ASSERT_GE(glm::dot(glm_of(strand.tip), n),
                 -1e-7 * length);  // the length of n is 1 up to float rounding
     }
@@ -283,12 +283,18 @@ TEST(Equations, ColoursAreTheReferences) {
 
 TEST(Equations, AlongAndAcrossTheLight) {
   const real3 x = shim::vec3(1, 0, 0), y = shim::vec3(0, 1, 0), z = shim::vec3(0, 0, 1);
-  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(z, z)), 0);    // light along the strand: no diffuse light
-  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);    // light across the strand: full light
-  EXPECT_EQ(strand_specular(x, z, y, 8), 1);                     // strand across light and view: highlight 1
-  EXPECT_EQ(strand_specular(x, z, x, 8), 0);                     // view along the strand: highlight 0
-  EXPECT_EQ(strand_specular(z, z, z, 8), 1);                     // strand along light and view: highlight 1
-  EXPECT_EQ(strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);  // a negative base is clamped to 0
+  // The light is parallel to the strand, so the diffuse light is 0.
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(z, z)), 0);
+  // The light is perpendicular to the strand, so the diffuse light is 1.
+  EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);
+  // The light and the view direction are both perpendicular to the strand, so the highlight is 1.
+  EXPECT_EQ(strand_specular(x, z, y, 8), 1);
+  // The light is perpendicular to the strand and the view direction is parallel to it, so the highlight is 0.
+  EXPECT_EQ(strand_specular(x, z, x, 8), 0);
+  // The light and the view direction are both parallel to the strand, so the highlight is 1.
+  EXPECT_EQ(strand_specular(z, z, z, 8), 1);
+  // The base of the power is -1 here. The kernel clamps a negative base to 0.
+  EXPECT_EQ(strand_specular(z, z, shim::vec3(0, 0, -1), 8), 0);
   const auto tilted = shim::vec3(0.6, 0, 0.8), between = shim::vec3(0, 0.6, 0.8);
   for (const int p : {1, 2, 3, 7, 24, 255, 1024}) {
     const auto two = shim::powers_whole(

@@ -88,7 +88,8 @@ TEST(KernelStrands, LoadMovesTheRestPositionAsTheBallAllows) {
 
 TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
   // The anchor is .09 R above the root, and gravity pulls the tip towards the skin. The tip swings between
-  // .09 R and .05 R above the root. It never reaches the ball of radius .1 R to which S Eq. 3 limits it.
+  // .09 R and .05 R above the root. S Eq. 3 keeps the tip inside a ball of radius .1 R, but the tip never
+  // reaches the surface of this ball.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -111,8 +112,8 @@ TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
 }
 
 TEST(KernelStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
-  // The strand starts at its anchor, which is tilted by .3 rad from the normal. Gravity balances the spring's
-  // force in the upright position p0, so the strand swings about p0.
+  // The strand starts at its anchor, which is tilted by .3 rad from the normal. In the upright position p0,
+  // the sum of gravity and the spring's force is 0, so the strand swings about p0.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -226,7 +227,9 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
       if (count == 400 && size > 1) {
         EXPECT_GT(wet, mask.size() / 2);
       }
-      if (count == 400 && size == 64) {  // the reference's mask must depend on the order of the droplets
+      // The test can detect a wrong order of the droplets only if the mask depends on this order. The next
+      // lines check this for one case.
+      if (count == 400 && size == 64) {
         const reference::Mask reversed = reference::wetness_mask(input, reference::Mutant::droplets_reversed);
         std::size_t different = 0;
         for (std::size_t i = 0; i < mask.size(); ++i)
@@ -254,8 +257,8 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
   // overwrites the texel with the second droplet.
   expect(texel(input), {.6, .55, .2, .7});
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
-  // In the other order, the small droplet's centre is inside the large droplet's disc of radius .35. In this
-  // case Algorithm 1 blends the two droplets, with alpha = .4.
+  // The small droplet now precedes the large droplet. The centre of the small droplet is inside the large
+  // droplet's disc of radius .35. In this case Algorithm 1 blends the two droplets, with alpha = .4.
   expect(texel(input), {.48, .55, .26, 1});
 }
 

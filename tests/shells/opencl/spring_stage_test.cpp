@@ -13,7 +13,8 @@
 namespace pelage {
 namespace {
 
-/// The stages of a frame of sticks in the wind, after one frame of motion.
+/// The stages of the pipeline for fur on sticks (a mass-spring topology) in the wind. The spring stage has
+/// simulated one frame.
 struct Stages {
   FrameInput input;
   cl::Queue queue{pictures::device()};
@@ -72,8 +73,8 @@ TEST(SpringStageTips, AreWhatTheRasterStageReads) {
   const std::vector<float> values = tips.read(stages.queue);
   const Picture drawn = stages.drawn_with(tips);
   const std::uint64_t count = stages.raster.count(stages.queue);
-  // Equal tips in another buffer give the same picture; tips of length 0 give another picture, and the counts
-  // follow the buffer of the last frame.
+  // A buffer with equal tips gives the same picture and the same number of fragments. A buffer in which all
+  // tips are 0 gives another picture and another number of fragments.
   const cl::Buffer<float> copy(stages.queue, std::span<const float>(values));
   EXPECT_TRUE(stages.drawn_with(copy).pixel == drawn.pixel);
   EXPECT_EQ(stages.raster.count(stages.queue), count);

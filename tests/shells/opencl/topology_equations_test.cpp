@@ -163,7 +163,7 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
     return found;
   };
   // Finds the face that the ray meets first. The ray runs in the direction -x on the line y = 0.1, z = 0.05.
-  // Among the faces that this line crosses, the ray meets the one with the greatest x first.
+  // It first meets the face that crosses this line at the greatest x.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {

@@ -1,4 +1,4 @@
-// Tests the OpenGL baseline apart from its pictures: options, contexts and errors.
+// Tests the options, contexts and errors of the OpenGL baseline. picture_test.cpp tests its pictures.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

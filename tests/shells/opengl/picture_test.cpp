@@ -85,7 +85,8 @@ TEST(OpenGlPicture, OtherReadings) {
 }
 
 TEST(OpenGlPicture, PlainShells) {
-  // This scene has no curls and no clumps, so the shaders are compiled without their equations.
+  // This scene has no curls and no clumps, so the shaders are compiled without the equations of curls
+  // and clumps.
   FrameInput input = *small_frame("curling");
   input.scene.curl.radius = 0;
   input.droplets.clear();
@@ -105,8 +106,9 @@ TEST(OpenGlPicture, AnyPictureSize) {
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
-  // picture. OpenGL drivers do not clip at the planes of docs/frame.md, so the rounded corners of clipped
-  // triangles are different.
+  // picture. OpenGL drivers clip triangles at other planes than docs/frame.md. The corners of a clipped
+  // triangle therefore differ between the baseline and the reference, and so do their coordinates after the
+  // rounding to 1/256 pixel.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};

@@ -16,7 +16,7 @@ namespace {
 struct Look {
   const char* name;
   std::vector<const char*> with_16;        ///< settings that the scene file recommends for 16 layers
-  std::vector<const char*> with_substeps;  ///< further settings for 16 layers with four sub-steps
+  std::vector<const char*> with_substeps;  ///< additional settings for 16 layers with four sub-steps
 };
 
 void PrintTo(const Look& look, std::ostream* out) {

@@ -135,7 +135,8 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
     glm::dvec3 sum(0);
     for (int n = 0; n < 16; ++n) {
       sum += chord(input, {a, b}, n);
-      // For b = a, the derivative of the curve is 0 at the tip. The chord must not be 0.
+      // If b = a (a strand at rest), the derivative of the Bezier curve is 0 at the tip. The chord must not
+      // be 0.
       EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);
     }
     EXPECT_LT(distance(sum, b), 1e-15);

@@ -146,9 +146,12 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
   EXPECT_NEAR(relative.d.y, .5 * .03, 1e-7);
   EXPECT_NEAR(relative.delta_d.x, .06 / 16, 1e-7);
   EXPECT_FALSE(relative.discarded);
-  input.scene.clump.scale = "literal";  // the clump's radius replaces the gain as factor
+  // With "literal", the factor of the displacement is the clump's radius .2 instead of clump.gain.
+  input.scene.clump.scale = "literal";
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
-  input.scene.clump.shape = 1;  // with shape 1, d is 0 on the first layer and below it
+  // With shape 1, the displacement d is 0 on the first layer. delta_d, its difference from the base surface,
+  // is then also 0.
+  input.scene.clump.shape = 1;
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
   input.scene.clump.shape = .5f;
   const Displacement first = clump_displacement(input, mask, {.56, .53}, 0);
@@ -176,7 +179,9 @@ TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
   FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
   input.scene.clump = {0, 2, "relative", "separate"};
   const Mask mask = wetness_mask(input);
-  const glm::dvec2 p(.45, .5);  // on the outermost layer, p + d = (.5, .5) is in the other clump
+  // On the outermost layer, the first clump displaces p by d = (.05, 0) to (.5, .5), a point of the second
+  // clump.
+  const glm::dvec2 p(.45, .5);
   EXPECT_TRUE(clump_displacement(input, mask, p, 15).discarded);
   input.scene.clump.cells = "literal";
   EXPECT_FALSE(clump_displacement(input, mask, p, 15).discarded);

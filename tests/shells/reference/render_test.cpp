@@ -164,8 +164,9 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
   const Scene scene = skimming_scene();
   const Picture large = render(synthetic::frame(scene, synthetic::square(6), 1, 1, 0), {});
   const Picture pieces = render(synthetic::frame(scene, synthetic::square(6), 40, 40, 0), {});
-  // The pictures are not equal bit for bit, because snapping moves the corners of the pieces by up to 1/512
-  // pixel and so changes the barycentrics.
+  // `large` draws the square as 2 triangles, `pieces` as 3200 triangles. The pictures are not equal bit for
+  // bit: snapping moves the corners of the small triangles by up to 1/512 pixel and so changes the
+  // barycentric coordinates.
   const Agreement agreement = compare(large, pieces);
   EXPECT_GT(agreement.pixels, 8000u);
   EXPECT_GT(agreement.psnr, 45) << agreement.worst << " at " << agreement.worst_x << ' ' << agreement.worst_y;
@@ -189,9 +190,9 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
     for (auto& texel : level) texel = {255, 85};
   input.coat = {1, {{204, 102, 51, 255}}};
   const Picture picture = render(input, {});
-  // In S Eq. 6, |T x L| = 3/5. In the middle of the picture, the view direction E differs from -z by at most
-  // 1/600. The base of the highlight's power, (T.L)(T.E) + |T x L||T x E|, is therefore negative, and there
-  // is no highlight.
+  // In S Eq. 6, T.L = 4/5 and |T x L| = 3/5. In the middle of the picture, the view direction E differs from
+  // -z by at most 1/600, so T.E is nearly -1 and |T x E| is nearly 0. The highlight is a power of (T.L)(T.E)
+  // + |T x L||T x E|. This sum is negative, so there is no highlight.
   const glm::vec4 middle = picture.at(80, 50);
   EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);

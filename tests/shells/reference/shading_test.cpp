@@ -164,8 +164,8 @@ TEST(ReferenceSkin, IsTheWetModelsDiffuseTermAtTheRoot) {
 TEST(ReferenceTwoSided, LightReachesTheSideThatFacesTheEye) {
   ShadingScene one = bare(), two = bare();
   two.sides = "two";
-  // The view direction points from the eye to the surface. The normal z faces away from the eye if the z
-  // component of the view direction is positive.
+  // The surface normal is the z axis. The view direction points from the eye to the surface. If its z
+  // component is positive, the normal points away from the eye.
   for (const double tilt : {.1, .8, 1.5}) {
     const glm::dvec3 away(std::cos(tilt), 0, std::sin(tilt)), towards(std::cos(tilt), 0, -std::sin(tilt));
     expect_colour(lit_normal(one, z, away), z);

@@ -174,7 +174,8 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
     }
   }
   EXPECT_LE(highest, 1 + 1e-12);
-  EXPECT_GE(lowest, -1e-7);       // n is a float vector, and its length is 1 within 6e-8
+  // The limit is below 0, because n is a float vector, and its length differs from 1 by up to 6e-8.
+  EXPECT_GE(lowest, -1e-7);
   EXPECT_GT(highest, 1 - 1e-12);  // tips reach both bounds
   EXPECT_LT(lowest, 1e-7);
 }

@@ -41,8 +41,9 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
     const glm::dvec3 shift = root_shift(step, normal, eye);
     EXPECT_NEAR(glm::dot(shift, normal), 0, 1e-14);
     // The view ray meets one strand at the fragment and a second strand on the layer below. The root of the
-    // second strand is at `shift` relative to the root of the first. On the layer below, the second strand
-    // passes through the point shift - step relative to the fragment. This point must be on the view ray.
+    // second strand is at `shift` relative to the root of the first. `step` is the vector along a strand from
+    // the layer below to the fragment's layer. The second strand therefore meets the layer below at `shift -
+    // step`, relative to the fragment. This point must be on the view ray.
     EXPECT_LT(glm::length(glm::cross(shift - step, eye)), 1e-14);
   }
   EXPECT_GT(steep, 1000);
@@ -50,7 +51,7 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
 
 TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
   Numbers random;
-  // The shift must be the same for the opposite ray direction.
+  // root_shift() must return the same vector for a ray direction and its opposite.
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
     EXPECT_LT(glm::length(root_shift(step, normal, eye) - root_shift(step, normal, -eye)), 1e-14);
@@ -81,8 +82,8 @@ TEST(ReferenceSubsteps, GrazingRaysStayWithinFourSteps) {
     EXPECT_LE(std::abs(shift.x), 4) << z;
     EXPECT_LT(std::abs(shift.x + (z < 0 ? -4 : 4) * eye.x), 1e-14) << z;
   }
-  // root_shift() limits the dot product of view direction and normal to magnitudes of at least .25. The shift
-  // must be continuous at this limit.
+  // If the dot product of view direction and normal is between -.25 and .25, root_shift() uses -.25 or .25
+  // instead. The shift must be continuous at these two values.
   const auto tilted = [](double z) { return glm::dvec3(std::sqrt(1 - z * z), 0, z); };
   EXPECT_LT(glm::length(root_shift(up, up, tilted(-.2499999)) - root_shift(up, up, tilted(-.2500001))), 1e-5);
 }

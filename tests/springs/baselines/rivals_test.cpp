@@ -32,8 +32,8 @@ double largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm
   return worst;
 }
 
-// Tests objects at rest and rotating objects, with meshes of 4, 16 and 320 triangles. 320 triangles are more
-// than the 256 triangles or sticks of one tile of the serial loops.
+// Tests objects at rest and rotating objects, with meshes of 4, 16 and 320 triangles. The serial baselines
+// process blocks of 256 triangles or sticks; a mesh of 320 triangles needs more than one block.
 TEST_P(Rivals, AreTheReferenceAfterASecondOfWind) {
   for (const bool turning : {false, true})
     for (const Mesh& mesh : {square(1), square(2), sphere(2)}) {

@@ -102,8 +102,7 @@ TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
   const Mesh mesh = cut_in_two(sphere(1));
   const SpringNetwork points = build(Kind::prisms, mesh, length, Vertices::points),
                       copies = build(Kind::prisms, mesh, length, Vertices::copies);
-  // Returns the number of top masses that springs connect, directly or indirectly, with the first spring's
-  // top mass.
+  // Returns the number of top masses that can be reached from the first spring along springs.
   const auto reached = [](const SpringNetwork& topology) {
     std::set<std::uint32_t> seen{topology.edges()[0].x};
     for (std::size_t before = 0; before != seen.size();) {
@@ -124,8 +123,8 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_EQ(apart.least, 3);
   EXPECT_EQ(apart.most, 3);
   const Degrees whole = degrees(build(Kind::prisms, mesh, length));
-  EXPECT_EQ(whole.least, 1 + 3);  // corner of the square: its stick, two sides and a diagonal
-  EXPECT_EQ(whole.most, 1 + 8);   // centre of the square: its stick, four sides and four diagonals
+  EXPECT_EQ(whole.least, 1 + 3);  // a corner's mass has its stick, two sides and a diagonal
+  EXPECT_EQ(whole.most, 1 + 8);   // the centre's mass has its stick, four sides and four diagonals
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 

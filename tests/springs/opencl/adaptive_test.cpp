@@ -73,8 +73,8 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
   EXPECT_EQ(last(still(Solver::explicit_euler)), 2);
 }
 
-// The tolerance applies to 99 of 100 top masses. If 5 of 162 move, the number of steps grows. If only one of
-// 162 moves, the number does not grow.
+// At least 99% of the top masses must meet the error tolerance. If 5 of the 162 top masses move (3%), the
+// number of steps grows. If only one of them moves (0.6%), the number does not grow.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
   const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);

@@ -54,7 +54,8 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
         return same_bits(once, after(topology, d, 120, options, {}, launch));
       };
       EXPECT_TRUE(same({}, 7)) << name(kind) << ' ' << name(solver) << ", launches of 7 steps";
-      // By default a single work-item computes a model of this size.
+      // On a CPU a single work-item computes such a small model by default. `never` distributes the model
+      // over several work-items.
       const auto never = MassSpringOptions::Whole::never;
       if (kind == Kind::prisms && solver == Solver::backward_euler)
         once = after(topology, d, 120, {.whole = never});
@@ -155,8 +156,8 @@ TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
   EXPECT_THROW(springs.set(queue(), none, none, -1), InputError);
 }
 
-// Drivers compile a kernel anew for each work-group size, which takes seconds. The test is therefore limited
-// to two schemes.
+// Drivers compile a kernel anew for each work-group size, which takes seconds. The test therefore uses only
+// two pairs of a topology and a solver.
 TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
   const Mesh mesh = sphere(2);
   for (const auto& [kind, solver] : {std::pair(Kind::separable_prisms, Solver::backward_euler),
@@ -266,8 +267,8 @@ TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)
     for (const Solver solver : solvers)
-      // In floats, a force of 1e30 N overflows sums over the masses. A force of 3e38 N also overflows the
-      // equations of a single top mass.
+      // If the sums over all masses are floats, a force of 1e30 N makes these sums overflow. A force of 3e38
+      // N also makes the equations of a single top mass overflow.
       for (const float force : {1e30f, 3e38f})
         for (const Whole whole : {Whole::never, Whole::always}) {
           const SpringNetwork topology = build(kind, sphere(1), fur_length);

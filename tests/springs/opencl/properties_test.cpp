@@ -1,5 +1,5 @@
-// Tests properties that do not need the reference's motion: orders of convergence, rest, energy, and the
-// effect of the return force (B Eq. 5).
+// Tests without a comparison with the reference's motion: orders of convergence, fur that stays at rest,
+// energy, and the effect of the return force (B Eq. 5).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,8 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   const auto rest = reference::offsets(topology, reference::rest(topology));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
-    d.step = lively(solver).step;  // steps of 1/240 s would amplify rounding errors in explicit Euler
+    // Explicit Euler needs a shorter step than still() has: steps of 1/240 s would amplify rounding errors.
+    d.step = lively(solver).step;
     Shim shim(topology, d);
     shim.advance(500);
     MassSprings device(queue(), topology, d);
@@ -156,15 +157,17 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  peaks.erase(peaks.begin() + 1);  // 0: no lean is recorded before its first sign change
+  // The loop records no angle before the angle's first change of sign, so peaks[1] is 0.
+  peaks.erase(peaks.begin() + 1);
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
 }
 
-// B says: "Grass does therefore not flip to the wrong side". In this test the force that pulls the fur
-// through the skin is smaller than the weight w of B Eq. 5, so no top mass sinks below the plane of its root.
-// Without the return force of B Eq. 5 the top masses hang down.
+// B says: "Grass does therefore not flip to the wrong side". In this test gravity pulls the fur through the
+// skin. The force of gravity on a top mass (0.01 N) is smaller than the weight w = 0.2 N of B Eq. 5.
+// Therefore no top mass sinks below the plane of its root. Without the return force of B Eq. 5 the top masses
+// hang down.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {

@@ -15,8 +15,9 @@ struct Memory {
   std::vector<double> sites, push, sides, rest;  ///< the float arrays of the layout, converted to double
   std::vector<double> offset, speed;  ///< stored in columns; on shared prisms speed is stored in rows of four
   std::vector<int> diverged_at, first;
-  /// Only on shared prisms, in rows of four: the position of the top mass (root + q), and the change of its
-  /// velocity in the previous step.
+  /// Only shared prisms use these arrays. Each array has one row of four values per stick. `tip` has the
+  /// position of the top mass (root + q). `change` has the change of the top mass's velocity in the previous
+  /// step.
   std::vector<double> tip, change;
 };
 

@@ -57,8 +57,8 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
     EXPECT_GT(largest_difference(reference::offsets(topology, reference::rest(topology)), offsets), 0.01)
         << "something moved";
 
-    // Shared prisms (adjacent prisms share their sticks) have one set of kernels for many work-items, and
-    // another for a single work-item.
+    // For shared prisms (adjacent prisms share their sticks) there are two sets of kernels: one for many
+    // work-items and one for a single work-item. Both sets are tested.
     std::vector<Whole> mappings{Whole::never};
     if (GetParam().kind == Kind::prisms) mappings.push_back(Whole::always);
     for (const Whole whole : mappings) {
@@ -152,8 +152,8 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
       EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, asked, whole), 1.05 * double(asked));
     EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
     // A residual of 1e-7 cannot be reached, because the positions of the top masses are floats with an error
-    // of 6e-8 R. The spring forces at rest, and therefore b, have an error of the stiffness times this error
-    // of the positions.
+    // of 6e-8 R. The spring forces at rest therefore have an error: the stiffness times the error of the
+    // positions. The vector b has the same error, multiplied by the time step.
     EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
   }
 }

@@ -27,8 +27,8 @@ std::string opengl_renderer() {
 std::string shader_hash() {
   refuse();
 }
-// The signature must match the class. The class takes `input` by value, because its real constructor stores
-// it.
+// This constructor must have the signature that the class declares. The class declares `input` as a value,
+// because the constructor of the real baseline stores it.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&, const OpenGlOptions&) {
   refuse();
