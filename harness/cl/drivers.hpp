@@ -27,9 +27,10 @@ void pin_threads();
 /// Calls pin_threads() and registers NVIDIA's driver. Containers receive this driver without the file in
 /// /etc/OpenCL/vendors that names its library. If one of the driver's folders contains the library, this
 /// function adds the library to the loader's existing entries. The function must run before the first OpenCL
-/// call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS (separated by colons) and
-/// $LD_LIBRARY_PATH, and the folders that distributions and containers use for the driver. If OCL_ICD_VENDORS
-/// is set, the function does not change the loader's entries.
+/// call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS, which are
+/// separated by colons. If this variable is not set, it searches the folders in $LD_LIBRARY_PATH and the
+/// folders that distributions and containers use for the driver. If OCL_ICD_VENDORS is set, the function does
+/// not change the loader's entries.
 void announce_drivers();
 
 }  // namespace pelage::cl

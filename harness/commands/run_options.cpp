@@ -87,7 +87,7 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
       ->type_name("NAME|FILE");
   command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
-  command.add_option("--axis", options.axis, "Values that replace the experiment's values of an axis")
+  command.add_option("--axis", options.axis, "Use these values of an axis instead of the experiment's values")
       ->type_name("key=a,b")
       ->take_all();
   command

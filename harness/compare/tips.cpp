@@ -12,7 +12,7 @@ namespace pelage {
 TipErrors tip_errors(double length, const std::vector<glm::vec3>& ours,
                      const std::vector<glm::vec3>& reference) {
   if (ours.size() != reference.size() || ours.empty())
-    throw std::invalid_argument("tip_errors: the lists of tips have different sizes or are empty");
+    throw std::invalid_argument("tip_errors(): the two lists of tips have different sizes or are empty");
   std::vector<double> errors(ours.size());
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double error = glm::length(glm::dvec3(ours[i]) - glm::dvec3(reference[i]));

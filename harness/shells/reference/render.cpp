@@ -254,7 +254,7 @@ void check(const FrameInput& input, const Options& options) {
         "the input needs one strand per triangle");
   const bool sticks = has_springs(input.scene.dynamics);
   check(!sticks || input.stick_normal.size() == points,
-        "a mass-spring topology needs one stick normal per surface point");
+        "a mass-spring topology needs one normal per surface point");
   check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
         "a topology needs one stick per surface point, or one per triangle corner if it is separable");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
