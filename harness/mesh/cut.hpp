@@ -6,11 +6,11 @@
 
 namespace pelage {
 
-/// A surface that is cut open into one topological disk. A surface point on the cut has several copies, and
-/// every corner of a triangle refers to one copy.
+/// A surface that is cut open into one topological disk. A surface point on the cut becomes several
+/// vertices of the disk.
 struct Disk {
-  std::vector<std::uint32_t> point;  ///< surface point of each copy
-  /// For each triangle of the surface: the indices in `point` of the vertex copies at its three corners.
+  std::vector<std::uint32_t> point;  ///< per vertex of the disk, the index of its surface point
+  /// For each triangle of the surface, the indices of the three vertices of the disk at its corners.
   std::vector<Surface::Triangle> triangle;
 };
 

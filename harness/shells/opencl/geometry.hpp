@@ -20,7 +20,7 @@ struct Geometry {
   /// Four values per triangle: three vertex indices, and space for the number of layers in which the triangle
   /// is drawn, which a kernel computes.
   std::vector<std::int32_t> corner;
-  std::vector<std::uint32_t> stick;  ///< index of each vertex's stick, no padding; empty for Silva's strands
+  std::vector<std::uint32_t> stick;  ///< per vertex, the index of the mass-spring stick that moves it; empty for Silva's strands
   // A sparse matrix of the weights with which strands bend vertices (Silva's model). The row of a vertex has
   // one entry per strand that bends the vertex. Within a block of `lanes` vertices, all rows are padded to
   // the same length.
