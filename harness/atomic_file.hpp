@@ -19,9 +19,11 @@ inline void require_place(const std::filesystem::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    throw InputError(path.string() + ": cannot be written, there is no folder '" + folder.string() + "'");
+    throw InputError(path.string() + ": cannot be written, because the folder '" + folder.string() +
+                     "' does not exist");
   }
-  if (fs::is_directory(path, error)) throw InputError(path.string() + ": cannot be written, it is a folder");
+  if (fs::is_directory(path, error))
+    throw InputError(path.string() + ": cannot be written, because it is a folder");
 }
 
 /// Calls write(temporary path), then renames the written file to `path`. The temporary file is in the same

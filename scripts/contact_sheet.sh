@@ -1,8 +1,8 @@
 #!/bin/sh
 # Draws seven scenes of examples/ at 800 x 600 and combines the pictures in docs/look/contact_sheet.jpg. Each scene is
 # drawn twice: with 64 layers, and with 16 layers and four sub-steps. The upper two rows show straight, wavy,
-# large-curls and small-curls. The lower two rows show dry, wet and grass. In each pair of rows the upper row has 64
-# layers.
+# large-curls and small-curls. The lower two rows show dry, wet and grass. Rows 1 and 3 have 64 layers, rows 2 and 4
+# have 16 layers.
 #
 # Usage: scripts/contact_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.
 set -eu

@@ -4,7 +4,9 @@
 #
 #   Figure 2: (a) structure, (b) colour, (c) self-shadow, (d) diffuse shading.
 #
-#   Figure 6: (a) linear and (b) bent layers. Figure 7: two seconds later, (a) without and (b) with the return force.
+#   Figure 6: (a) linear and (b) bent layers, after 2 s of simulation.
+#
+#   Figure 7: (a) without the return force, after 2 s of simulation; (b) with the return force, after 3 s.
 #
 #   Figure 8: (a) elephant, (b) dog, (c) grass. Figure 12: parted grass.
 #

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Counts the code lines in harness/ and bench/ that refer to a mapping, pipeline, solver, topology or shading model.
 
-A line refers to such an item if the line contains the item's name as a string, its enumerator, its class or its
-factory. Lines in the files that implement the item are not counted. Lines in the files with the table of its family
-(for example, the family of all mappings) are not counted either.
+Each mapping, pipeline, solver, topology and shading model is an item. All items of one kind (for example, all mappings)
+are a family. A line refers to an item if the line contains the item's name as a string, or if it contains the item's
+C++ enumerator, class or factory function. The script does not count lines in the files that implement the item. It also
+does not count lines in the files that contain the table of all items of the family.
 
-The exit status is 1 if more than two lines refer to the same item. The option -v prints the lines.
+The exit status is 1 if the script counts more than two lines for an item. The option -v prints the lines.
 """
 import re
 import subprocess
@@ -15,10 +16,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 MOST = 2
 
-# A family has three entries. The first entry lists the files that contain the tables of the family. The second entry
-# has two values for each name: a pattern that matches the enumerator, the class or the factory of the named item, and
-# the files that implement the item. The third entry is a pattern that matches lines in which a name has another
-# meaning.
+# Each family is a tuple of three values:
+# - the files that contain the table of all items of the family (for example, of all mappings);
+# - a dictionary, whose keys are the names of the items. The value of a name is a pair. Its first element is a pattern
+#   that matches the enumerator, the class or the factory function of the item. Its second element is the list of the
+#   files that implement the item;
+# - a pattern, or None. Lines that match this pattern use the name of an item with another meaning and are not counted.
 FAMILIES = {
     "mapping": (["harness/shells/opencl/mappings.cpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
@@ -36,7 +39,7 @@ FAMILIES = {
         "springs-error": (r"make_solver_error", ["harness/springs/studies/study"]),
         "springs-limit": (r"make_solver_limit", ["harness/springs/studies/study"]),
         "springs-energy": (r"make_solver_energy", ["harness/springs/studies/study"]),
-    # In lines with this pattern, "springs" names a metric or a file.
+    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file. The lines are not counted.
     }, r'metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
         "explicit-euler": (r"Solver::explicit_euler", []),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER in docs/.
-# Usage: scripts/record_report.sh FOLDER RESULTS..., with folders RESULTS that `pelage run` wrote. The script first
-# deletes FOLDER.
+# Usage: scripts/record_report.sh FOLDER RESULTS... Each RESULTS is a folder that `pelage run` wrote.
+# The script first deletes FOLDER.
 #
 # These commands write the results for docs/topology in about 30 minutes on two cores, with --preset quick:
 #
@@ -16,12 +16,12 @@
 #   pelage run rivals --anonymous --preset tori -o TORI
 #   pelage run rival-options --anonymous --preset quick -o RESULTS      # exit code 1: some checks fail
 #
-# Two commands write the results for docs/scaling in about 10 minutes. Run the first command once for each PRESET
-# (quick, beyond, millions), each time with a separate folder RESULTS:
+# The results for docs/scaling come from the experiments `scaling` and `layers`, in about 10 minutes. Run the experiment
+# `scaling` once for each PRESET (quick, beyond, millions), each time with a separate folder RESULTS:
 #
 #   pelage run scaling --anonymous --preset PRESET -o RESULTS
 #
-# Run the second command once:
+# Run the experiment `layers` once, with the preset quick:
 #
 #   pelage run layers --anonymous --preset quick -o LAYERS
 set -euo pipefail

@@ -42,8 +42,9 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """Yields paragraphs. `lines` has pairs of a line number and a text. An empty text, or a number that neither equals
-    the number before nor follows it, ends a paragraph."""
+    """Yields paragraphs. `lines` has pairs of a line number and a text. A paragraph ends at
+    an empty text. It also ends before a pair whose line number is neither equal to the previous line number nor one
+    more than it."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
         if words and (not text.strip() or (last is not None and number not in (last, last + 1))):
@@ -80,7 +81,8 @@ C_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]
 
 
 def c_like(name, text):
-    """Yields comments on separate lines, comments behind code (one paragraph each), and string literals of harness/."""
+    """Yields the paragraphs of whole-line comments, one paragraph per end-of-line comment, and one paragraph per string
+    literal of harness/."""
     own_lines, behind_code, messages = [], [], []
     end_of_last = -1
     for match in C_TOKEN.finditer(text):
@@ -107,7 +109,7 @@ def c_like(name, text):
 
 
 def hash_comments(name, text):
-    """Yields comments on separate lines, and comments behind code (one paragraph each)."""
+    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment."""
     own_lines = []
     for number, line in enumerate(text.split("\n"), 1):
         if own := re.match(r"\s*#(?!!)\s?(.*)", line):

@@ -1,8 +1,9 @@
 // Values of a layer for its vertices and fragments, with the symbols of docs/frame.md. The host computes three rows per
 // layer (harness/shells/opengl/scene_glsl.cpp).
-//   `bend` has the factors of A, of B and of the curl's axes u and v in the position of a vertex.
-//   `step` has the factors of A and of B in the strand direction dB(n).
-//   `look` has f(h_n) and f(h_n) - f(h_(n-1)) for the clump's displacement, gamma(h_n) for the light, and n.
+//   `bend`: the vertex is displaced by bend.x A + bend.y B + bend.z u + bend.w v, where u and v are the curl's axes.
+//   `step`: the strand direction dB(n) is step.x A + step.y B.
+//   `look`: look.x is f(h_n) and look.y is f(h_n) - f(h_(n-1)), both for the displacement by clumps. look.z is
+//   gamma(h_n), a factor of the light. look.w is n, the number of the layer.
 #ifdef INSTANCED
 layout(std140, binding = 0) uniform Layers { vec4 layers[3 * LAYERS]; };
 #define LAYER_BEND layers[3 * gl_InstanceID]

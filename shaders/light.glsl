@@ -17,7 +17,7 @@ vec3 lit_normal(vec3 nu, vec3 e) {
 // Returns max(0, (n.l + .4) / 1.4), light that wraps around the surface.
 float wrapped(float n_dot_l) { return max(0.0, (n_dot_l + 0.4) / 1.4); }
 
-// W Eq. 2: returns C_d per unit of light and of colour.
+// Returns the diffuse light of one light source (C_d of W Eq. 2), divided by its intensity and by the colour K.
 float lambert(float n_dot_l) { return (1.0 - WRAP) * max(0.0, n_dot_l) + WRAP * wrapped(n_dot_l); }
 
 // Returns the factor g_l of docs/frame.md, section 6, divided by the light's intensity.

@@ -49,7 +49,7 @@ void main() {
   // this rounding, coverage and interpolation use the same positions.
   if (eye.z >= NEAR) eye.xy = roundEven(eye.xy / eye.z * GRID) / GRID * eye.z;
 #endif
-  // The division by w turns z = near into near / w, so the depth test compares 1/w. y points down, because the top row
-  // of pixels is stored first.
+  // z is the constant NEAR. After the division by w (eye.z), z is NEAR / w, so the depth test compares 1/w. The y axis
+  // of the picture points down, because the top row of pixels is stored first.
   gl_Position = vec4(eye.xy, NEAR, eye.z);
 }

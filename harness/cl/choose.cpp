@@ -66,9 +66,9 @@ std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo
   });
 }
 
-// Returns the devices whose complete name is `wanted`. If there are none, returns the devices whose name
-// contains `wanted`. If there are none either, returns the devices of the platforms whose name contains
-// `wanted`.
+// Returns the devices whose complete name is `wanted`. If no device has this name, returns the devices whose
+// name contains `wanted`. If no device's name contains `wanted`, returns the devices of the platforms whose
+// name contains `wanted` or whose short name is `wanted`.
 std::vector<std::size_t> by_name(const std::vector<DeviceInfo>& all, std::string_view wanted) {
   const Test tests[] = {[&](const DeviceInfo& info) { return lower(info.name) == lower(wanted); },
                         [&](const DeviceInfo& info) { return contains(info.name, wanted); },

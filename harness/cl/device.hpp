@@ -43,8 +43,10 @@ class Device {
 
 struct PlatformInfo {
   std::string name, version;
-  int index = 0;    ///< as in DeviceInfo::platform_index
-  int devices = 0;  ///< 0 for Mesa's Clover, and for rusticl if RUSTICL_ENABLE names no driver
+  int index = 0;  ///< as in DeviceInfo::platform_index
+  /// Number of devices. A platform can have none: Mesa's Clover has none, and rusticl has none if
+  /// RUSTICL_ENABLE names no driver.
+  int devices = 0;
 };
 
 /// Returns every platform that the OpenCL loader knows, in the loader's order. The result is empty if the
@@ -56,10 +58,10 @@ std::vector<PlatformInfo> platforms();
 std::vector<Device> devices();
 
 /// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" (where PLATFORM is part of the
-/// platform's name, or its index), or part of a device's name. If no device's name contains `wanted`, it may
-/// also be part of a platform's name. If `wanted` is empty, $PELAGE_DEVICE replaces it; if this is also
-/// empty, the result is the first GPU, else the first CPU. Throws InputError with the candidates if no device
-/// or several devices match, and NoDeviceError if there are no devices.
+/// platform's name, or its index), or part of a device's name. If no device's name contains `wanted`,
+/// the device of the platform whose name contains `wanted` is returned. If `wanted` is empty, $PELAGE_DEVICE
+/// replaces it; if this is also empty, the result is the first GPU, else the first CPU. Throws InputError
+/// with the candidates if no device or several devices match, and NoDeviceError if there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -41,7 +41,7 @@ std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& val
                              std::vector<Event>* events, bool read_sum) {
   // Level 0 contains the values. The first loop computes the prefix sums within each block of a level, and
   // stores the sums of the blocks as the next level. It ends at a level that has one block. The second loop
-  // returns to level 0. To each entry of a level, it adds the sum of all earlier blocks of this level.
+  // returns to level 0. In each level it adds to every entry the sum of all blocks before the entry's block.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

@@ -13,8 +13,9 @@ namespace pelage::cl {
 class RadixSort {
  public:
   explicit RadixSort(const Device& device);
-  /// Replaces value[i] by the sum of the values before it. With `read_sum`, it waits, and returns the sum of
-  /// all `count` values, or 2^31 - 1 if the sum is larger. Without `read_sum`, it returns 0.
+  /// Replaces value[i] by the sum of the values before it. If `read_sum` is true, the function waits for the
+  /// kernels to end and returns the sum of all `count` values, or 2^31 - 1 if the sum is larger. If
+  /// `read_sum` is false, the function does not wait and returns 0.
   std::int32_t scan(const Queue& queue, const Buffer<std::int32_t>& value, std::size_t count,
                     std::vector<Event>* events, bool read_sum);
   /// Sorts `count` pairs by their keys, which must all be in 0 .. 2^bits - 1. Pairs with equal keys keep

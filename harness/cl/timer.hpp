@@ -15,7 +15,7 @@ struct Stamps {
 
 struct TimerCheck {
   bool real = false;    ///< true: event times are reliable enough to be published
-  std::string reason;   ///< reason why the timer is not real, in one line; empty if it is real
+  std::string reason;   ///< reason why event times are not reliable, in one line; empty if `real` is true
   double event_ms = 0;  ///< sum of the event times of the tested commands
   double wall_ms = 0;   ///< wall time from the first enqueue to the end of clFinish
 };
@@ -28,7 +28,8 @@ TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batc
 
 /// Runs a batch of commands of about 0.2 s on the queue's device, and tests its timestamps by judge_timer().
 /// Other processes may delay a batch, so a real timer may fail the test. The function therefore tests up to
-/// three batches, until a batch passes. A fake timer fails with every batch.
+/// three batches, until a batch passes. A timer that does not measure time fails in
+/// every batch.
 TimerCheck check_timer(const Queue& queue);
 
 }  // namespace pelage::cl

@@ -65,17 +65,19 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
   fmt::print("     memory    {:.1f} GiB, at most {:.1f} GiB per buffer, {} KiB local\n",
              gib(info.global_memory), gib(info.max_allocation), info.local_memory >> 10);
   if (!speed) {
-    fmt::print("     timer     {}\n",
-               info.timer_resolution_ns > 0
-                   ? fmt::format("{} ns", info.timer_resolution_ns)
-                   : "none: the driver reports a resolution of 0; only wall-clock times are usable");
+    fmt::print(
+        "     timer     {}\n",
+        info.timer_resolution_ns > 0
+            ? fmt::format("resolution {} ns", info.timer_resolution_ns)
+            : "no event timer: the driver reports a timer resolution of 0; only wall-clock times are usable");
     return;
   }
   fmt::print(
       "     timer     {}\n",
       speed->timer.real
-          ? fmt::format("{} ns, agrees with the wall clock ({:.1f} ms by events, {:.1f} ms by the clock)",
-                        info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
+          ? fmt::format(
+                "resolution {} ns; in a test, event times ({:.1f} ms) and wall clock ({:.1f} ms) agree",
+                info.timer_resolution_ns, speed->timer.event_ms, speed->timer.wall_ms)
           : fmt::format("unreliable, only wall-clock times are usable: {}", speed->timer.reason));
   fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
   fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);

@@ -59,10 +59,10 @@ void line(Picture& picture, glm::vec2 a, glm::vec2 b, glm::vec4 colour) {
   }
 }
 
-// Draws the UV map. Each chart has a pale colour, and seams are black. A face is darker than its chart's
-// colour if its share of the UV area is smaller than its share of the surface area; otherwise it is lighter.
-// Flipped faces (negative UV area) are red. A red cross marks each of them, because a face can be smaller
-// than a pixel.
+// Draws the UV map. Each chart has a pale colour. Seams of the UV map and borders of the mesh are black. A
+// face is darker than its chart's colour if its share of the UV area is smaller than its share of the surface
+// area; otherwise it is lighter. Flipped faces (negative UV area) are red. A red cross marks each of them,
+// because a face can be smaller than a pixel.
 Picture draw_atlas(const Mesh& mesh, int side) {
   Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), glm::vec4(1))};
   const std::vector<std::uint32_t> chart = charts(mesh);
@@ -81,8 +81,8 @@ Picture draw_atlas(const Mesh& mesh, int side) {
                          0.9f + 0.1f * std::cos(hue + 2.1f));
     fill(picture, mesh, t, glm::vec4(light * tint, 1));
   }
-  std::set<std::pair<std::uint32_t, std::uint32_t>>
-      once;  // directed edges without an opposite edge, which are the seams
+  // Directed edges whose opposite edge does not exist. They are the UV seams and the borders of the mesh.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> once;
   for (const glm::uvec3& t : mesh.triangle)
     for (int k = 0; k < 3; ++k)
       if (!once.erase({t[(k + 1) % 3], t[k]})) once.insert({t[k], t[(k + 1) % 3]});
@@ -103,10 +103,10 @@ void print(const Mesh& mesh) {
   const UvQuality q = uv_quality(mesh);
   fmt::print("{}, content {}\n", mesh.name, mesh.hash);
   for (const std::string& note : mesh.notes) fmt::print("  {}\n", note);
-  fmt::print("vertices: {} including copies on UV seams, {} without copies; edges {}; faces {}\n", t.copies,
-             t.points, t.edges, t.faces);
-  fmt::print("components {}, genus {}, borders {} with {} edges in total, {}\n", t.components, t.genus,
-             t.borders, t.boundary_edges,
+  fmt::print("vertices: {} (a point on a UV seam has several vertices); points {}; edges {}; faces {}\n",
+             t.copies, t.points, t.edges, t.faces);
+  fmt::print("components {}; genus {} (sum over the components); borders {} ({} edges in total); {}\n",
+             t.components, t.genus, t.borders, t.boundary_edges,
              t.manifold() ? "manifold"
                           : fmt::format("NOT manifold: {} edges and {} points", t.bad_edges, t.bad_points));
   fmt::print(
@@ -115,10 +115,10 @@ void print(const Mesh& mesh) {
       q.charts, q.charts == 1 ? "" : "s", mesh.periodic_uv ? " (periodic)" : "", 100 * q.covered,
       q.flipped_faces, 100 * q.flipped, 100 * q.overlapping);
   fmt::print(
-      "UV area per surface area of a face, relative to the whole map (1: no distortion): {:.2f} at the 1% "
-      "quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
+      "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): "
+      "{:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
-  fmt::print("surface length per unit of u {:.3f} R, of v {:.3f} R\n", mesh.length_per_uv.x,
+  fmt::print("surface length: {:.3f} R per unit of u, {:.3f} R per unit of v\n", mesh.length_per_uv.x,
              mesh.length_per_uv.y);
 }
 

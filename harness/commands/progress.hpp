@@ -20,7 +20,8 @@ class Progress {
 
   void start(const std::string& name);     ///< starts the item of work `name`
   void note(const std::string& line);      ///< prints a line above the bar
-  void finish(const std::string& result);  ///< ends the item; prints `result` if there is no bar
+  void finish(const std::string& result);  ///< ends the current item of work; prints a line with `result` if
+                                           ///< stderr is no terminal
   void skip(std::size_t pieces);           ///< counts items that an earlier run finished
 
  private:

@@ -70,7 +70,9 @@ std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& exp
   }
   for (const Check& c : check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks)
     if (!c.holds()) {
-      fmt::print(stderr, "pelage: {}: {} against {} is {:.6g}, must be {} {:.6g}; this case is left out\n",
+      fmt::print(stderr,
+                 "pelage: {}: the check of {} against {} found {:.6g}, but {} {:.6g} is required; this case "
+                 "is left out\n",
                  which.name, c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
       return {};
     }
@@ -146,7 +148,7 @@ void add_roofline(CLI::App& app, Chosen& chosen) {
                    "Experiment whose scenes are drawn: a name that `pelage list` shows, or FILE.toml")
       ->type_name("EXPERIMENT|FILE.toml")
       ->capture_default_str();
-  command->add_option("--preset", options->preset, "Preset whose cases are drawn")
+  command->add_option("--preset", options->preset, "Preset of the experiment; its cases are timed")
       ->type_name("NAME")
       ->capture_default_str();
   command
@@ -167,7 +169,9 @@ void add_roofline(CLI::App& app, Chosen& chosen) {
                    "Values of the kernels' tuning axes: the defaults, or a file that `pelage tune` wrote")
       ->type_name("defaults|FILE")
       ->capture_default_str();
-  command->add_option("--frames", options->frames, "Number of timed frames; their median is reported")
+  command
+      ->add_option("--frames", options->frames,
+                   "Number of timed frames; the median of their times is reported")
       ->type_name("N")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

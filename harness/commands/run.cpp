@@ -61,9 +61,10 @@ std::vector<cl::Device> chosen_devices(const std::string& wanted) {
   return all;
 }
 
-/// Returns the case with its mapping of pixels to work-items. The mapping is that of the experiment, if it
-/// names one; else that of --mapping; else the device's default. If the variant's name begins with
-/// `default_variant`, this part becomes "shells/MAPPING".
+/// Returns the case with its mapping of pixels to work-items. If the experiment file gives a mapping, the
+/// case stays unchanged. Otherwise the mapping is the value of --mapping or, without --mapping, the device's
+/// default. If the variant's name then begins with "shells/tile" (`default_variant`), the function replaces
+/// this beginning by "shells/MAPPING".
 Case settled(Case which, const RunOptions& options, const cl::Device& device) {
   if (!which.mapping.empty()) return which;
   which.mapping = options.mapping.empty() ? default_mapping(device.info()) : options.mapping;
@@ -209,7 +210,7 @@ int run_here(const RunOptions& options, const fs::path& folder) {
       all.bad_input = all.bad_input || one.bad_input;
     }
   }
-  fmt::print(stderr, "pelage: {} ok, {} not ok{}{}\n", all.ok, all.not_ok,
+  fmt::print(stderr, "pelage: {} cases ok, {} cases not ok{}{}\n", all.ok, all.not_ok,
              all.kept ? fmt::format(", {} kept from the interrupted run", all.kept) : "",
              all.left ? fmt::format(
                             ", {} not run because the time of --budget is used up; continue with --resume {}",

@@ -32,7 +32,9 @@ void set_size(Scene& scene, const std::string& size) {
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
-  command.add_option("scene", options.file, "Scene file (default: the default scene)")
+  command
+      .add_option("scene", options.file,
+                  "Scene file; without one, all keys of the scene have their default values")
       ->type_name("SCENE.toml");
   command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")

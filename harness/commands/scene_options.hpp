@@ -11,9 +11,9 @@
 namespace pelage {
 
 struct SceneOptions {
-  std::string file;              ///< scene file; empty: the default scene
-  std::string model;             ///< name or file; empty: the model of the scene file
-  std::string size;              ///< "WxH" in pixels; empty: the size of the scene file
+  std::string file;   ///< scene file; empty: the default scene
+  std::string model;  ///< name or file; empty: the model of the scene file
+  std::string size;   ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
   std::vector<std::string> set;  ///< overrides, key=value
 };
 

@@ -87,8 +87,9 @@ int run(const TopologyCommand& command) {
   if (!command.drawing.empty()) write_drawing(*mesh, command);
   const Topology counts = topology(*mesh);
   const Published published = command.faces ? Published() : published_of(command.model);
-  fmt::print("{}: {} surface points, {} vertices with seam copies, {} edges, {} faces\n", mesh->name,
-             counts.points, counts.copies, counts.edges, counts.faces);
+  fmt::print(
+      "{}: {} surface points, {} vertices (points on UV seams count once per side), {} edges, {} faces\n",
+      mesh->name, counts.points, counts.copies, counts.edges, counts.faces);
   fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs per top", "device memory, KiB",
              published.empty() ? "" : "       in the paper");
   row("topology", "masses", "springs", "least/mean/most", "explicit", "implicit",

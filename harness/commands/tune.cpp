@@ -110,10 +110,12 @@ int tune(const TuneOptions& options) {
   if (fs::exists(file)) read_tuning(file);  // reports a malformed file now instead of after the search
   if (options.dry_run) {
     for (std::size_t i = 0; i < stages.size(); ++i) print_axes(stages[i], axes[i]);
-    fmt::print(stderr, "pelage: nothing was run; without --dry-run, pelage would search on {} with the cases",
+    fmt::print(stderr,
+               "pelage: nothing was run. Without --dry-run, pelage searches on {} for the fastest values, "
+               "with the cases",
                device.info().name);
     for (const Case& c : cases) fmt::print(stderr, " {}", c.name);
-    fmt::print(stderr, " and would store the fastest values in {}\n", file.string());
+    fmt::print(stderr, ", and stores these values in {}\n", file.string());
     return 0;
   }
   const std::vector<NamedInput> inputs = prepared(experiment, cases);

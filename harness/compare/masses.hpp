@@ -14,9 +14,10 @@ struct Spread {
 /// std::invalid_argument if the sizes differ or are 0.
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
 
-/// Returns the checks of a spread. On shared prisms (adjacent prisms share their sticks), rms is checked
-/// against tolerance::prisms_rms and the 99th percentile against tolerance::prisms_p99. On all other
-/// topologies, the worst distance is checked against tolerance::stick_top.
+/// Returns checks that compare the distances in `found` with their limits. For shared prisms (adjacent prisms
+/// share their sticks), the limit of the rms distance is tolerance::prisms_rms, and the limit of the 99th
+/// percentile is tolerance::prisms_p99. For all other topologies, the limit of the largest distance is
+/// tolerance::stick_top. `against` names the compared result.
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
 
 }  // namespace pelage::springs

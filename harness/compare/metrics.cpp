@@ -98,8 +98,9 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
   std::vector<Window> cells;
   for (int y = 0; y < picture.height; y += side)
     for (int x = 0; x < picture.width; x += side) {
-      // The cells of the last row and column are moved inwards, so that every window lies inside the picture
-      // if the picture is large enough.
+      // A cell is a candidate for a window. The cells of the last row and the last column are moved inwards,
+      // so that they are inside the picture and have the full size. A picture with a width or height below
+      // `side` has one cell in this direction, which has the picture's size.
       const Window cell{std::max(0, std::min(x, picture.width - side)),
                         std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
                         std::min(side, picture.height)};

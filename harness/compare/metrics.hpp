@@ -31,9 +31,11 @@ struct Agreement {
 /// differ.
 Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>& windows = {});
 
-/// Returns whether two pictures count as equal: PSNR is at least tolerance::picture_psnr, p999 is at most
-/// tolerance::flip, and at most the fraction tolerance::flip_share of the fur pixels is flipped (counted in
-/// Agreement::flips). Returns false if there is no fur pixel, because an empty comparison proves nothing.
+/// Returns whether two pictures count as equal. Three conditions must hold:
+/// - the PSNR is at least tolerance::picture_psnr;
+/// - p999, the 99.9th percentile of the pixels' differences, is at most tolerance::flip;
+/// - flips / pixels, the share of flipped pixels among the fur pixels, is at most tolerance::flip_share.
+/// Returns false if there is no fur pixel, because an empty comparison proves nothing.
 bool within(const Agreement& agreement);
 
 /// Returns `count` different windows of side x side pixels, or fewer if there are fewer candidates.

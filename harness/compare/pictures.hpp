@@ -9,8 +9,9 @@
 
 namespace pelage {
 
-/// Returns one check per condition of within(): the number of fur pixels (at least one), psnr, p99.9, and the
-/// share of flipped pixels.
+/// Returns four checks of the difference between two pictures: the number of fur pixels (at least one), the
+/// PSNR, the 99.9th percentile of the pixel differences, and the share of flipped pixels. within() tests the
+/// same conditions.
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement);
 
 /// Returns the checks of the OpenGL baseline's picture: the number of fur pixels (at least one), and psnr (at

@@ -9,14 +9,15 @@
 
 namespace pelage {
 
-/// Approximate number of sticks that are compared. On shared prisms (adjacent prisms share their sticks) all
-/// sticks are compared.
+/// Approximate number of sticks that are compared. With the topology "prisms" (adjacent prisms share their
+/// sticks), all sticks are compared.
 inline constexpr std::size_t kCheckSticks = 6000;
 
-/// Returns the checks of `offsets` (top mass minus base in R, one per stick) after `frames` frames. Errors
-/// are fractions of the fur's length. On shared prisms (adjacent prisms share their sticks), the rms error is
-/// checked against tolerance::prisms_rms and the 99th percentile against tolerance::prisms_p99. On all other
-/// topologies, the largest error is checked against tolerance::stick_top.
+/// Compares the sticks on the device after `frames` frames with the reference, and returns the checks.
+/// `offsets` contains the position of each stick's top mass minus the position of the stick's base, in R.
+/// Errors are fractions of the fur's length. With the topology "prisms" (adjacent prisms share their sticks),
+/// the rms error must be at most tolerance::prisms_rms, and the 99th percentile of the errors must be at most
+/// tolerance::prisms_p99. With all other topologies, the largest error must be at most tolerance::stick_top.
 std::vector<Check> check_sticks(const FrameInput& input, int frames, const std::vector<glm::vec3>& offsets);
 
 }  // namespace pelage

@@ -1,5 +1,6 @@
-// All tolerances by which a result is accepted, each with its unit and its reason. Commands, experiments,
-// tuning and tests use these constants. A test in tests/house fails if another file defines a tolerance.
+// All tolerances that decide whether a result is accepted, each with its unit and its reason. Commands,
+// experiments, tuning and tests use these constants. A test in tests/house fails if another file defines a
+// tolerance.
 #pragma once
 
 namespace pelage::tolerance {
@@ -18,7 +19,8 @@ inline constexpr double flip = 2.0 / 255.0;
 /// these decisions. This happens to about 1 pixel in 10^4.
 inline constexpr double flip_share = 1e-3;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers filter textures
-/// with different arithmetic, so p99.9 and flips of the baseline are not checked.
+/// with different arithmetic. Therefore the 99.9th percentile of the baseline's errors and its share of
+/// flipped pixels are not checked.
 inline constexpr double other_filter_psnr = 55.0;
 /// Largest accepted difference of a channel between the pictures of two rasterizer mappings (tile, workgroup,
 /// pixel) on one device. Mappings add the same terms in different orders. The limit is one step of an 8-bit
@@ -34,7 +36,7 @@ inline constexpr double few_pixels_difference = 4.0 / 255.0;
 /// of the ball one substep earlier than in doubles and then loses its outward speed. This happens to a few of
 /// 10^5 strands. The error moves the tip by less than a hundredth of a pixel in the pictures of the check.
 inline constexpr double worst_tip = 1e-3;
-/// Limit for the errors of 99.9% of the tips.
+/// Limit for the 99.9th percentile of the tip errors, as a fraction of the strand's length.
 inline constexpr double usual_tip = 1e-5;
 
 /// Limit for the error of every value of a texel of the wetness mask, in UV units and in units of wetness.
@@ -43,24 +45,28 @@ inline constexpr double mask_texel = 1e-5;
 
 // Tolerances of the top masses of mass-spring topologies, as fractions of the fur's length.
 
-/// Limit for the distance of every top mass between device and reference, for sticks and separable
-/// topologies.
+/// Limit for the distance between the positions of a top mass on the device and in the reference. It applies
+/// to every top mass of the topologies "sticks", "separable-sticks" and "separable-prisms".
 inline constexpr double stick_top = 1e-4;
-/// Limits for the root mean square and for the 99th percentile of the distances on shared prisms (adjacent
-/// prisms share their sticks). Compressed springs buckle in a direction that depends on rounding, so single
-/// top masses are not checked.
+/// Limits for the root mean square and for the 99th percentile of these distances with the topology "prisms",
+/// whose adjacent prisms share their sticks. Compressed springs buckle in a direction that depends on
+/// rounding, so single top masses are not checked.
 inline constexpr double prisms_rms = 1e-3, prisms_p99 = 1e-2;
-/// Limit for the distance of a top mass between the reference and the kernels' source, compiled as C++ in
-/// double precision. The compiled source still reads gravity, wind and normals as floats.
+/// Limit for the difference between two positions of a top mass. The reference computes one position. The
+/// kernels' source, compiled as C++ in double precision, computes the second position. The compiled source
+/// still reads gravity, wind and normals as floats.
 inline constexpr double float_records = 1e-6;
-/// Limit for baselines that compute in double precision. Their states are set and read as floats.
+/// Limit for the position error of a top mass in baselines that compute in double precision. The reason for
+/// the error is rounding: the positions and velocities are passed to the baselines and back as floats.
 inline constexpr double double_baseline = 2e-5;
 
-/// Limit of the root mean square error of a run against the exact solution. A run with an error above two fur
-/// lengths is meaningless.
+/// Limit for the root mean square error of a run, where the error is the distance of a top mass from the
+/// exact solution. A run with a larger error fails its check, because errors above two fur lengths are
+/// meaningless.
 inline constexpr double lost_run = 2.0;
-/// Limit for the distance between the reference, which computes in the object's frame, and a solution of
-/// Newton's law in the world frame. Both are computed in double precision by RK4, with different time steps.
+/// Limit for the difference between two positions of a top mass. The reference computes one position in the
+/// object's frame. A test computes the second position from Newton's law in the world frame. Both
+/// computations use double precision and RK4, with different time steps.
 inline constexpr double reference_in_world = 1e-5;
 
 /// Limit for the difference between device and reference in the tests' small scenes, for every tip (in R) and

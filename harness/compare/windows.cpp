@@ -15,10 +15,11 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
                       true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
-  // In a flipped pixel, another texel of the mask was selected because of rounding. The other texel changes a
-  // channel by about 0.2. One flipped pixel lowers the PSNR of 64 windows below tolerance::picture_psnr, but
-  // not the PSNR of the whole picture. Therefore, if the windows fail, the comparison of the whole picture
-  // decides.
+  // Because of rounding, the device and the reference may read different texels of the wetness mask for a
+  // pixel. Such a pixel is called flipped; its channels differ by about 0.2. A single flipped pixel lowers
+  // the PSNR over all pixels of the 64 windows below tolerance::picture_psnr. The PSNR over the whole picture
+  // stays above this limit. Therefore, if the comparison of the windows fails, the whole picture is compared,
+  // and this comparison decides.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();

@@ -16,12 +16,12 @@ inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
 /// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the
-/// windows fail, the whole picture is compared, and this comparison decides.
+/// difference in these windows is too large, the whole picture is compared, and only this comparison decides.
 struct WindowCheck {
   std::vector<Check> checks;
   Agreement agreement;  ///< the comparison on which `checks` are based: the windows or the whole picture
   Agreement sample;     ///< the comparison of the windows
-  Check windows;        ///< check that there were enough windows; also the first entry of `checks`
+  Check windows;        ///< the check of the number of windows; checks[0] is the same check
 };
 /// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
 /// the windows. `sticks` are the offsets (R) of the timed frame's sticks; empty for Silva's strands.

@@ -62,9 +62,9 @@ void write_matrices(Hdf5File& file, const Camera& camera) {
       "point p from the eye to the right, downwards and forwards");
   file.write(
       "camera/projection", {4, 4}, projection, "pixels",
-      "row-major matrix; its product with the result of camera/view is (x w, y w, near, w), where w is the "
-      "view depth, near is the depth of the near plane, and x and y are the coordinates in pixels to the "
-      "right and downwards from the picture's centre");
+      "row-major matrix; to project a point, multiply this matrix by the vector that camera/view gives; the "
+      "result is (x w, y w, near, w); x and y: coordinates in pixels to the right and downwards from the "
+      "picture's centre; w: view depth; near: view depth of the near plane");
 }
 
 /// Writes the datasets that only Silva's strands have: normals, anchors, phases and weights.
@@ -80,9 +80,10 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
              "entries row[p] to row[p + 1] - 1 of weight/strand and weight/value belong to surface point p");
   file.write("weight/strand", {links}, std::span<const std::uint32_t>(strands.face), "1",
              "index of the strand of each entry, which is also the index of the strand's triangle");
-  file.write("weight/value", {links}, std::span<const float>(strands.weight), "1",
-             "weight of each entry: the triangle's share of the area around the surface point; the weights "
-             "of a point sum to 1");
+  file.write(
+      "weight/value", {links}, std::span<const float>(strands.weight), "1",
+      "weight of each entry: area of the triangle, divided by the total area of all triangles at the surface "
+      "point; the weights of a point sum to 1");
 }
 
 }  // namespace
@@ -98,12 +99,12 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
   const Mesh& mesh = *input.mesh;
   const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size(), points = mesh.welded;
   file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
-             "positions of the vertices; a vertex on a UV seam occurs once per side");
+             "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
   file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
              "indices of each triangle's three vertices, counter-clockwise seen from outside");
   file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
   file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
-             "index of the vertex's surface point; copies of one vertex have the same surface point");
+             "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
   file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
   file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
              "derivative of the surface position by u");
@@ -113,9 +114,10 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
              "first axis of the curl at each surface point, unit length");
   file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",
              "second axis of the curl at each surface point, unit length");
-  file.write("curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
-             "position in UV at which each surface point samples the wetness mask: the UV of the point's "
-             "first vertex");
+  file.write(
+      "curl/mask_uv", {points, 2}, flat<float>(input.curl.mask_uv), "UV",
+      "UV at which the wetness mask is read for each surface point; this is the UV of the first of the "
+      "point's vertices");
 }
 
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
@@ -163,7 +165,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
   file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
   file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
-             "surface point under the centre of each droplet");
+             "surface point whose UV is the centre of the droplet");
   file.write(
       "droplet/reach", {drops}, column(reach), "R",
       "largest distance at which a droplet wets the surface, measured from the droplet's surface point");

@@ -23,7 +23,8 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
 void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
 
-/// Writes the offsets of the layers' vertices from the mesh. The double-precision reference computes them
+/// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
+/// mesh. The double-precision reference computes the displacements
 /// from the scene's strands, or from `output.tips` if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 

@@ -17,8 +17,9 @@ namespace pelage {
 using Setting = std::pair<std::string, std::string>;
 
 /// A quantity that varies over the cases of an experiment. The key is "model", "layers" (fur.layers), "size"
-/// (image.width x image.height), "reading" or "variant" (names of tables in the experiment file), or a scene
-/// key.
+/// (image.width x image.height), "reading" (an interpretation of the paper's text), "variant" (a pipeline
+/// with its options), or a scene key. The values of "reading" and "variant" are names of tables in the
+/// experiment file.
 struct Axis {
   std::string key;
   std::vector<std::string> values;
@@ -37,7 +38,8 @@ struct SamplingLimits {
 
 struct Preset {
   SamplingLimits limits;
-  std::vector<Axis> axes;  ///< each axis is used instead of the experiment's axis that has the same key
+  /// Each axis replaces the experiment's axis with the same key. If there is no such axis, it is added.
+  std::vector<Axis> axes;
 };
 
 /// One number from a paper. It applies to every case whose axes have the values in `at` (axis -> value).
@@ -49,10 +51,11 @@ struct Published {
 /// `default_pipeline` is the pipeline of a variant without the key `pipeline`. `default_variant` is the
 /// variant of a case without the axis "variant". When such a case runs on a device, its variant is renamed to
 /// "shells/MAPPING", where MAPPING is the mapping of pixels to work-items. On CPUs the default mapping is
-/// "tile". Report tables do not print `default_variant`.
+/// "tile". A report table that compares times with a paper's times does not print the name of the variant if
+/// the variant is `default_variant`.
 inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
 
-/// In an experiment file, the table of a variant may contain these keys and scene keys.
+/// Besides scene keys, the table of a variant in an experiment file may contain these three keys.
 inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapping", opengl_key = "opengl";
 
 struct Experiment {
@@ -60,8 +63,8 @@ struct Experiment {
   std::filesystem::path file;
   std::vector<Setting> scene;  ///< scene keys that apply to all cases
   std::vector<Axis> axes;      ///< in the order of the file; the last axis varies fastest
-  std::map<std::string, std::map<std::string, std::vector<Setting>>>
-      at;  ///< axis -> value -> scene keys of the cases with this value
+  /// For each axis key and each value of the axis, the scene keys that all cases with this value use.
+  std::map<std::string, std::map<std::string, std::vector<Setting>>> at;
   /// Name of a variant -> its values of the keys `pipeline`, `mapping` and `opengl`.
   std::map<std::string, std::map<std::string, std::string>> variants;
   std::map<std::string, Preset> presets;
@@ -76,12 +79,12 @@ struct Case {
   std::string mapping;  ///< mapping of pixels to work-items; "": the device's default
   std::string opengl;   ///< implementation options of the OpenGL baseline (docs/rival.md)
   std::map<std::string, std::string> axes;
-  std::map<std::string, std::string> overrides;
-  std::map<std::string, std::string> settings;  ///< scene keys of the experiment file, values as in TOML
+  std::map<std::string, std::string> overrides;  ///< values of the options --set, --axis and --model
+  std::map<std::string, std::string> settings;   ///< scene keys of the experiment file, values as in TOML
   /// Values of the axes that are scene keys, followed by those of --set. They override `settings`.
   std::vector<Setting> set;
-  std::optional<Metric> published;        ///< the paper's number; empty if there are overrides
-  std::map<std::string, double> require;  ///< metric -> least value; empty if there are overrides
+  std::optional<Metric> published;  ///< value that the paper publishes; empty if `overrides` is not empty
+  std::map<std::string, double> require;  ///< metric -> required minimum; empty if `overrides` is not empty
 };
 
 /// The command-line options --set, --axis and --model, which change an experiment.
@@ -132,8 +135,8 @@ Shard shard_from_text(const std::string& text);
 /// of the `count` shards.
 std::vector<Case> sharded(const std::vector<Case>& cases, const Shard& shard);
 
-/// Returns the cases in a random order that depends only on `seed`. The random order distributes a slow
-/// change of the machine's speed evenly over the values of every axis.
+/// Returns the cases in a random order that depends only on `seed`. If the machine's speed changes
+/// slowly during the run, this change then affects all values of an axis by about the same amount.
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed);
 
 }  // namespace pelage

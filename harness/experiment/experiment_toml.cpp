@@ -87,7 +87,8 @@ std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
       refuse(file, &node, fmt::format("axis {} contains a value twice", key.str()));
     found.emplace_back(key.source().begin, std::move(axis));
   }
-  // toml++ sorts the keys of a table. The order in the file is restored from their positions.
+  // toml++ sorts the keys of a table by name. This sort restores the order of the keys in the file from their
+  // line and column numbers.
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::pair(a.first.line, a.first.column) < std::pair(b.first.line, b.first.column);
   });
@@ -132,7 +133,8 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
     const auto* cell = node.as_array();
     if (!cell || cell->size() != keys->size() + 1)
       refuse(file, &node,
-             fmt::format("each cell must contain {} values (one per key) and then the paper's number",
+             fmt::format("each entry of cells must contain {} values (one per entry of keys) and then the "
+                         "published number",
                          keys->size()));
     Published published;
     for (std::size_t i = 0; i < keys->size(); ++i) published.at[plain((*keys)[i])] = plain((*cell)[i]);
@@ -146,8 +148,8 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
-/// Returns true for the keys that select the implementation of a variant. All other keys of a variant are
-/// scene keys.
+/// A variant may have the keys "pipeline", "mapping" and "opengl", which select its implementation.
+/// Returns true for these keys. All other keys of a variant are scene keys.
 bool says_how(std::string_view key) {
   return key == pipeline_key || key == mapping_key || key == opengl_key;
 }

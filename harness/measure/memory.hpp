@@ -8,8 +8,8 @@ namespace pelage {
 /// if it cannot be read.
 std::uint64_t peak_memory();
 
-/// Sets the peak to the memory that is resident now. If the kernel does not allow this, the peak is
-/// unchanged, and peak_memory() is an upper bound.
+/// Sets the peak resident memory of this process to its current resident memory. If Linux does not allow the
+/// reset, the peak is unchanged. peak_memory() then returns an upper bound of the peak since this call.
 void reset_peak_memory();
 
 }  // namespace pelage

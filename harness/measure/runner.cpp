@@ -48,8 +48,8 @@ void judge(Row& row, const Picture& picture) {
   for (const Check& check : row.check) {
     if (check.holds()) continue;
     row.status = Status::failed_check;
-    row.reason += fmt::format("{}{} against {} is {:.6g}, must be {} {:.6g}", row.reason.empty() ? "" : "; ",
-                              check.metric, check.against, check.value,
+    row.reason += fmt::format("{}{} against {} is {:.6g}, but must be {} {:.6g}",
+                              row.reason.empty() ? "" : "; ", check.metric, check.against, check.value,
                               check.at_least ? "at least" : "at most", check.limit);
   }
 }

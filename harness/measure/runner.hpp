@@ -14,8 +14,8 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  /// Time limit of the run in seconds. No case starts after this limit. The sampling of a case takes at most
-  /// the remaining time divided by the number of remaining cases.
+  /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
+  /// most the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();
   std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
   std::string image_suffix;           ///< added to a picture's file name, to distinguish devices

@@ -18,11 +18,10 @@ std::vector<double> sorted(std::span<const double> values) {
 /// probability `confidence`. x_(i) is the i-th smallest of n values. Returns -1 if there is no such r.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
-  // The number of values below the median is binomially distributed.
+  // Let m be the median of the distribution. The number X of values below m is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
-  // The median is below x_(r) if at most r values are below the median. The probability of this is P(X <= r),
-  // where X is the number of values below the median. By symmetry, the median is above x_(n-1-r) with the
-  // same probability.
+  // x_(r) is the value with r smaller values (r = 0 is the smallest value). m is below x_(r) if X is at most
+  // r. The probability of this is P(X <= r). By symmetry, m is above x_(n-1-r) with the same probability.
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);

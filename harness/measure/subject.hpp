@@ -56,7 +56,8 @@ struct SubjectContext {
   std::map<std::string, int> tuning;                 ///< values of the kernels' tuning axes
   std::function<void(const std::string&)> progress;  ///< receives progress messages of slow steps
   SceneMeshes meshes;
-  /// Results that several cases share. The code that adds a result chooses the result's key.
+  /// Cache of computed values that later cases use again, for example the exact solution of a simulation. The
+  /// code that adds a value chooses the key of the value.
   std::map<std::string, std::any> shared;
 
   std::shared_ptr<const Mesh> mesh_of(const Scene& scene) { return meshes.of(scene, progress); }
@@ -64,7 +65,7 @@ struct SubjectContext {
 
 /// An entry in the table of pipelines that an experiment can time (harness/subjects/pipelines.cpp).
 struct Pipeline {
-  std::string_view name;  ///< name in the variants of an experiment file
+  std::string_view name;  ///< value of the key `pipeline` in the variants of an experiment file
   std::unique_ptr<Subject> (*make)(SubjectContext&, const Case&);
 };
 

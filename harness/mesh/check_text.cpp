@@ -115,7 +115,7 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
   if (largest > vertices)
     fail(name, largest_line,
          fmt::format("vertex {} is out of range; there are {} vertices", largest, vertices));
-  if (faces == 0) fail(name, 0, "no faces in it");
+  if (faces == 0) fail(name, 0, "the file contains no faces");
   return kept;
 }
 
@@ -150,7 +150,7 @@ void check_off(std::string_view bytes, const std::string& name) {
   const auto size = std::int64_t(bytes.size());
   if (!vertices || !faces || *vertices < 0 || *faces < 0)
     fail(name, lines.number(), "the counts of vertices and faces are missing or invalid");
-  if (*vertices == 0 || *faces == 0) fail(name, lines.number(), "no faces in it");
+  if (*vertices == 0 || *faces == 0) fail(name, lines.number(), "the file contains no faces");
   if (*vertices > size / 5 + 1 || *faces > size / 7 + 1)
     fail(name, lines.number(),
          fmt::format("{} vertices and {} faces do not fit into {} bytes", *vertices, *faces, size));
@@ -194,7 +194,7 @@ void check_ply(std::string_view bytes, const std::string& name) {
     if (what == "vertex") vertices = *count;
     if (what == "face") faces = *count;
   }
-  if (vertices <= 0 || faces <= 0) fail(name, 0, "no faces in it");
+  if (vertices <= 0 || faces <= 0) fail(name, 0, "the file contains no faces");
 }
 
 // Checks the vertices and the end of a text STL file. Checks that a binary STL file is large enough for its
@@ -213,10 +213,11 @@ void check_stl(std::string_view bytes, const std::string& name) {
     if (!ended) fail(name, lines.number(), "the file ends before endsolid");
     return;
   }
-  if (bytes.size() < 84) fail(name, 0, "neither STL text nor binary STL, which has a header of 84 bytes");
+  if (bytes.size() < 84)
+    fail(name, 0, "the file is not STL text, and it is shorter than the 84 bytes of a binary STL header");
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + 80, sizeof count);
-  if (count == 0) fail(name, 0, "no faces in it");
+  if (count == 0) fail(name, 0, "the file contains no faces");
   if (bytes.size() < 84 + 50 * std::uint64_t(count))
     fail(name, 0,
          fmt::format("{} triangles need {} bytes, the file has {}", count, 84 + 50 * std::uint64_t(count),

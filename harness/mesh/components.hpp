@@ -12,17 +12,19 @@ namespace pelage {
 /// Components are numbered from 0 in the order of their first triangles.
 std::vector<std::uint32_t> components(const Surface& surface);
 
-/// Orients the faces of every closed component outwards, and adds a note if the orientation of a face
-/// changes.
+/// Orients the faces of every closed component outwards, and adds a message to Surface::notes if the
+/// orientation of a face changes.
 void turn_outwards(Surface& surface);
 
-/// Returns one surface per component, without notes and UV. The order of triangles and points is preserved.
+/// Returns one surface per component. These surfaces have no messages in Surface::notes and no UV map. The
+/// order of triangles and points is preserved.
 std::vector<Surface> split(const Surface& surface);
 
 /// Packs the UV maps of the components `parts` side by side into the unit square, without overlap, and
-/// returns `surface` with this UV map. `parts` has the order of split(). All charts have the same ratio of UV
-/// area to surface area. With at most 163 charts the margin around a chart is 2 texels of a 256 x 256 mask;
-/// with more charts it is smaller. Throws InputError if a component has no UV map.
+/// returns `surface` with this UV map. `parts` is in the order in which split() returns the components. All
+/// charts have the same ratio of UV area to surface area. With at most 163 charts the margin around a chart
+/// is 2 texels of a 256 x 256 mask; with more charts it is smaller. Throws InputError if a component has no
+/// UV map.
 Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name);
 
 }  // namespace pelage

@@ -176,7 +176,9 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
   std::vector<std::uint32_t> sources = points_of(graph, cut);
   for (const glm::dvec3& tip : plan.tips) {
     std::uint32_t p = nearest_point(surface, tip);
-    if (sources.empty()) {  // the cut graph of a sphere is empty; the first tip becomes the start of the cuts
+    // A closed surface without handles has an empty cut graph. Its cuts start at the first point of
+    // plan.tips.
+    if (sources.empty()) {
       sources.push_back(p);
       continue;
     }
@@ -208,8 +210,8 @@ Disk cut_open(const Surface& surface, const CutPlan& plan) {
   const std::vector<char> cut = cut_as_planned(surface, graph, plan);
   Disk disk;
 
-  // If two triangles share an uncut edge, their two corners at an end point of the edge refer to the same
-  // copy of this point.
+  // A surface point on a cut becomes several vertices of the disk. If two triangles share an uncut edge, they
+  // share one vertex of the disk at each end point of the edge.
   std::vector<std::uint32_t> root(surface.triangle.size() * 3);
   std::iota(root.begin(), root.end(), 0u);
   const auto find = [&](std::uint32_t c) {

@@ -22,8 +22,8 @@ struct CutPlan {
 };
 
 /// Cuts a connected manifold of any genus, closed or with borders. A tree-cotree decomposition (Eppstein
-/// 2003) gives a cut graph whose complement is a disk. Shortest paths to the tips cut limbs open (Sheffer and
-/// Hart 2002, Seamster).
+/// 2003) gives a cut graph whose complement is a disk. Shortest paths from the cut graph to the points of
+/// plan.tips become further cuts, which open limbs (Sheffer and Hart 2002, Seamster).
 Disk cut_open(const Surface& surface, const CutPlan& plan);
 
 /// A surface point and its distance to the nearest cut, along the edges of the surface.

@@ -91,8 +91,8 @@ void fit_uv(std::vector<Surface::Corners>& uv) {
     for (glm::dvec2& p : corners) p = turn(p) * scale + shift;
 }
 
-// True if the map lies in the unit square. A file's own map then stays unchanged, so that textures made for
-// the file fit.
+// Returns true if the map lies in the unit square. In this case, finish() does not change a UV map that the
+// file contains, so that textures made for this map still match.
 bool fits(const std::vector<Surface::Corners>& uv) {
   const Box box = box_of(uv, 0);
   return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
@@ -146,7 +146,7 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
   for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
   std::vector<std::uint32_t> copy_order(mesh.position.size()), number(mesh.position.size());
   std::iota(copy_order.begin(), copy_order.end(), 0u);
-  // The sort is stable, so the copies of a point stay sorted by UV.
+  // The mesh's vertices at one surface point are sorted by UV. The sort is stable, so it keeps this order.
   std::stable_sort(copy_order.begin(), copy_order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rank[mesh.weld[a]] < rank[mesh.weld[b]]; });
   for (std::uint32_t i = 0; i < copy_order.size(); ++i) number[copy_order[i]] = i;
@@ -199,8 +199,8 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.welded = std::uint32_t(point.size());
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 
-  // A vertex copy is a distinct pair of a surface point and a UV. Copies are sorted by surface point, then by
-  // UV. First, the corners of the triangles are grouped by point.
+  // The mesh has one vertex for each distinct pair of a surface point and a UV. The vertices are sorted by
+  // surface point, then by UV. First, the corners of the triangles are grouped by point.
   const auto point_of = [&](std::uint32_t c) { return rank[surface.triangle[c / 3][c % 3]]; };
   const auto uv_of = [&](std::uint32_t c) { return glm::vec2(uv[c / 3][c % 3]); };
   const auto corners = std::uint32_t(3 * surface.triangle.size());

@@ -11,9 +11,9 @@ namespace pelage {
 glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 
 /// Rotates the surface by `rotation` (degrees about x, then y, then z) and scales it to the unit bounding
-/// sphere. Rotates and scales the UV map into [0,1]^2. Two kinds of UV maps stay unchanged: a periodic map;
-/// and a file's own map, or a map of packed charts, if the map already lies in [0,1]^2. Splits points on UV
-/// seams into copies, and sorts points, copies and triangles along a Morton curve.
+/// sphere. A periodic UV map stays unchanged. The UV map of a file and a map of packed charts stay unchanged
+/// if they lie in [0,1]^2. All other UV maps are rotated and scaled into [0,1]^2. Splits each point on a UV
+/// seam into several vertices, one for each UV. Sorts points, vertices and triangles along a Morton curve.
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation);
 
 /// Rotates a finished mesh by `rotation` (degrees about x, then y, then z) and sorts it along a Morton curve

@@ -53,8 +53,8 @@ std::vector<Local> locals(const Surface& surface, const Disk& disk) {
   return list;
 }
 
-// Returns the vertex copies on the border of a disk, in order along the border; empty if the border is not a
-// single loop.
+// Returns the vertices on the border of a disk (the surface, cut open), in order along the border. Returns an
+// empty vector if the border is not a single loop.
 std::vector<std::uint32_t> border_of(const Disk& disk) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(disk.triangle.size() * 3);
@@ -241,13 +241,13 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
     if (part) part(double(step) / (iterations + 2));
   };
   const std::vector<std::uint32_t> border = border_of(disk);
-  if (border.empty()) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  if (border.empty()) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
   const std::vector<Local> local = locals(surface, disk);
   Columns circle = Columns::Zero(Eigen::Index(disk.point.size()), 2);
   place_border(surface, disk, border, local, circle);
   tell(0);
   if (!harmonic(disk, local, border, circle))
-    throw InputError(fmt::format("{}: no UV map can be made for it", name));
+    throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
   tell(1);
   FlatDisk flat;
   Columns x = circle;
@@ -261,7 +261,7 @@ FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& na
   flat.rigid = flat.rigid && judge(flat, disk, x);
   if (!flat.rigid) {
     x = circle;
-    if (!judge(flat, disk, x)) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+    if (!judge(flat, disk, x)) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
   }
   flat.uv.reserve(disk.point.size());
   for (Eigen::Index i = 0; i < x.rows(); ++i) flat.uv.emplace_back(x(i, 0), x(i, 1));

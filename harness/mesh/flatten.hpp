@@ -11,8 +11,9 @@
 namespace pelage {
 
 struct FlatDisk {
-  std::vector<glm::dvec2> uv;  ///< UV of each vertex copy of the disk
-  std::size_t flipped = 0;     ///< number of flipped faces
+  /// UV of each vertex of the cut-open disk. A surface point on a cut is several vertices of the disk.
+  std::vector<glm::dvec2> uv;
+  std::size_t flipped = 0;  ///< number of flipped faces
   bool rigid = false;  ///< true: the map is as rigid as possible; false: it is the harmonic map onto a circle
 };
 

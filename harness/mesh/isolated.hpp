@@ -1,5 +1,5 @@
-// Runs work in a child process, so that a crash, an endless loop or excessive memory use becomes an error
-// message.
+// Runs a function in a child process. A crash, an endless loop or excessive memory use of this function then
+// becomes an InputError in the calling process.
 #pragma once
 #include <chrono>
 #include <cstdint>
@@ -9,18 +9,20 @@
 namespace pelage {
 
 struct Limits {
-  std::uint64_t memory;  ///< limit of the address space in bytes, in addition to that of the parent process
+  /// Number of bytes by which the child process may enlarge its address space. At its start, the child
+  /// process has the address space of the parent process.
+  std::uint64_t memory;
   std::chrono::seconds time;  ///< limit of the wall-clock time
-  /// Time without a message from the child process after which isolated() sends the message "still at work".
+  /// If the child process sends no message for this time, isolated() reports "still at work".
   std::chrono::milliseconds silence = std::chrono::seconds(20);
 };
 
 using Say = std::function<void(const std::string&)>;
 
 /// Runs `work` in a child process and returns the bytes that `work` returns. `progress` receives the messages
-/// of `work`. If `work` sends no message for limits.silence, `progress` receives a message with the elapsed
-/// time in seconds. Rethrows an InputError that `work` throws. A crash, an exceeded limit or any other
-/// exception becomes an InputError that begins with `name`.
+/// of `work`. If `work` sends no message for the duration limits.silence, isolated() passes a message with
+/// the elapsed time in seconds to `progress`. Rethrows an InputError that `work` throws. A crash, an exceeded
+/// limit or any other exception becomes an InputError that begins with `name`.
 std::string isolated(const std::string& name, const Limits& limits,
                      const std::function<std::string(const Say&)>& work, const Say& progress);
 

@@ -28,8 +28,8 @@ namespace {
 // Version of the mesh preparation. The file name of every cached mesh depends on it. Increase it whenever a
 // change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 3;
-constexpr int procedural_recipe = 3;  // like `recipe`, but only for procedural shapes
-constexpr int file_recipe = 1;        // like `recipe`, but only for users' files
+constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
+constexpr int file_recipe = 1;        // version of the preparation of users' mesh files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -74,7 +74,7 @@ std::optional<glm::ivec2> finer_torus(const std::string& name) {
 
 [[noreturn]] void refuse_uv(const Source& source, const std::string& what) {
   throw InputError(
-      fmt::format("{}: {}, so there is no map to keep; leave out --keep-uv, or give fur.uv = "
+      fmt::format("{}: {}, so no UV map can be kept; leave out --keep-uv, or give fur.uv = "
                   "\"computed\"",
                   source.label, what));
 }
@@ -112,9 +112,9 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
 }
 
 // Returns a coarse version of the surface with about `faces` faces. plan_cuts() tests possible cuts on it. A
-// closed surface has an even number of faces, so with_faces() removes one face if the final face count is
-// odd. The coarse count is then odd too, so that both meshes have this hole. Returns `surface` itself if it
-// cannot be made coarser.
+// closed surface has an even number of faces, so with_faces() removes one face if the final number of faces
+// is odd, which leaves a hole. The coarse mesh then also gets an odd number of faces, so that it has this
+// hole too. Returns `surface` itself if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -137,12 +137,12 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
   stages.begin("making a coarse version" + of);
   const auto coarse = std::uint32_t(std::max(300.0, 6000 / std::sqrt(double(count))));
   const Surface proxy = proxy_of(component, model, coarse, stages.parts());
-  stages.begin("choosing where to cut" + of);
+  stages.begin("choosing the cuts for the UV map" + of);
   const auto unfold_proxy = [](const Surface& surface, const CutPlan& plan, const std::string& name) {
     return unfold_large(surface, plan, name);
   };
   std::vector<TriedPlan> plans = plan_cuts(proxy, label, unfold_proxy, stages.parts());
-  stages.begin("laying the surface flat" + of);
+  stages.begin("computing the UV map" + of);
   return unfold_first(component, std::move(plans), label,
                       [&](const Surface& surface, const CutPlan& plan, const std::string& name) {
                         return unfold_large(surface, plan, name, stages.parts());
@@ -153,7 +153,7 @@ Surface mapped(const Surface& component, Model model, const std::string& label, 
 // The time of every step grows linearly with the number of triangles.
 Surface mapped_file(Surface surface, const Model& model, const std::string& label, Stages& stages) {
   if (model.faces) {
-    stages.begin("changing the face count");
+    stages.begin("changing the number of faces");
     surface = with_faces(surface, *model.faces, up_before(model.rotation), label, stages.parts());
   }
   std::vector<Surface> parts = split(surface);
@@ -186,15 +186,15 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
   } else {
     if (model.wrap) surface = wrap(surface);
     tell();
-    stages.begin("choosing where to cut");
+    stages.begin("choosing the cuts for the UV map");
     const std::vector<TriedPlan> plans =
         plan_cuts(proxy_of(surface, model, 6000), source.label, unfold, stages.parts());
     if (model.faces) {
-      stages.begin("changing the face count");
+      stages.begin("changing the number of faces");
       surface = with_faces(surface, *model.faces, up_before(model.rotation), source.label, stages.parts());
     }
     tell();
-    stages.begin("laying the surface flat");
+    stages.begin("computing the UV map");
     surface = unfold_best(surface, plans, source.label);
   }
   tell();
@@ -257,7 +257,7 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
   }
   if (options.faces) {
     if (*options.faces < 4 || *options.faces > most_faces)
-      throw InputError(fmt::format("{} faces are out of range; give 4 to {}", *options.faces, most_faces));
+      throw InputError(fmt::format("the number of faces is {}; give 4 to {}", *options.faces, most_faces));
     model.faces = options.faces;
   }
   return model;

@@ -47,7 +47,7 @@ class Reader {
     std::map<std::string, std::array<std::uint32_t, 2>> found;
     const toml::node* node = table_.get(key);
     if (!node) return found;
-    const char* wanted = "a table of pairs, topology = [masses, springs]";
+    const char* wanted = "a table with entries TOPOLOGY = [number of masses, number of springs]";
     const toml::table* rows = node->as_table();
     if (!rows) fail(*node, key, wanted);
     for (const auto& [name, value] : *rows) {

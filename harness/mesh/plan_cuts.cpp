@@ -14,7 +14,8 @@
 namespace pelage {
 namespace {
 
-// Returns the cost of a UV map; a lower cost is better. Let r be the 99th percentile of the faces' area scale
+// Returns the cost of a UV map; a lower cost is better. The area scale of a face is its UV area divided by
+// its surface area. Let r be the quotient of two percentiles of the faces' area scales: the 99th percentile
 // divided by the 1st percentile. The cost is ln r + 20 (o + f), where o is the overlapping fraction of the
 // map's area, and f is the flipped fraction. An overlap of 1% therefore increases the cost as much as a 22%
 // greater r.
@@ -62,7 +63,8 @@ TriedPlan reach_into_limbs(const Surface& surface, glm::dvec3 root, const std::s
 
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part) {
-  // On a surface with handles the cut graph depends on its root, so four roots far from each other are tried.
+  // On a surface with handles, the cut graph depends on the face where its computation starts. The search
+  // therefore uses four start points that are far from each other.
   std::vector<glm::dvec3> roots{proxy.point.front()};
   // For a closed surface this is twice the Euler characteristic.
   const long euler = 2 * long(proxy.point.size()) - long(proxy.triangle.size());

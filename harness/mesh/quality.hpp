@@ -10,7 +10,7 @@
 namespace pelage {
 
 struct Topology {
-  std::size_t copies = 0;  ///< number of vertices, including copies on UV seams
+  std::size_t copies = 0;  ///< number of vertices; a surface point on a UV seam has several
   std::size_t points = 0;  ///< number of surface points
   std::size_t edges = 0;   ///< number of edges between surface points
   std::size_t faces = 0;

@@ -60,7 +60,7 @@ Polyhedron from_soup(const Soup& soup, Notes& notes, const std::string& name, St
   PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   if (!CGAL::is_triangle_mesh(mesh)) {
     PMP::triangulate_faces(mesh);
-    notes.push_back("split polygons into triangles");
+    notes.push_back("divided polygons into triangles");
   }
   return mesh;
 }
@@ -95,10 +95,10 @@ void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   for (std::size_t n = 0; n < pieces; ++n)
     if (!open[n] || area[n] >= least * largest) kept.push_back(n);
   if (kept.size() > most_components)
-    throw InputError(
-        fmt::format("{}: {} components; at most {} can have a chart each; keep only the largest "
-                    "(mesh.components, --components largest), or join them",
-                    name, kept.size(), most_components));
+    throw InputError(fmt::format(
+        "{}: {} components; at most {} components can have their own chart of the UV map; keep only "
+        "the largest (mesh.components, --components largest), or join them",
+        name, kept.size(), most_components));
   if (kept.size() < pieces) {
     PMP::keep_connected_components(mesh, kept, piece);
     notes.push_back(

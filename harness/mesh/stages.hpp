@@ -7,7 +7,7 @@
 namespace pelage {
 
 /// Sends the current stage of a preparation to a callback, with the stage's completed fraction and the
-/// seconds since the start, for instance "cat.obj: laying the surface flat, 40%, 12 s".
+/// seconds since the start, for instance "cat.obj: computing the UV map, 40%, 12 s".
 class Stages {
  public:
   using Say = std::function<void(const std::string&)>;

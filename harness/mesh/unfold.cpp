@@ -112,9 +112,9 @@ Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& n
     method = "mean-value coordinates on a circle";
   }
   if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
-  result.notes.push_back(
-      fmt::format("UV map: one chart, {} points on its seams, {} cuts into limbs, {}, {} faces flipped",
-                  disk.point.size() - surface.point.size(), plan.tips.size(), method, map.quality.flipped));
+  result.notes.push_back(fmt::format(
+      "UV map: one chart, {} vertices added at seams, {} cuts to tips of limbs, method: {}, {} faces flipped",
+      disk.point.size() - surface.point.size(), plan.tips.size(), method, map.quality.flipped));
   result.uv.clear();
   for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({map.uv[a], map.uv[b], map.uv[c]});
   return result;

@@ -15,8 +15,9 @@ struct MapQuality {
   /// True: the map is finite, has a positive area, and at most 2% of its faces are flipped.
   bool usable = false;
 };
-/// Measures a UV map. `uv` has one entry per vertex copy of a Disk, and `triangles` are indices of these
-/// copies. A face is flipped unless its corners are counter-clockwise in UV.
+/// Measures a UV map. `uv` has one entry per vertex of a Disk. A surface point on a cut is several vertices
+/// of the disk. `triangles` contains the indices of the three vertices of each triangle in `uv`. A face is
+/// flipped unless its corners are counter-clockwise in UV.
 MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles);
 
 /// A function that cuts a surface open according to `plan` and flattens it. Throws InputError if this fails.
@@ -27,8 +28,8 @@ using Unfold = std::function<Surface(const Surface& surface, const CutPlan& plan
 /// method so that their meshes stay bitwise identical.
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
 
-/// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. `part` receives the
-/// completed fraction.
+/// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. During the
+/// computation, `part` is called with the completed fraction of the work, 0 to 1.
 Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::string& name,
                      const std::function<void(double)>& part = {});
 
@@ -40,17 +41,17 @@ struct TriedPlan {
 /// Chooses cut plans by trial. Cuts into the limbs of the model are added one after another, the cut to the
 /// farthest tip first. A cut is kept if it lowers the cost of the UV map, which measures stretch, overlap and
 /// flipped faces. Dozens of maps are computed, so `proxy` should be a coarse version of the surface (about
-/// 6000 faces). A plan consists of positions and therefore also applies to the fine surface. Returns one plan
-/// for a surface without handles, otherwise four plans with different roots. `part` receives the completed
-/// fraction.
+/// 6000 faces). A plan consists of 3D points and not of vertex indices, so it can also be applied to the fine
+/// surface. Returns one plan for a surface without handles, otherwise four plans with different roots. During
+/// the computation, `part` is called with the completed fraction of the work, 0 to 1.
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part = {});
 
-/// Computes the UV map of every plan and returns the surface with the map of least cost.
+/// Computes the UV map of every plan and returns the surface with the map of the lowest cost.
 Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name);
 
-/// Returns the surface with the UV map of the plan of least cost. If `unfold` throws InputError for a plan,
-/// the plan with the next higher cost is tried.
+/// Computes the UV map of the surface with the cut plan that has the lowest cost. If `unfold` throws
+/// InputError for a plan, the plan with the next higher cost is tried. Returns the surface with its UV map.
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold);
 

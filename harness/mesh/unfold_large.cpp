@@ -34,10 +34,10 @@ Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::str
   need_cut(surface, disk, name);
   const FlatDisk flat = flatten(surface, disk, name, part);
   Surface result = surface;
-  result.notes.push_back(
-      fmt::format("UV map: one chart, {} points on its seams, {} cuts into limbs, {}, {} faces flipped",
-                  disk.point.size() - surface.point.size(), plan.tips.size(),
-                  flat.rigid ? "as rigidly as possible" : "harmonic on a circle", flat.flipped));
+  result.notes.push_back(fmt::format(
+      "UV map: one chart, {} vertices added at seams, {} cuts to tips of limbs, method: {}, {} faces flipped",
+      disk.point.size() - surface.point.size(), plan.tips.size(),
+      flat.rigid ? "as rigidly as possible" : "harmonic on a circle", flat.flipped));
   result.uv.clear();
   result.uv.reserve(disk.triangle.size());
   for (const auto& [a, b, c] : disk.triangle) result.uv.push_back({flat.uv[a], flat.uv[b], flat.uv[c]});

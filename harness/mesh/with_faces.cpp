@@ -69,7 +69,9 @@ Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, c
   if (mesh.number_of_faces() == faces + 1) {
     drop_lowest_face(mesh, up);
     mesh.collect_garbage();
-    notes.push_back("dropped the lowest face: the count is odd, but a closed mesh has an even count");
+    notes.push_back(
+        "removed the lowest face, because the mesh had one face more than requested (a closed mesh has an "
+        "even number of faces)");
   }
   if (mesh.number_of_faces() != faces)
     throw InputError(fmt::format(

@@ -26,16 +26,17 @@ Axes axes(glm::dvec3 forward, glm::dvec3 up) {
   return {right, glm::cross(forward, right), forward};
 }
 
-/// Coordinates of the eye across and along the view axis, in R.
+/// Position of the eye, in R. `along` is its coordinate parallel to the view axis. `across` is its coordinate
+/// on one axis perpendicular to the view axis.
 struct Stand {
   double across, along;
 };
 
-/// Returns the eye at which two rays start, with the slopes +`slope` and -`slope`, such that all points lie
-/// between the rays and each ray touches a point. Let p be the coordinate of a point across the view axis,
-/// and q its coordinate along the axis. The first ray touches the point with the greatest p - slope * q. The
-/// second ray touches the point with the greatest -p - slope * q. Each point is treated as a segment across
-/// the axis with the half length `margin`, in R.
+/// Returns the position of the eye nearest to the points at which the points just fit between two rays. The
+/// rays start at the eye. Their slopes relative to the view axis are +`slope` and -`slope`. For each point,
+/// let p be its coordinate perpendicular to the view axis, and q its coordinate parallel to the view axis.
+/// The first ray touches the point with the greatest p - slope * q. The second ray touches the point with the
+/// greatest -p - slope * q. The coordinate p of each point may vary by +-`margin` (in R).
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -47,9 +48,10 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// Returns an eye whose coordinate along the view axis is `along`. This eye must be at least as far from the
-/// points as the eye that touch() returns for `slope`. Bisection finds the slope, between 0 and `slope`, for
-/// which touch() returns an eye with the coordinate `along`.
+/// Returns an eye with the given coordinate `along`. The points lie between two rays from this eye, which
+/// have opposite slopes and both touch a point. `along` must be at most touch(slope).along, so that the eye
+/// is at least as far from the points as touch(slope). A smaller slope of the rays moves the eye of touch()
+/// away from the points. Bisection between 0 and `slope` finds the slope s with touch(s).along = `along`.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

@@ -1,4 +1,4 @@
-// The colour of the fur over the body.
+// The colour of the fur as a function of the position on the surface.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 

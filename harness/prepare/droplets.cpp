@@ -49,7 +49,8 @@ class Places {
   }
 
  private:
-  /// Builds the search tree of the UV map: a mesh in the plane z = 0 without the triangles of zero UV area.
+  /// Builds a search tree over the triangles of the UV map, which are placed in the plane z = 0. Triangles of
+  /// zero UV area are omitted.
   void lay_out() {
     auto flat = std::make_shared<Mesh>();
     flat->uv = mesh_->uv;
@@ -74,8 +75,9 @@ class Places {
 };
 
 /// Returns the maximum distance, in R, between the centre of a droplet and the surface points of the texels
-/// that it covers. This is twice the droplet's radius times the mesh's mean length on the surface per
-/// unit of UV. The factor 2 allows for stretch of the UV map.
+/// that it covers. The distance is 2 * radius * length. `radius` is in UV, and length is the mean length on
+/// the surface, in R, of one unit of u or of v, whichever is longer. The factor 2 allows for stretch of the
+/// UV map.
 float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }
@@ -131,7 +133,8 @@ class Patches {
       if (wet >= double(wetness.patch_cover) * total) break;
     }
   }
-  /// Returns a factor of the wetness at p: 0 outside the wet areas, rising smoothly to 1 inside them.
+  /// Returns the number by which the wetness of a droplet at p is multiplied. It is 0 outside the areas of
+  /// random droplets and rises smoothly to 1 inside these areas.
   double depth(glm::dvec3 p) const {
     if (everywhere_) return 1;
     const double t = std::clamp((at(p) - threshold_) / 0.15, 0.0, 1.0);

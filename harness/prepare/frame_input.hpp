@@ -15,7 +15,7 @@
 
 namespace pelage {
 
-/// The strands of S 3.2.1: one mass on a spring per triangle.
+/// The strands of S 3.2.1. Each triangle has one strand, which is a mass on a spring.
 struct StrandSet {
   std::vector<glm::vec3> root;    ///< centroid of each triangle in R
   std::vector<glm::vec3> normal;  ///< unit normal of each triangle; p0 of S is root + L0 * normal
@@ -24,10 +24,13 @@ struct StrandSet {
   // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
   // converts one value per strand to one value per surface point. The value at a point is the mean over the
   // strands of the triangles around the point, weighted by the areas of these triangles.
-  /// Index in `face` and `weight` of the first element of each matrix row; the last value is their size.
+  /// For each matrix row, the index of its first element in `face` and `weight`. The last value is the number
+  /// of matrix elements, which is the size of `face` and of `weight`.
   std::vector<std::uint32_t> row;
-  std::vector<std::uint32_t> face;  ///< column of each matrix element: index of a triangle and of its strand
-  std::vector<float> weight;        ///< weight of each matrix element; the sum over a row is 1
+  /// For each matrix element, the index of its column. It is the index of a triangle, and also the index of
+  /// the triangle's strand.
+  std::vector<std::uint32_t> face;
+  std::vector<float> weight;  ///< weight of each matrix element; the sum over a row is 1
 };
 
 /// The tangent frame of the curl per surface point: the orthonormal, tangential vectors u and v of S Eq. 4.
@@ -78,7 +81,7 @@ struct Camera {
   /// View ray through the image centre, and its changes per pixel in x and in y. The rays are not normalized.
   glm::vec3 ray, ray_dx, ray_dy;
   float pixel = 0;  ///< side length of a pixel at view depth 1, in R
-  float near = 0;   ///< view depth of the near plane in R
+  float near = 0;   ///< view depth of the near plane, in units of R (the mesh radius)
   int width = 0, height = 0;
 };
 
@@ -94,8 +97,9 @@ struct FrameInput {
   FurTexture fur;
   CoatTexture coat;
   std::vector<Droplet> droplets;
-  /// Surface points in R under the centres of the wetness.size^2 texels of the wetness mask. A texel outside
-  /// all charts has the point of the nearest texel inside a chart.
+  /// For each of the wetness.size^2 texels of the wetness mask, the surface point whose UV is the texel's
+  /// centre, in units of R (the mesh radius). A texel outside all charts has the surface point of the texel
+  /// inside a chart that is nearest in UV.
   std::vector<glm::vec3> mask_surface;
   glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
   Camera camera;

@@ -19,7 +19,8 @@ enum Stream : std::uint32_t {
   undercoat_traits
 };
 
-// Fraction of the random shade variation that is equal for all hairs of a lock.
+// The random variation of a hair's shade is a weighted sum of a value common to all hairs of the lock (with
+// this weight) and a value of the hair alone.
 constexpr double lock_share = 0.4;
 constexpr double undercoat_thinness = 0.8;  // ratio of an undercoat hair's radius to a guard hair's radius
 

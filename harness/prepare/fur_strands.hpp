@@ -16,13 +16,13 @@ struct FurStrand {
   double steep = 2.5;       ///< exponent c of the bend, see FurScene::bend_exponent
   double length = 1;        ///< length of the hair, as a fraction of L0
   double radius = 0;        ///< radius of the hair at its root
-  double width = 1;         ///< ratio of the hair's width along `across` to its thickness
+  double width = 1;         ///< ratio of the cross-section's size along `across` to its size along the bend
   glm::dvec2 across{0, 1};  ///< unit vector perpendicular to the bend
   double shade = 1;         ///< factor of the coat's colour
 };
 
-/// Returns all hairs, guard hairs first, then the undercoat. The roots are on a jittered grid that repeats
-/// with the square.
+/// Returns all hairs, guard hairs first, then the undercoat. The texture's square is divided into cells, and
+/// each cell has one root at a random position (jittered_points()).
 std::vector<FurStrand> grow_strands(const FurScene& fur);
 
 /// Returns the centre of the strand's cross-section at height h (0..1, fraction of L0). The centre may lie
@@ -32,8 +32,9 @@ glm::dvec2 strand_centre(const FurStrand& strand, const FurScene& fur, double h)
 /// Returns the radius of the strand's cross-section at height h <= length. The radius r of the hair itself
 /// decreases from the root to the tip, where it is fur.tip_radius times the radius at the root. The function
 /// returns the radius of a larger disc. Its area is pi r^2 + 2 r * spacing * fur.sweep, where `spacing` is
-/// the distance between two slices. Consider parallel rays at the angle arctan(fur.sweep) to the strand. The
-/// rays that hit the strand between two slices cross a slice in exactly this area. Without the widening, rays
+/// the distance between two slices. Consider parallel rays at the angle arctan(fur.sweep) to the strand, and
+/// two neighbouring slices. Some of these rays hit the strand between the two slices. The points where these
+/// rays cross one of the slices fill a region of exactly this area. Without the widening, rays
 /// would pass between the sections of a strand if there are few layers, and the fur would look thinner and
 /// darker.
 double strand_radius(const FurStrand& strand, const FurScene& fur, double h);

@@ -10,7 +10,9 @@ namespace {
 
 constexpr int fine = 4;               // number of sub-samples per texel and axis
 constexpr double shade_unit = 127.5;  // stored byte value of the shade 1.0
-// The coverage is computed for this number of layers and then converted to the number fur.layers.
+// Painter computes the coverage c of a texel as the opacity of one of this many layers. For N = fur.layers
+// layers, c is converted to 1 - (1 - c)^(reference_layers / N), so that all N layers together are equally
+// opaque.
 constexpr double reference_layers = 16;
 
 /// One slice of the texture during its generation; coverage is 0..1.
@@ -34,21 +36,23 @@ int wrap(int i, int n) {
   return i < 0 ? i + n : i;
 }
 
-/// The elliptic cross-section of a strand; its lengths are in texels.
+/// The elliptic cross-section of a strand; its lengths are in texels. One semi-axis has the length
+/// width * radius and the direction `across`. The other semi-axis has the length `radius`.
 struct Section {
-  glm::dvec2 centre, across;  ///< centre, and unit vector along the longer axis
-  double radius, width;       ///< semi-axes: width * radius along `across`, radius perpendicular to it
+  glm::dvec2 centre, across;  ///< centre of the ellipse; direction of its longer axis (unit vector)
+  double radius, width;  ///< length of the shorter semi-axis; ratio of the longer to the shorter semi-axis
 };
 
 /// Draws cross-sections of strands into a slice. The coverage of a texel by a cross-section is the fraction
-/// of the texel's sub-samples inside the cross-section, times a weight. A texel stores the maximum of its
-/// coverages by all cross-sections.
+/// of the texel's sub-samples inside the cross-section, times a weight. A texel stores the largest
+/// coverage that any cross-section gives it.
 class Painter {
  public:
   explicit Painter(Slice& slice) : slice_(slice) {}
 
   void paint(const Section& s, float weight, float shade) {
-    // A point at the offset d from the centre is inside if xx dx^2 + 2 xy dx dy + yy dy^2 <= 1.
+    // A point at the offset (dx, dy) from the centre is inside the ellipse if xx dx^2 + 2 xy dx dy + yy dy^2
+    // <= 1. The following lines compute the coefficients xx, xy and yy.
     const double p = 1.0 / (s.radius * s.radius), q = p / (s.width * s.width);
     const glm::dvec2 e = s.across;
     const double xx = q * e.x * e.x + p * e.y * e.y, yy = q * e.y * e.y + p * e.x * e.x,
@@ -86,8 +90,9 @@ class Painter {
   std::vector<int> count_;
 };
 
-/// Minimum radius of a drawn cross-section in texels. A thinner section would contain too few sub-samples. It
-/// is drawn with this radius, and its coverage is multiplied by the ratio of the two areas.
+/// Minimum radius of a drawn cross-section in texels. A thinner cross-section would contain too few
+/// sub-samples. It is drawn with this radius, and its coverage is multiplied by its true area divided by its
+/// drawn area.
 constexpr double thinnest = 0.36;
 
 Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {

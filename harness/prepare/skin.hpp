@@ -9,17 +9,19 @@
 namespace pelage {
 
 struct Skin {
-  std::vector<glm::uvec3> triangle;       ///< surface points at the corners of each triangle
-  std::vector<glm::dvec3> position;       ///< position of each surface point in R
-  std::vector<std::uint32_t> first_copy;  ///< lowest index of the vertices at each surface point
-  std::vector<double> area;               ///< area of each triangle in R^2
+  std::vector<glm::uvec3> triangle;  ///< surface points at the corners of each triangle
+  std::vector<glm::dvec3> position;  ///< position of each surface point in R
+  /// For each surface point, the lowest index of its vertices in Mesh. A point on a UV seam has several
+  /// vertices.
+  std::vector<std::uint32_t> first_copy;
+  std::vector<double> area;  ///< area of each triangle in R^2
   /// Unit normal of each triangle; if its area is 0, the mean normal of its corners.
   std::vector<glm::dvec3> face_normal;
   /// Unit normal at each surface point: the normalized, area-weighted mean of the normals of the triangles
   /// around the point.
   std::vector<glm::dvec3> normal;
-  std::vector<std::uint32_t> row;   ///< the triangles around point w are face[row[w]] .. face[row[w + 1] - 1]
-  std::vector<std::uint32_t> face;  ///< indices of triangles, ascending for each point
+  std::vector<std::uint32_t> row;   ///< face[row[w]] .. face[row[w + 1] - 1] are the triangles around point w
+  std::vector<std::uint32_t> face;  ///< triangle indices, see `row`; ascending for each surface point
 };
 
 Skin weld(const Mesh& mesh);

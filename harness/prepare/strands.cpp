@@ -9,9 +9,11 @@
 namespace pelage {
 namespace {
 
-constexpr double noise_size = 0.1;  // size of the features of the comb's noise, in R
-// The comb direction is a unit vector. Where its tangential part has this length, the tilt is fur.comb /
-// sqrt(2). With a shorter tangential part the tilt decreases to 0.
+constexpr double noise_size = 0.1;  // wavelength, in R, of the noise that varies the comb direction
+// The comb direction is a unit vector. Let g be the length of its tangential part at a surface point. The
+// tilt is the tangent of the angle between strand and normal. Before noise and smoothing, the tilt is
+// g * fur.comb / sqrt(g^2 + least_grip^2). It is fur.comb / sqrt(2) where g is equal to least_grip, and 0
+// where g is 0.
 constexpr double least_grip = 0.25;
 constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
 

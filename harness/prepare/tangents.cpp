@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr int smooth_iterations = 60;
-constexpr double phase_size = 0.4;  // size of the features of the curl's phase noise, R
+constexpr double phase_size = 0.4;  // wavelength, in R, of the noise that varies the curl's phase
 
 glm::dvec3 unit_tangent(glm::dvec3 v, glm::dvec3 n) {
   const glm::dvec3 flat = tangential(v, n);

@@ -8,8 +8,8 @@ namespace pelage {
 
 /// Returns the derivatives dX/du and dX/dv at each vertex, in R per unit of UV. They are means over the
 /// triangles of the vertex, weighted by UV area. The weights limit the influence of triangles that are small
-/// in UV, whose derivatives are large. If all triangles of a vertex have zero UV area, its tangents have an
-/// arbitrary direction and the lengths mesh.length_per_uv.
+/// in UV, whose derivatives are large. If all triangles at a vertex have zero UV area, the directions of
+/// dX/du and dX/dv are arbitrary, and their lengths are taken from mesh.length_per_uv.
 SurfaceTangents surface_tangents(const Mesh& mesh, const Skin& skin);
 
 /// Returns the vectors u and v of S Eq. 4 for each surface point, orthonormal and tangential. With curl.frame

@@ -15,8 +15,8 @@ namespace {
 constexpr std::string_view title = "pelage texture 1\n";
 constexpr std::uintmax_t most_kept = std::uintmax_t(512) << 20;
 
-// parts() calls `store` for each member of a texture. Reading and writing share this list of members. parts()
-// returns false as soon as `store` returns false.
+// parts() calls `store` for each member of a texture. read() and write() both call parts(), so they process
+// the same members in the same order. parts() returns false as soon as `store` returns false.
 template <class Store>
 bool parts(Store&& store, auto& texture) requires requires {
   texture.level;

@@ -17,7 +17,7 @@ struct Cell {
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;       ///< metrics of the first of the combined rows
-  std::vector<std::vector<double>> processes;  ///< wall times of frames in ms; one list per row
+  std::vector<std::vector<double>> processes;  ///< wall times of frames in ms; one list per process
   double median_ms = 0;                        ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;

@@ -78,8 +78,8 @@ std::optional<double> implicit_by_explicit(const Table& table, const Key& key) {
   const auto slow = times(table, {model, topology, by_implicit}),
              fast = times(table, {model, topology, by_explicit});
   // The result is the ratio of the two solvers' frame times. The solver changes only the simulation time of a
-  // frame. The noise of the other phases is larger than the difference between the two simulation times, so
-  // both frame times use the explicit solver's time for the other phases.
+  // frame. The noise of the other phases is larger than the difference between the two simulation times.
+  // Therefore both frame times contain the other phases' time from the frame of the explicit solver.
   return slow && fast ? std::optional(1 + (slow->simulate - fast->simulate) / fast->frame) : std::nullopt;
 }
 
@@ -95,6 +95,8 @@ std::optional<double> updates(const Table& table, const Key& key) {
   return t ? std::optional(1000 / t->frame) : std::nullopt;
 }
 
+/// `words` quotes a statement of the paper, `where` names its place, and `reading` is the condition that is
+/// tested.
 struct Sentence {
   const char *words, *where, *reading;
   std::vector<std::string> models, topologies, solvers;
@@ -108,7 +110,7 @@ const std::vector<Sentence>& sentences() {
       {"for the moving fur simulation of the dog and the elephant, using non-separable topologies, the "
        "computational power needed for rendering the shell layers takes the greater part of the total "
        "performance",
-       "statement about Figures 9 and 10",
+       "the paper's statement about Figures 9 and 10",
        "the simulation's share of the frame time is at most 1/2",
        {elephant, dog},
        topologies(false),
@@ -118,7 +120,7 @@ const std::vector<Sentence>& sentences() {
        0.5},
       {"Even when using the potentially slower implicit solution method, no significant slowdown can be "
        "noticed",
-       "statement about the elephant with spring-sticks or prisms in Figure 9",
+       "the paper's statement about the elephant with spring-sticks or prisms in Figure 9",
        "the frame time with simulation by the implicit solver, divided by the frame time with simulation by "
        "the explicit solver, is at most 1.1",
        {elephant},
@@ -129,9 +131,9 @@ const std::vector<Sentence>& sentences() {
        1.1},
       {"the number of mass points and springs needed for an entire surface is increased using these "
        "topologies",
-       "statement about the separable topologies, in section 4",
-       "the simulation time of the separable topology, divided by the simulation time of the topology with "
-       "shared masses, is at least 1",
+       "the paper's statement about the separable topologies, in section 4",
+       "the simulation time of separable-sticks or separable-prisms, divided by the simulation time of "
+       "sticks or prisms, is at least 1",
        {elephant, dog},
        topologies(false),
        both,
@@ -140,9 +142,9 @@ const std::vector<Sentence>& sentences() {
        1},
       {"the separable topologies simulated using the explicit solver run at update rates which are still "
        "interactive",
-       "statement about the elephant in Figure 9",
-       "the updates per second are at least 17, which the paper calls near the limits of interactive "
-       "application",
+       "the paper's statement about the elephant in Figure 9",
+       "the number of updates per second is at least 17; the paper calls 17 updates per second near the "
+       "limits of interactive application",
        {elephant},
        topologies(true),
        {by_explicit},
@@ -150,7 +152,7 @@ const std::vector<Sentence>& sentences() {
        false,
        17},
       {"Using the spring-sticks for the dynamical simulation does not noticeably slow down the system",
-       "statement about the dog in Figure 10",
+       "the paper's statement about the dog in Figure 10",
        "the simulation's share of the frame time is at most 1/20",
        {dog},
        {std::string(springs::Kind::sticks.name)},
@@ -160,7 +162,7 @@ const std::vector<Sentence>& sentences() {
        0.05},
       {"Nearly all the time needed to process the animation is required by the rendering, not by the "
        "physical system",
-       "statement about the grass in Figure 11",
+       "the paper's statement about the grass in Figure 11",
        "the simulation's share of the frame time is at most 1/10",
        {grass},
        every_topology(),
@@ -194,9 +196,10 @@ Claim judged(const Sentence& s, const std::string& device, const Table& table) {
       }
   const double decisive = s.at_most ? most : least;
   claim.held = (s.at_most ? decisive <= s.limit : decisive >= s.limit) ? Held::yes : Held::no;
-  claim.found =
-      fmt::format("{:.3g} to {:.3g} in {} cells; {:.3g} in the worst cell: model {}, topology {}, solver {}",
-                  least, most, cells, decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
+  claim.found = fmt::format(
+      "measured {:.3g} to {:.3g} for {} combinations of model, topology and solver; the decisive "
+      "value is {:.3g} for model {}, topology {} and solver {}",
+      least, most, cells, decisive, std::get<0>(worst), std::get<1>(worst), std::get<2>(worst));
   return claim;
 }
 

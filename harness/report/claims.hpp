@@ -14,12 +14,12 @@ struct Claim {
   std::string device;
   std::string sentence;  ///< the paper's sentence, quoted
   std::string source;    ///< the figure or section that the sentence is about
-  /// Says which number is computed for each model, topology and solver, and which limit it must meet.
+  /// Says which value is measured for each model, topology and solver, and which limit each value must meet.
   std::string reading;
   Held held = Held::not_measured;
-  /// The range of the numbers of all models, topologies and solvers, and the worst number with its model,
-  /// topology and solver. If the limit is an upper limit, the worst number is the largest one, else the
-  /// smallest one.
+  /// Text with the smallest and the largest measured value over all models, topologies and solvers of the
+  /// claim, and with the model, topology and solver of the worst value. The worst value is the largest value
+  /// if `reading` says "at most", and the smallest value if `reading` says "at least".
   std::string found;
 };
 

@@ -17,7 +17,8 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
 }
 
 /// Returns a text of all properties that must be equal in the two cells of a pair. The properties are the
-/// experiment, the axes, the overrides, the variant and the device. The property `by` is left out.
+/// experiment, the axes, the overrides, the variant and the device. The text does not contain the property
+/// that `by` names.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
@@ -58,9 +59,11 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
       pairs.push_back(std::move(pair));
     }
   if (pairs.empty())
-    throw InputError(by.text.empty()
-                         ? "A and B have no case in common; --by device compares results of different devices"
-                         : fmt::format("no two cases differ only in {}", by.text));
+    throw InputError(
+        by.text.empty()
+            ? "A and B have no case in common on the same device; --by device compares results of "
+              "different devices"
+            : fmt::format("no two cases differ only in {}", by.text));
   return pairs;
 }
 

@@ -17,17 +17,18 @@ struct CompareBy {
 enum class Verdict { same, faster, slower, lost };  ///< lost: the case has a time in A but no time in B
 
 struct Pair {
-  std::string name;  ///< the common properties of both cells
+  std::string name;  ///< the properties that the two compared cells have in common
   std::string a, b;  ///< values of the property `by` in the two cells
   double a_ms = 0, b_ms = 0;
   double change = 0;  ///< b_ms / a_ms - 1; 0 if a time is missing
   Verdict verdict = Verdict::same;
 };
 
-/// Pairs every cell of `a` with each cell of `b` that has the same properties, except possibly `by`. A pair
-/// counts as faster or slower only if the medians differ by more than `threshold` (0.05 is 5%) and their 95%
-/// intervals do not overlap. If `one_set` is true, `a` and `b` are the same set. Two cells of this set that
-/// differ only in `by` then form one pair, not two. Throws InputError if there is no pair.
+/// Pairs every cell of `a` with each cell of `b` that has the same properties. Only the property that `by`
+/// names may differ. A pair counts as faster or slower only if the medians differ by more than `threshold`
+/// (0.05 is 5%) and their 95% intervals do not overlap. If `one_set` is true, `a` and `b` are the same set.
+/// If this set then contains the pair (x, y), the pair (y, x) is left out. Throws InputError if there is no
+/// pair.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, double threshold);
 

@@ -28,8 +28,8 @@ struct PaperTable {
   std::vector<std::string> footnotes;  ///< "a: stand-in ..."
 };
 
-/// The texts of a cell in the text, LaTeX and HTML tables: our frames per second (or the status), the paper's
-/// frames per second, and their ratio. A missing number is "-".
+/// What a table shows for one cell: our frames per second (or the status), the paper's frames per second, and
+/// the ratio of our number to the paper's number. A missing number is "-".
 struct CellText {
   std::string ours, paper, ratio;
 };
@@ -38,9 +38,10 @@ CellText cell_text(const Cell& cell);
 /// A function that returns the footnote of a model, or "" if the model has no footnote.
 using ModelNote = std::function<std::string(const std::string& model)>;
 
-/// Returns one table for each combination of experiment, device, host, variant and reading (value of the axis
-/// "reading"). The function omits cells with overrides (values of --set, --axis or --model), cells without
-/// one of the axes model, layers and size, and cells that have another kind of table (such as RivalTable).
+/// Returns one table for each combination of experiment, device, host, variant and reading (a set of scene
+/// settings, such as an interpretation of the paper). The function omits cells that the user changed with
+/// --set, --axis or --model. It omits cells without one of the axes model, layers and size. It also omits
+/// cells that another kind of table shows (such as RivalTable).
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
 /// Returns the table as text for a terminal, with a legend.

@@ -150,8 +150,8 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Copies one picture for each combination of experiment, model and value of the axis "reading". It chooses
-/// the pictures with the largest number of layers and copies the smallest of them.
+/// Copies one picture for each combination of experiment, model and value of the axis "reading". Among the
+/// pictures with the largest number of layers, it copies the picture with the smallest width.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {

@@ -36,8 +36,8 @@ struct Report {
   std::vector<WayTable> ways;
   /// For each of `ways`, the name of its file in tables/ without the extension .csv.
   std::vector<std::string> way_stems;
-  std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv if not empty
-  std::vector<Claim> claims;        ///< written to tables/claims.csv if not empty
+  std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv unless this list is empty
+  std::vector<Claim> claims;        ///< written to tables/claims.csv unless this list is empty
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py

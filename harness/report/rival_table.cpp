@@ -144,7 +144,8 @@ std::string shown(const std::optional<RivalTable::Entry>& entry) {
 
 std::string sentence(const RivalTable::Summary& s) {
   const std::string name = s.reading == "default" ? "" : s.reading + ": ";
-  if (s.timed == 0) return fmt::format("{}none of the {} cells has a ratio.", name, s.cells);
+  if (s.timed == 0)
+    return fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name, s.cells);
   return fmt::format("{}geometric mean {:.2f} over {} of {} cells, least {:.2f} ({}).", name, s.mean, s.timed,
                      s.cells, s.least, s.least_cell);
 }

@@ -38,10 +38,11 @@ struct RivalTable {
   /// The cost of curls and clumps. The cost is the frame time with the scene settings "default" divided by
   /// the frame time with the settings "plain", which have neither curls nor clumps.
   struct Overhead {
-    /// Number of cells (a model, a number of layers and a picture size) that have times with "default" and
-    /// with "plain".
+    /// Number of combinations of a model, a number of layers and a picture size for which both pipelines have
+    /// a time with the scene settings "default" and a time with the settings "plain".
     std::size_t cells = 0;
-    /// Geometric means of the cost over these cells, for our pipeline and for the OpenGL baseline.
+    /// Frame time with the settings "default" divided by the frame time with the settings "plain": geometric
+    /// mean over these combinations. `ours` is for the OpenCL pipeline, `opengl` is for the OpenGL baseline.
     double ours = 0, opengl = 0;
   };
   std::string experiment, device, host, renderer;
@@ -51,8 +52,9 @@ struct RivalTable {
   Overhead overhead;
 };
 
-/// Returns one table per experiment, device and host whose rows have the metric opengl_ratio. Ignores cells
-/// of runs in which --set, --axis or --model changed the experiment.
+/// Returns one table for each combination of experiment, device and host. A combination has a table only if
+/// at least one of its rows of results has the metric opengl_ratio. Ignores the rows of runs in which --set,
+/// --axis or --model changed the experiment.
 std::vector<RivalTable> rival_tables(const std::vector<FoundRow>& rows);
 
 std::string text_of(const RivalTable& table);

@@ -29,7 +29,8 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
 }
 
-/// Returns the cell that differs from `like` only in its number of layers; null if there is none.
+/// Returns the cell that has `layers` layers and the same device, host, variant, model and picture size as
+/// `like`. Returns null if there is no such cell.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&
@@ -79,8 +80,8 @@ std::string scaling_text(const std::vector<Cell>& cells) {
       worst_64 = std::max(worst_64, more->median_ms / c.median_ms);
   }
   if (worst_double > 0)
-    text += fmt::format("Twice the layers take at most {:.2f} times the time (limit: {:.2f})\n", worst_double,
-                        most_for_doubling);
+    text += fmt::format("A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f})\n",
+                        worst_double, most_for_doubling);
   if (worst_64 > 0)
     text += fmt::format("64 layers take at most {:.2f} times the time of 16 layers (limit: {:.1f})\n",
                         worst_64, most_for_64_by_16);
@@ -141,9 +142,9 @@ std::string in_turns_text(const std::vector<Cell>& cells) {
     quarter = std::max(quarter, by_quarter.value);
   }
   return text + fmt::format(
-                    "Twice the layers take at most {:.2f} times the time; four times the layers take at most "
-                    "{:.2f} times the time (limits: {:.2f} and {:.1f})\n",
-                    half, quarter, most_for_doubling, most_for_64_by_16);
+                    "A frame with twice the layers takes at most {:.2f} times as long (limit: {:.2f}); "
+                    "a frame with four times the layers takes at most {:.2f} times as long (limit: {:.1f})\n",
+                    half, most_for_doubling, quarter, most_for_64_by_16);
 }
 
 }  // namespace pelage

@@ -1,6 +1,6 @@
-// Text and tables of the experiments that vary the numbers of layers, pixels and triangles. They
-// contain the time ratios of cases that differ only in their number of layers, and the memory of the cases.
-// plots/scaling.py fits a model to one of the tables.
+// Text and tables of the experiments that vary the numbers of layers, pixels and triangles. The texts and
+// tables contain the time ratios of cases that differ only in their number of layers, and the memory of the
+// cases. plots/scaling.py reads the table of scaling_csv() and fits a model of the frame time to it.
 #pragma once
 #include <string>
 #include <vector>
@@ -25,7 +25,8 @@ std::string scaling_text(const std::vector<Cell>& cells);
 /// (harness/subjects/fewer_layers.hpp).
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 
-/// Returns CSV with one line per cell of in_turns_cells(): half_ratio and quarter_ratio with their intervals.
+/// Returns CSV with one line per cell. Each line contains half_ratio and quarter_ratio with their 95%
+/// intervals. `cells` is a result of in_turns_cells().
 std::string in_turns_csv(const std::vector<Cell>& cells);
 
 /// Returns the ratios of in_turns_csv() as text for a terminal, followed by the largest ratios.

@@ -13,20 +13,23 @@ struct SpringsChart {
   std::string title, stem;
   std::vector<FoundRow> rows;
 };
-/// Returns one chart per device for each experiment that has a chart and at least one ok row.
+/// Returns one chart per device for each experiment that plots/springs.py can draw. An experiment without a
+/// row of status ok on the device gets no chart. Rows with overrides (settings changed on the command line)
+/// are ignored.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
 /// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. For each
 /// round, the baseline's wall time is divided by our solver's wall time; `ratio` is the median of these
-/// quotients, and `low` and `high` are the limits of its 95% interval. `processor_ratio` is the baseline's
-/// CPU time divided by our solver's CPU time per core, or 0 if a CPU time is unknown. Other processes do not
-/// affect CPU times.
+/// quotients, and `low` and `high` are the limits of its 95% interval. Our solver's CPU time per core is its
+/// CPU time divided by the number of cores. `processor_ratio` is the baseline's CPU time divided by our
+/// solver's CPU time per core. `processor_ratio` is 0 if the row does not contain this ratio. Other processes
+/// do not affect CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;
 };
-/// Returns one line per baseline for every ok row without overrides. The lines are sorted by device, model,
-/// topology, solver, substeps and baseline.
+/// Returns one line per baseline for every row that has the status ok and no overrides (settings changed on
+/// the command line). The lines are sorted by device, model, topology, solver, substeps and baseline.
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);

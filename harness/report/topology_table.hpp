@@ -26,8 +26,8 @@ struct TopologyTable {
   struct Summary {
     std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the table rows
     std::optional<double> simulate;  ///< median over the table rows of the ratio simulation time / frame time
-    std::optional<double> worst;     ///< largest ratio simulation time / frame time of a table row
-    std::string worst_row;           ///< name of the table row with the ratio `worst`
+    std::optional<double> worst;  ///< maximum over the table rows of the ratio simulation time / frame time
+    std::string worst_row;        ///< name of the table row with this maximum
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;
@@ -38,8 +38,9 @@ struct TopologyTable {
 /// Returns true for a cell whose experiment varies dynamics.topology.
 bool has_topology_axis(const Cell& cell);
 
-/// Returns one table per experiment, device and host. It uses the experiments with the axes model, layers,
-/// size and dynamics.topology. It omits rows whose case was changed on the command line (--set, --axis,
+/// Returns one table per experiment, device and host. An experiment has a table if its axes include model,
+/// layers, size and dynamics.topology. The function omits rows whose case was changed on the command line
+/// (--set, --axis,
 /// --model).
 std::vector<TopologyTable> topology_tables(const std::vector<FoundRow>& rows);
 

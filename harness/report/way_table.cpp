@@ -86,8 +86,8 @@ std::string times(double value) {
 
 constexpr const char* legend =
     "Frame time in ms: median and 95% interval (*: the interval is wider than the preset requires). "
-    "times: frame time divided by the frame time of the fastest variant with a correct picture, "
-    "geometric mean over the columns.";
+    "Column times: frame time of the variant divided by the frame time of the fastest variant with a correct "
+    "picture, geometric mean over the cases.";
 
 }  // namespace
 

@@ -31,8 +31,9 @@ struct FurScene {
   float taper = 1.6f;              ///< exponent of the decrease of a hair's radius towards its tip
   float tip_radius = 0.15f;        ///< radius of a hair at its tip, as a fraction of its radius at the root
   int locks = 700;                 ///< number of locks of hair per slice; 0: no locks
-  /// A strand is displaced towards the centre of its lock. At the height h (fraction of L0) the displacement
-  /// is lock_pull * h^lock_power times the distance between root and centre. lock_pull is 0..1.
+  /// A strand is displaced towards the centre of its lock of hair. At the height h (fraction of L0), the
+  /// displacement of the strand is lock_pull * h^lock_power times the distance between the strand's root and
+  /// the centre of the lock. lock_pull is 0..1.
   float lock_pull = 0.45f;
   float lock_power = 1.0f;
   float bend = 0.0f;  ///< sideways offset of the tip of a blade of grass, in texels of a 256 x 256 slice
@@ -133,9 +134,12 @@ struct MotionScene {
 /// the intersected triangle.
 struct PokeScene {
   glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
-  glm::vec3 ray{0.0f};  ///< direction of a ray from `point`, which hits the mesh at the centre; zero: no ray
-  /// Radius of the area under the force, in R. If the radius is 0, the force acts only on the triangle that
-  /// the ray hits, or on no triangle if there is no ray.
+  /// Direction of a ray from `point`. The centre of the force is the first intersection of this ray with the
+  /// mesh. If `ray` is zero, the centre of the force is `point`.
+  glm::vec3 ray{0.0f};
+  /// The force acts on the triangles whose centroid is at most this distance from the centre of the force, in
+  /// R. If the radius is 0, the force acts only on the triangle that the ray hits, or on no triangle if `ray`
+  /// is zero.
   float radius = 0.0f;
   glm::vec3 force{0.0f};  ///< force on each top mass in newtons
   /// Additional force on each top mass in newtons, directed away from an axis through the centre. `along` is
@@ -149,7 +153,9 @@ struct DynamicsScene {
   std::string topology = "silva";
   /// Time integration scheme. The topology "silva" supports only the default scheme.
   std::string solver{springs::default_solver.name};
-  /// Bend of the layers with a mass-spring topology: "linear" | "paper" | "tangent".
+  /// How a stick of a mass-spring topology displaces the layers. "linear": the layers lie along the straight
+  /// stick. "paper": the layers lie on a curve by B Eq. 4. "tangent": as "paper", but the component of s - n
+  /// along n is removed, where s is the direction of the stick and n is the surface normal.
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4
   float mass = 0.001f;         ///< kg
@@ -158,8 +164,8 @@ struct DynamicsScene {
   float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
   int substeps = 4;            ///< number of substeps per frame
   /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, the number of
-  /// substeps is chosen so that 99% of a topology's top masses meet it. If the tolerance is 0, every frame
-  /// has `substeps` substeps.
+  /// substeps is chosen so that the estimated position error of 99% of the top masses (the upper ends of the
+  /// sticks) is at most the tolerance. If the tolerance is 0, every frame has `substeps` substeps.
   float tolerance = 0.0f;
   float time = 0.0f;                    ///< simulated time before the first picture, in seconds
   glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
@@ -208,7 +214,7 @@ struct CoatScene {
   glm::vec3 colour{0.86f, 0.70f, 0.50f};
   glm::vec3 second{0.62f, 0.44f, 0.27f};
   float scale = 0.5f;    ///< size of the pattern in R
-  glm::vec3 skin{0.5f};  ///< factor of the coat's colour on the base surface, per channel
+  glm::vec3 skin{0.5f};  ///< the base surface has the coat's colour times this factor, per channel
   std::uint32_t seed = 1;
   int texture = 512;  ///< number of texels per side of a procedural coat
 };

@@ -72,8 +72,8 @@ void check_droplets(const WetnessScene& wetness, const std::string& source) {
     DropletScene droplet = wetness.droplets[i];
     check_keys(droplet_keys(droplet), source, fmt::format("{}[{}].", droplet_list, i + 1));
     if (droplet.uv.has_value() == droplet.point.has_value()) {
-      throw InputError(fmt::format("{}: {}[{}]: has {} centre; give either uv or point", source, droplet_list,
-                                   i + 1, droplet.uv ? "a second" : "no"));
+      throw InputError(fmt::format("{}: {}[{}]: gives {} of the keys uv and point; give exactly one", source,
+                                   droplet_list, i + 1, droplet.uv ? "both" : "none"));
     }
   }
 }
@@ -102,7 +102,7 @@ void check_topology(const Scene& scene, const std::string& source) {
       refuse("fur.binding", fmt::format("must be \"shared\" if dynamics.topology is \"{}\"", d.topology));
     if (d.wind.strength > 0 && !(d.drag > 0))
       refuse("dynamics.wind.strength",
-             "the wind acts on a topology only by the drag force; give dynamics.drag above 0");
+             "with a mass-spring topology, the wind has no effect without drag; give dynamics.drag above 0");
     return;
   }
   const std::string alone =
@@ -149,9 +149,9 @@ void check_camera(const CameraScene& camera, const std::string& source) {
 void check_sizes(const Scene& scene, const std::string& source) {
   const double texels = double(scene.fur.layers) * scene.fur.texture * scene.fur.texture;
   if (texels > double(most_fur_texels)) {
-    throw InputError(
-        fmt::format("{}: fur.layers: {} layers of {} x {} texels are {:.0f} texels; give at most {} in all",
-                    source, scene.fur.layers, scene.fur.texture, scene.fur.texture, texels, most_fur_texels));
+    throw InputError(fmt::format(
+        "{}: fur.layers: {} layers of {} x {} texels have {:.0f} texels in total; the limit is {} texels",
+        source, scene.fur.layers, scene.fur.texture, scene.fur.texture, texels, most_fur_texels));
   }
   const double pixels = double(scene.image.width) * scene.image.height;
   if (pixels > double(most_pixels)) {

@@ -85,8 +85,8 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
     for (const std::string_view name : names) {
-      // The first distance compares the full names. The second distance compares the names without their
-      // tables, because users may put a key into a wrong table or into none.
+      // The first edit distance compares the full names. The second edit distance compares only the parts
+      // after the last dot, because users may write a key in a wrong TOML table or in no table.
       const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
     }
@@ -213,7 +213,7 @@ void read_table(Scene& scene, const std::vector<Key>& keys, const Source& source
         std::any_of(keys.begin(), keys.end(), [&](const Key& k) { return k.name.starts_with(name + "."); });
     if (group) {
       if (!node.is_table())
-        refuse(source, &node, name, fmt::format("is {}; give a table of keys", kind(node)));
+        refuse(source, &node, name, fmt::format("is {}; give a TOML table [{}] with keys", kind(node), name));
       read_table(scene, keys, source, *node.as_table(), name + ".");
     } else if (!read_key(scene, keys, source, node, name)) {
       refuse(source, &node, name, unknown(name, keys, true));

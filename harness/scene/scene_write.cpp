@@ -59,7 +59,8 @@ std::string text(const std::optional<T>& value) {
   return value ? text(*value) : std::string{};
 }
 
-/// Returns the value as TOML; an empty string if the value is absent (a droplet's uv or point).
+/// Returns the value as TOML. If the value is absent, returns an empty string. Only a droplet's uv and a
+/// droplet's point can be absent.
 std::string value_of(const Key& key) {
   return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
 }

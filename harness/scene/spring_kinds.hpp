@@ -8,12 +8,13 @@
 
 namespace pelage::springs {
 
-/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. Code tests these
-/// properties and never compares names. To add a topology, add a row to the table of spring_kinds.cpp.
+/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. The program decides by
+/// these properties and never by the name of the topology. To add a topology, add a row to the table of
+/// spring_kinds.cpp.
 struct Kind {
   std::string_view name;   ///< name in scene files and on the command line
   bool separable = false;  ///< each triangle has its own three sticks, so gaps can open between triangles
-  bool edges = false;      ///< springs also connect the top masses along the edges of the outermost layer
+  bool edges = false;      ///< in each triangle, springs connect the top masses of the three sticks
 
   constexpr bool operator==(const Kind& other) const { return name == other.name; }
   /// True if springs connect the top masses, and adjacent triangles share the springs of their common edge.
@@ -45,9 +46,9 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
   return out << kind.name;
 }
 
-/// A time integration scheme, described by its properties. Code tests these properties and never compares
-/// names. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the time step of the
-/// scheme in kernels/springs/ and in harness/springs/reference/reference.cpp.
+/// A time integration scheme, described by its properties. The program decides by these properties and never
+/// by the name of the scheme. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the
+/// time step of the scheme in kernels/springs/ and in harness/springs/reference/reference.cpp.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line
   bool implicit = false;  ///< true if a step solves a linear system

@@ -55,9 +55,10 @@ std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which
   const auto given = which.settings.find("fur.layers");
   const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
   if (layers < 4 || layers % 4 != 0)
-    throw InputError(fmt::format(
-        "{}: fur.layers = {}: {} also draws a half and a quarter of the layers; give a multiple of 4",
-        which.name, layers, which.pipeline));
+    throw InputError(
+        fmt::format("{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half "
+                    "and with a quarter of the layers",
+                    which.name, layers, which.pipeline));
   const auto with = [&](int number) {
     Case fewer = which;
     fewer.settings["fur.layers"] = std::to_string(number);

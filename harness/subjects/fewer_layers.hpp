@@ -8,9 +8,11 @@ namespace pelage {
 /// Returns a subject (an object that the harness times) that draws three frames in every round: with all of
 /// the case's layers, with half of them and with a quarter of them. `make` makes one subject for each number
 /// of layers, and the picture of each subject is checked. The row of results contains the times with all
-/// layers. Its phases "half" and "quarter" contain the other times. Its metrics "half_ratio" and
-/// "quarter_ratio" are the frame time with all layers divided by the time with fewer layers: the median over
-/// the rounds, with its 95% interval. Throws InputError if the number of layers is not a multiple of 4.
+/// layers. Its phases "half" and "quarter" contain the other times. Its metric "half_ratio" is the
+/// frame time with all layers divided by the frame time with half of the layers. Its metric "quarter_ratio"
+/// is the frame time with all layers divided by the frame time with a quarter of the layers. Each metric is a
+/// median over the rounds, with its 95% interval. Throws InputError if the number of layers is not a multiple
+/// of 4.
 std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which);
 
 }  // namespace pelage

@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// Returns a subject that times only the OpenGL baseline. `opengl` of the case contains the implementation
-/// options (docs/rival.md). Throws Unsupported if OpenGL is unavailable.
+/// Returns a subject that times only the OpenGL baseline. The field `opengl` of `which` contains the
+/// baseline's implementation options (docs/rival.md). Throws Unsupported if OpenGL is unavailable.
 std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which);
 
 /// Throws Unsupported if OpenGL is unavailable. Callers run this check before they prepare the mesh.

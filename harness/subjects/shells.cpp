@@ -55,9 +55,9 @@ class ShellsSubject : public Subject {
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
-    // The positions of the masses are checked as they were before the first timed frame. Errors of the
-    // simulation do not affect the picture check above: its reference picture uses the positions that the
-    // device has simulated for the same frame.
+    // The reference picture of check_against_reference() uses the mass positions that the device has
+    // simulated, so that function does not find errors of the simulation. check_sticks() therefore compares
+    // the positions that the masses had before the first timed frame with a double-precision simulation.
     if (springs)
       for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
         checks.push_back(std::move(check));

@@ -12,15 +12,15 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-/// Compares a list of configurations with its first entry, on every scene. `trusted` holds, for each scene,
-/// the hashes of outputs that are known to be correct.
+/// Times the configurations of a list on every scene, and compares their times with the time of the first
+/// configuration. `trusted` holds, for each scene, the hashes of outputs that are known to be correct.
 class Contest {
  public:
   Contest(const std::vector<TuningScene>& scenes, std::vector<std::set<std::uint64_t>>& trusted)
       : scenes_(scenes), trusted_(trusted) {}
 
-  /// Returns one Candidate per configuration of `field`. The first configuration is the incumbent; its ratio
-  /// is 1.
+  /// Times the configurations in `field` and returns one Candidate for each of them, in the same order. The
+  /// first configuration is the incumbent; its ratio is 1.
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];

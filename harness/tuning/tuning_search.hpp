@@ -56,10 +56,11 @@ struct TuningSearch {
 /// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best
 /// configuration so far; at first it is the shipped configuration. For each axis, the candidates are the
 /// configurations that differ from the incumbent in this axis only. The incumbent and the candidates run
-/// alternately on each scene, for `rounds` rounds. A candidate wins if its output is correct and the upper
-/// bound of the 95% interval of its ratio is below 1. The fastest winner becomes the incumbent. One of many
-/// candidates may win by chance. Therefore the last incumbent is compared with the shipped configuration once
-/// more, with twice the rounds, and is dropped unless it wins again.
+/// alternately on each scene, for `rounds` rounds. Candidate::ratio is the time of a candidate divided by
+/// the time of the incumbent. A candidate wins if its output is correct and the upper bound of the 95%
+/// interval of this ratio is below 1. The fastest winner becomes the incumbent. One of many candidates may
+/// win by chance. Therefore the last incumbent is compared with the shipped configuration once more, with
+/// twice the rounds, and is dropped unless it wins again.
 ///
 /// The output of the shipped configuration is compared with the reference. If the last output of a candidate
 /// is bit-identical to an output that passed this comparison, the output is correct. Any other output is

@@ -12,8 +12,9 @@ struct BuildInfo {
   std::string flags;     ///< compiler flags of the harness
 };
 
-/// Returns the build's data. The revision comes from git at build time, or in a copy without .git from
-/// revision.txt, which `git archive` fills in.
+/// Returns the version, the revision, the compiler and the compiler flags of this binary. The build reads the
+/// revision from git. In a copy without .git, the build reads the revision from revision.txt, which
+/// `git archive` fills in.
 const BuildInfo& build_info();
 
 }  // namespace pelage

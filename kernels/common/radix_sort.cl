@@ -5,7 +5,7 @@
 // The host defines the same values (harness/cl/radix_sort.cpp).
 #ifndef SORT_BITS
 #define SORT_BITS 4                             // bits of the key per pass
-#define SORT_RUN 32                             // number of consecutive keys (a run) that a work-item moves in order
+#define SORT_RUN 32                             // number of consecutive keys (a run) that one work-item processes
 #endif
 #define SORT_DIGITS (1 << SORT_BITS)
 #define SORT_ITEMS 64

@@ -19,21 +19,23 @@ typedef struct {
   int sticks;                                 // 1: layers follow B Eq. 4 instead of the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
-  // Tiles and their triangles.
+  // Number of tiles across and down the picture, and constants for the lists of the triangles of each tile.
   int tiles_x, tiles_y;
   int layer_batch;                            // layers per layer batch; a tile selects visible triangles once per batch
-  int layer_batches;                          // 1 for the base surface, plus the number of layer batches of this pass
+  int layer_batches;                          // number of layer batches of this pass + 1 (the base surface is batch 0)
   // Layers of this pass: first_layer <= n < end_layer. If N layers need too much memory, several passes draw them.
   int first_layer, end_layer;
   int chunk;                                  // number of triangles per chunk; a work-item counts one chunk
   int chunks;
-  // 1: triangles are also drawn in the layers in which their clumps discard all fragments.
+  // 1: every triangle is drawn in all layers. 0: a triangle is not drawn in the outer layers in which S Algorithm 2
+  // (clumps) discards all its fragments.
   int every_layer;
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
   float clump_shape;                          // w
   float clump_gain;
-  int clump_literal;                          // factor of a clump's displacement (1: r_mask, as in S; 0: clump_gain)
+  // Selects the factor by which a clump's displacement is multiplied. 1: r_mask, as in S; 0: clump_gain.
+  int clump_literal;
   int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
   float log_layers;                           // k = ln N
   // Textures.
@@ -42,22 +44,24 @@ typedef struct {
   float footprint;                            // pixel width at view depth 1, in texels of mip level 0, times 2^lod_bias
   int substeps;                               // texture samples per fragment of a layer: 1, 2, 4 or 8
   int coat_size;
-  // Light (S Eq. 6 or W Eq. 2-5) for the shading models in harness/scene/shading_models.cpp. surface_light is 0 for the
-  // model "curling" and 1 for the models "wet" and "lambert". For "lambert" the host sets specular, wrap and darkening
-  // to 0.
+  // Constants of the light equations (S Eq. 6, W Eq. 2-5). harness/scene/shading_models.cpp lists the shading models.
+  // surface_light is 0 for the model "curling" and 1 for the models "wet" and "lambert". For "lambert" the host sets
+  // specular, wrap and darkening to 0.
   int surface_light;                          // 1: diffuse light and self-shadow by W Eq. 2-5; 0: by S Eq. 6
   int two_sided;                              // 1: normals that face away from the eye are reversed for lighting
   float shadow;                               // K_shadow
   float specular[3];                          // K_s
-  float exponent;                             // p
-  int whole_exponent;                         // p if it is an integer and equal for all fragments, else 0
+  float exponent;                             // p, the exponent of the highlight
+  // If the exponent p of the highlight is an integer from 1 to 1024 and surface_light is 0, whole_exponent is p, else
+  // 0. With surface_light, the exponent of a fragment also depends on the wetness.
+  int whole_exponent;
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
   float drawn;                                // sign of the clump term in W Eq. 4 (+1: as printed; -1: the opposite)
   int lights;
   union {                                     // unit vectors towards the lights
-    // rusticl (Mesa 22.3) uses a wrong size for the two-dimensional array light[2][3]: its outer length, 2. The flat
-    // array is the first member of the union, so that rusticl uses the correct size.
+    // rusticl (Mesa 22.3) uses a wrong size for the array light[2][3]: it takes 2, the first dimension, as the number
+    // of elements. The flat array is the first member of the union, so that rusticl uses the correct size.
     float lights_flat[6];
     float light[2][3];
   };
@@ -68,8 +72,9 @@ typedef struct {
 // Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
-// Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/frame.md, section 3, which is the
-// weighted mean of the vectors L0 n of the strands. CURL_U and CURL_V: the two axes of the curl.
+// Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/frame.md, section 3. With `fur.binding`
+// "shared" it is the weighted mean, over the triangles around the vertex, of the fur's length L0 times the normal n of
+// the triangle. CURL_U and CURL_V: the two axes of the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
 
@@ -89,6 +94,6 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 
 #define SUBPIXEL 256            // screen coordinates are rounded to 1/256 pixel
 #define GUARD 16384.0f          // triangles are clipped at this distance from the image centre, in pixels
-#define OPAQUE 0.001953125f     // transmittance at or below which a pixel is complete, 1/512
+#define OPAQUE 0.001953125f     // 1/512; a pixel whose transmittance is at most OPAQUE receives no more fragments
 
 #endif

@@ -9,7 +9,8 @@
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
-#ifndef DOUBLE_SUMS  // 1: the device supports doubles, so the sums have double precision
+// DOUBLE_SUMS is 1 if the device supports doubles. The sums then have double precision.
+#ifndef DOUBLE_SUMS
 #define DOUBLE_SUMS 0
 #endif
 #if DOUBLE_SUMS
@@ -114,7 +115,7 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
     for (int k = 0; k < width; ++k) {
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
-      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: the entry is padding
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: an unused entry; it holds the stick's own index
       real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
       real length = load_real(rest, e);
       force = add3(force, edge_force(p, apart, parting, length));
@@ -187,7 +188,8 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
 static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
   // If dad is NaN, the returned step length and x become NaN too, so note_step() reports the diverged masses. If this
-  // function returned 0 for a NaN, these masses could stay in place, and the divergence would not be detected.
+  // function returned 0 for a NaN, x and the positions of these masses could stay finite. The divergence would then not
+  // be detected.
   return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 

@@ -1,8 +1,9 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. Every top mass reads the
-// old state of its neighbours, so a launch evaluates the forces only once. A small model takes one launch of one
-// work-item for all substeps (prism_*_whole), because many launches would take longer than the computation. The state
-// of a top mass is its offset q from the stick's base and its velocity v. Neighbours read v and the position (base +
-// q), which are stored in rows of four floats.
+// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The force on a top mass
+// depends on the states of neighbouring top masses, which other work-items compute. Work-items of different work-groups
+// cannot wait for each other within a launch, so each evaluation of the forces needs a separate launch. A small model
+// takes one launch of one work-item for all substeps (prism_*_whole), because many launches would take longer than the
+// computation. The state of a top mass is its offset q from the stick's base and its velocity v. Neighbours read v and
+// the position (base + q), which are stored in rows of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -12,9 +13,10 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// Computes one step of Euler's method. in_turn: 1: the semi-implicit method, which updates the positions with the new
-// velocities; 0: the explicit method. at: the index of the step's start in `moments` (wind, weight and object motion at
-// successive times). number: the number of the step since the start of the simulation.
+// Computes one step of Euler's method. If in_turn is 1, it is the semi-implicit method, which updates the positions
+// with the new velocities. If in_turn is 0, it is the explicit method. at: the index of the step's start in `moments`
+// (wind, weight and object motion at successive times). number: the number of the step since the start of the
+// simulation.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
@@ -104,8 +106,9 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
             first);
 }
 
-// Computes all substeps. The tips and speeds of the stages alternate between the buffers other_* and spare_*. At the
-// end of a step, the results are in the buffers tip and speed.
+// Computes all substeps. Each substep has the four stages of the Runge-Kutta scheme, stages 0 to 3. The positions and
+// velocities of the top masses for stages 1 and 3 are in the buffers other_tip and other_speed, and those for stage 2
+// are in spare_tip and spare_speed. At the start and at the end of a substep they are in tip and speed.
 __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,

@@ -4,7 +4,7 @@
 
 typedef struct {
   int size;    // number of texels per side of the mask
-  int bucket;  // number of texels per side of a bucket of droplets
+  int bucket;  // side, in texels, of a bucket (a square part of the mask that has its own list of droplets)
 } WetParams;
 
 // Columns of the droplet array.

@@ -1,5 +1,6 @@
-// S and W, Algorithm 1, for the whole mask: each work-item computes one texel and applies the droplets of its bucket in
-// order.
+// Computes the wetness mask by Algorithm 1 of S and W. Each work-item computes one texel. The mask is divided into
+// squares of texels, called buckets. A bucket lists the droplets that may cover its texels. The work-item applies the
+// droplets of its texel's bucket in the order of the list.
 #include "wet/equations.clh"
 
 // bucket_row: index of the first entry of each bucket in bucket_drop; its last element is the number of all entries.

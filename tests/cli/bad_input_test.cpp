@@ -99,8 +99,8 @@ const Bad images[] = {
 const Bad outputs[] = {
     {"-o a.jpg", 2, "a.jpg: a picture is written as .png, .exr or .tif"},
     {"-o a", 2, "a: a picture is written as"},
-    {"-o nowhere/a.png", 2, "nowhere/a.png: cannot be written, there is no folder 'nowhere'"},
-    {"-o folder.png", 2, "folder.png: cannot be written, it is a folder"},
+    {"-o nowhere/a.png", 2, "nowhere/a.png: cannot be written, because the folder 'nowhere' does not exist"},
+    {"-o folder.png", 2, "folder.png: cannot be written, because it is a folder"},
     {"-o /proc/a.png", 2, "/proc/a.png: cannot be written"},
     {"-o /proc/a.exr", 2, "/proc/a.exr: cannot be written"},
     {"-o a.png --dump a.txt", 2, "a.txt: the name of a dump must end in .h5 or .hdf5"},

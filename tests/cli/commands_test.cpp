@@ -114,9 +114,10 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   }
   EXPECT_GT(moved, 0.005f);
 
-  // A strand's tip offset is its tip minus its root. Without curl, the offset of the uppermost layer at a
-  // surface point is the mean of the tip offsets of the strands on the triangles around it, weighted by the
-  // areas of these triangles. All vertices at one surface point have bitwise equal positions.
+  // A strand's tip offset is its tip minus its root. Each triangle has one strand. Without curl, the offset
+  // of the uppermost layer at a surface point is a weighted mean of tip offsets. The mean is over the
+  // triangles around the point, and the weights are the areas of the triangles. All vertices at one surface
+  // point have bitwise equal positions.
   std::map<std::array<float, 3>, std::array<double, 4>> mean;
   const auto point = [&](std::size_t v) {
     return std::array{position.values[3 * v], position.values[3 * v + 1], position.values[3 * v + 2]};
@@ -145,8 +146,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
     }
   }
 
-  // All vertices are in front of the camera. The mean of their screen coordinates has a plausible size (below
-  // 4; the picture extends from -1 to 1).
+  // All vertices are in front of the camera. The mean x and the mean y of their screen coordinates have
+  // absolute values below 4. The picture extends from -1 to 1.
   const Dataset view = read(file, "camera/view"), projection = read(file, "camera/projection");
   double x = 0, y = 0;
   for (std::size_t v = 0; v < vertices; ++v) {

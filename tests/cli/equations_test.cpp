@@ -51,8 +51,8 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      // A line with a function does not clear the comment, because the comment may also describe the function
-      // on the next line.
+      // This line contains neither a comment nor a function. A line with a function keeps the comment,
+      // because the comment may also describe the function on the next line.
       comment.clear();
     }
   }
@@ -76,7 +76,8 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   }
 
   std::set<Line> table;
-  std::set<std::pair<std::string, std::string>> used, listed;  // pairs: group of tests, its file
+  // A pair is the name of a group of tests, and the file that contains this group.
+  std::set<std::pair<std::string, std::string>> used, listed;
   static const std::regex quoted("`([^`]+)`");
   const std::string document = text_of(root / "docs/equations.md");
   std::string row;
@@ -92,8 +93,8 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
     const std::vector<std::string> names = all(row, quoted);
     ASSERT_GE(names.size(), 5u) << row << " has no test";
     for (const std::string& equation : all(equations, numbered)) table.emplace(equation, names[0]);
-    // names[0] is a function of the kernels, and names[2] is a function of the reference. The file of each
-    // function follows it in `names`.
+    // names[0] is a function of the kernels, and names[1] is its file. names[2] is a function of the
+    // reference, and names[3] is its file.
     for (std::size_t i = 0; i < 4; i += 2)
       EXPECT_TRUE(std::regex_search(text_of(root / names[i + 1]), std::regex("\\b" + names[i] + "\\(")))
           << "no " << names[i] << " in " << names[i + 1];

@@ -34,7 +34,8 @@ std::vector<Block> blocks_of(const std::filesystem::path& document) {
   return blocks;
 }
 
-/// Runs the script in the folder with the given binary as `pelage`. Returns the exit status.
+/// Runs the script in the folder. In the script, the command `pelage` runs `binary`. Returns the script's
+/// exit status.
 int run_in(const Folder& folder, const std::string& script, const std::filesystem::path& binary) {
   folder.write("block.sh", "set -e\n" + script);
   const std::string command = "cd '" + folder.path().string() +

@@ -23,13 +23,13 @@ TEST(MeshKeys, AWarningOfOverlapReachesRender) {
   const std::string render = std::string("render --pipeline reference -o a.png --model t.obj") + small;
   const Outcome kept = pelage(folder, render + "--set fur.uv=file");
   EXPECT_EQ(kept.code, 0) << kept.err;
-  EXPECT_TRUE(holds(kept.err, "t: UV map: 100.00% of it overlaps")) << kept.err;
+  EXPECT_TRUE(holds(kept.err, "t: UV map: 100.00% of the map overlaps")) << kept.err;
   const Outcome computed = pelage(folder, render);
   EXPECT_EQ(computed.code, 0) << computed.err;
   EXPECT_FALSE(holds(computed.err, "overlaps")) << computed.err;
   const Outcome mesh = pelage(folder, "mesh t.obj --keep-uv");
   EXPECT_EQ(mesh.code, 0) << mesh.err;
-  EXPECT_TRUE(holds(mesh.err, "t: UV map: 100.00% of it overlaps")) << mesh.err;
+  EXPECT_TRUE(holds(mesh.err, "t: UV map: 100.00% of the map overlaps")) << mesh.err;
 }
 
 TEST(MeshKeys, AWarningOfOverlapReachesTheRows) {
@@ -41,7 +41,7 @@ TEST(MeshKeys, AWarningOfOverlapReachesTheRows) {
                "[preset.quick]\nwarm_up_s = 0.0\nleast = 2\nmost = 2\nprecision = 1.0\nlimit_s = 5.0\n");
   const Outcome run = pelage(folder, "run one.toml --model t.obj -o out; cat out/one/*.jsonl >rows");
   const std::string rows = folder.read("rows");
-  ASSERT_TRUE(holds(rows, "\"mesh_warnings\":[\"UV map: 100.00% of it overlaps")) << run.err << rows;
+  ASSERT_TRUE(holds(rows, "\"mesh_warnings\":[\"UV map: 100.00% of the map overlaps")) << run.err << rows;
 }
 
 TEST(MeshKeys, AMissingMapIsOneErrorAndExitCode2) {

@@ -56,8 +56,8 @@ TEST(Flips, OneOfASmallPicture) {
   EXPECT_EQ(broken(compare(ours, reference)), "") << "a flip of 0.1 leaves 66 dB";
 }
 
-// At most one pixel in a thousand may be flipped. This limit accepts the same pictures as the limit of the
-// 99.9th percentile of the differences.
+// At most one pixel in a thousand may be flipped. This limit is equivalent to the condition that the 99.9th
+// percentile of the differences is at most tolerance::flip.
 TEST(Flips, AreTheRuleOfThePercentile) {
   for (const int pixels : {1, 2, 999, 1000, 1001, 1999, 2000, 2001, 15001, 16384, 100000}) {
     const Picture reference = furry(pixels, 1);

@@ -1,5 +1,5 @@
-// Tests check_against_reference(), which compares windows of the picture and, if the windows fail, the whole
-// picture.
+// Tests check_against_reference(). This function compares windows of the picture with the reference. If the
+// difference in the windows is too large, it compares the whole picture with the reference.
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"

@@ -22,7 +22,9 @@ namespace fs = std::filesystem;
 
 /// A dataset as described in the table of docs/frame.md or as found in a dump.
 struct Dataset {
-  std::string written;  ///< when it is written: "always", "silva", "topology"; empty if read from a dump
+  /// Scenes whose dump contains the dataset: "always" (all scenes), "silva" (scenes with Silva's strands) or
+  /// "topology" (scenes with a mass-spring topology). Empty if the dataset was read from a dump.
+  std::string written;
   std::string type, units, description;
   std::vector<std::string> shape;  ///< sizes of the axes: numbers, or symbols such as V
 };

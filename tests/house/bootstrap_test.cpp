@@ -35,8 +35,8 @@ class Bootstrap : public ::testing::Test {
     write(checkout() / "build/release/build.ninja", "");
     write(checkout() / "build/release/CMakeCache.txt",
           fmt::format("CMAKE_HOME_DIRECTORY:INTERNAL={}\n", checkout().string()));
-    // By default every package is installed, and the stubs of apt and of the build succeed. A test replaces a
-    // stub that must behave differently.
+    // By default, the stub of dpkg-query reports every package as installed, and all other stubs succeed. A
+    // test that needs another behaviour of a program overwrites the stub of this program.
     stub(folder_ / "bin/dpkg-query", "echo -n installed");
     for (const char* tool : {"apt-get", "cmake", "ctest", "sudo"}) stub(folder_ / "bin" / tool, log_of(tool));
     stub(pelage(), log_of("pelage"));

@@ -29,8 +29,8 @@ std::set<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The names that exist in the repository. A document may name only functions and kernel files with these
-/// names.
+/// The words of the source files and the names of the kernel files. A document may name only functions and
+/// kernel files that are in these two sets.
 struct Tree {
   std::set<std::string> words;    // all words of the source files
   std::set<std::string> kernels;  // names of the files under kernels/

@@ -160,7 +160,8 @@ TEST(House, PlantedTextsAreFound) {
   EXPECT_EQ(count(lines + "x\n"), 1u);
 }
 
-// `copies` holds lines of duplicated code that earlier versions of the kernels contained.
+// Two computations may each occur in one kernel file only. The lines of `copies` repeat these computations;
+// earlier kernels contained such lines in other files. copy_faults() must report each of these lines.
 TEST(House, PlantedCopiesOfAComputationAreFound) {
   const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
                                 "  h.b1 = b1 * iw1 * w;",

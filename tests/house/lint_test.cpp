@@ -40,8 +40,9 @@ class Lint : public ::testing::Test {
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(folder_ / file) << text;
   }
-  // Installs a stub of clang-tidy that records the name of its file and then runs `body`. The stub of nproc
-  // reports one processor, so .ci/lint checks the files one after another and the records are in this order.
+  // Installs a stub of clang-tidy. The stub records the name of the source file that it should check, and
+  // then runs the shell code `body`. The stub of nproc reports one processor, so .ci/lint checks the files
+  // one after another, and the recorded names are in the order of these checks.
   void clang_tidy(const std::string& body) const {
     write("bin/clang-tidy", fmt::format("#!/bin/sh\nfor file; do :; done\necho \"$file\" >>'{}'\n{}\n",
                                         notes().string(), body));
@@ -107,8 +108,8 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// Each commit moves the start in the list of the unchanged files. A series of runs with a time limit
-// therefore checks every file after enough commits.
+// After each commit, the lint starts at another file in the list of unchanged files. After enough commits, a
+// series of runs with a time limit has therefore checked every file.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

@@ -1,5 +1,6 @@
-// Tests that the mutants of tests/mutants can still be applied: the original text of each occurs exactly once
-// in the sources. .ci/full applies them and runs their tests.
+// Tests that the mutants of tests/mutants still fit the sources. A mutant is a deliberate mistake: it
+// replaces a text of the sources by a wrong text. The text that it replaces must occur exactly once in the
+// sources. .ci/full applies the mutants and runs the tests that must detect them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -25,7 +25,7 @@ Faults text_faults(const std::string& path, const std::string& text);
 /// Two computations may each be in one kernel file only. Perspective-correct interpolation (arithmetic with
 /// iw1 or iw2) must be in rasterize/coverage/perspective.clh. The assembly of a Surface from attribute rows
 /// must be in rasterize/shading/surface.clh. The function reports copies in other kernel files. It also
-/// reports each of these two files that does not contain its computation.
+/// reports perspective.clh and surface.clh if the file's own computation is missing.
 Faults copy_faults(const std::string& path, const std::string& text);
 
 }  // namespace pelage::house

@@ -1,5 +1,5 @@
-// Tests that every number by which a result is accepted is defined in harness/compare/tolerances.hpp,
-// together with its reason.
+// Tests that only harness/compare/tolerances.hpp defines tolerances. A tolerance is a number that decides
+// whether a result is accepted.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,8 +22,9 @@ bool starts_with(const std::string& text, const std::string& prefix) {
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
   if (path == "harness/compare/tolerances.hpp") return {};
-  // Matches the limit of a Check. Two kinds of limits are not tolerances: a limit of 0, and the limit of a
-  // count. A limit belongs to a count if the value before the limit is a conversion double(...).
+  // This expression finds, in a line of source code, a number that is the limit of a Check. Two kinds of
+  // limits are not tolerances: a limit of 0, and the limit of a count. A limit belongs to a count if the
+  // value before the limit is a conversion double(...).
   static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
   static const std::regex constant(
       R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");

@@ -69,7 +69,7 @@ TEST(Runner, AFailedCheckPublishesNoTime) {
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_TRUE(row.samples.empty());
   EXPECT_FALSE(row.metrics.contains("fragments_per_s"));
-  EXPECT_NE(row.reason.find("psnr against reference is 59.9, must be at least 60"), std::string::npos)
+  EXPECT_NE(row.reason.find("psnr against reference is 59.9, but must be at least 60"), std::string::npos)
       << row.reason;
 }
 

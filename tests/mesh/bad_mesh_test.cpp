@@ -31,7 +31,7 @@ const std::string garbage = [] {
 const std::vector<Bad> cases{
     {"empty", "a.obj", "", ": the file is empty"},
     {"unknown_ending", "a.fbx", "x", ": meshes are read from .obj, .off, .ply, .stl, .3ds, .gltf and .glb"},
-    {"obj_without_faces", "a.obj", "v 0 0 0\nv 1 0 0\n", ": no faces in it"},
+    {"obj_without_faces", "a.obj", "v 0 0 0\nv 1 0 0\n", ": the file contains no faces"},
     {"obj_nan", "a.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",
      ":2: found 'nan', but a vertex needs three finite numbers"},
     {"obj_infinity", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n",
@@ -73,9 +73,10 @@ const std::vector<Bad> cases{
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
      "face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
      ": not a readable ply file; is it truncated?"},
-    {"stl_short", "a.stl", "short", ": neither STL text nor binary STL, which has a header of 84 bytes"},
+    {"stl_short", "a.stl", "short",
+     ": the file is not STL text, and it is shorter than the 84 bytes of a binary STL header"},
     {"stl_truncated", "a.stl", binary_stl(1000, 500), ": 1000 triangles need 50084 bytes, the file has 584"},
-    {"stl_empty", "a.stl", binary_stl(0, 0), ": no faces in it"},
+    {"stl_empty", "a.stl", binary_stl(0, 0), ": the file contains no faces"},
     {"stl_text_truncated", "a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n",
      ":5: the file ends before endsolid"},
     {"stl_text_nan", "a.stl",
@@ -139,8 +140,8 @@ TEST(BadMesh, what_is_no_file_is_said_so) {
   EXPECT_TRUE(message("no-such-model")
                   .starts_with("no-such-model: neither a file nor a model; the models are torus, pear,"));
   EXPECT_EQ(message(folder.path().string()), folder.path().string() + ": not a file");
-  EXPECT_EQ(message("bunny", fresh(0)), "0 faces are out of range; give 4 to 8000000");
-  EXPECT_EQ(message("bunny", fresh(4'000'000'000u)), "4000000000 faces are out of range; give 4 to 8000000");
+  EXPECT_EQ(message("bunny", fresh(0)), "the number of faces is 0; give 4 to 8000000");
+  EXPECT_EQ(message("bunny", fresh(4'000'000'000u)), "the number of faces is 4000000000; give 4 to 8000000");
   EXPECT_EQ(
       message("torus", fresh(100)),
       "torus: has 9360 faces and a UV map of its own; the face count cannot change while that map is kept");

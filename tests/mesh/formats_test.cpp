@@ -172,7 +172,7 @@ TEST(Formats, a_file_without_a_map_is_refused_where_its_map_is_asked_for) {
     return std::string("accepted");
   };
   const std::string wanted =
-      " has no UV map of its own, so there is no map to keep; leave out --keep-uv, or give fur.uv = "
+      " has no UV map of its own, so no UV map can be kept; leave out --keep-uv, or give fur.uv = "
       "\"computed\"";
   const std::string off = folder.write("octa.off", "OFF\n6 8 0\n" + corners("") + faces("3", 0));
   EXPECT_EQ(message(off), off + ":" + wanted);

@@ -136,9 +136,9 @@ TEST(LargeFile, TellsItsStagesAndHowFarTheyAre) {
   load_model(file, options);
   for (const char* stage :
        {": reading, 0 s\n", ": welding points, ", ": filling holes, ", ": making a coarse version, ",
-        ": choosing where to cut, ", ": laying the surface flat, ", ": sorting, "})
+        ": choosing the cuts for the UV map, ", ": computing the UV map, ", ": sorting, "})
     EXPECT_NE(said.find(file + stage), std::string::npos) << stage << "\n" << said;
-  EXPECT_NE(said.find(": laying the surface flat, 50%"), std::string::npos) << said;
+  EXPECT_NE(said.find(": computing the UV map, 50%"), std::string::npos) << said;
 }
 
 TEST(LargeFile, IsStillAtWorkWhereAStageSaysNothing) {

@@ -81,7 +81,8 @@ TEST(Models, can_be_had_at_another_face_count) {
     EXPECT_EQ(load_model("banisch-dog", fresh(faces))->triangle.size(), faces);
 }
 
-// Files keep all their large components (components_test.cpp); the named models keep one.
+// A model that is loaded from a mesh file keeps all large components of the file (components_test.cpp). A
+// named model keeps only the largest component of its source.
 TEST(Models, keep_the_largest_piece_of_their_source) {
   const auto horse = load_model("horse", fresh(2000));
   EXPECT_EQ(std::count(horse->notes.begin(), horse->notes.end(),
@@ -116,7 +117,8 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
   EXPECT_EQ(message(head + "colour = 1\n"), "models.toml:6: colour must be removed: unknown key");
   EXPECT_EQ(message(head + "published.sticks = [4, 2]\n"), "accepted");
   EXPECT_EQ(message(head + "published.sticks = [4, -2]\n"),
-            "models.toml:6: published must be a table of pairs, topology = [masses, springs]");
+            "models.toml:6: published must be a table with entries TOPOLOGY = [number of masses, number of "
+            "springs]");
   EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be given as a string");
   EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
 }

@@ -69,7 +69,9 @@ TEST(Quality, warns_of_overlaps_and_faces_turned_over_and_of_nothing_else) {
   EXPECT_TRUE(overlap[0].starts_with("UV map: 50.0")) << overlap[0];
   const std::vector<std::string> turned = uv_warnings(flat({{o, x, xy}, {o, y, xy}}));
   ASSERT_EQ(turned.size(), 1u);
-  EXPECT_TRUE(turned[0].starts_with("UV map: 1 face is flipped, 50.0000% of the map")) << turned[0];
+  EXPECT_TRUE(
+      turned[0].starts_with("UV map: 1 face is flipped (clockwise in UV; 50.0000% of the area of the map)"))
+      << turned[0];
 }
 
 TEST(Quality, knows_what_is_no_manifold) {

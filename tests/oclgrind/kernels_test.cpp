@@ -42,8 +42,8 @@ std::string last_words(const std::string& printed) {
 /// Runs `tests` under oclgrind. Kernels are built without optimization: with optimization, oclgrind's
 /// compiler generates the intrinsic llvm.experimental.noalias.scope.decl, which oclgrind's interpreter does
 /// not support. oclgrind runs on one thread, because --inst-counts of version 21.10 is not safe on two
-/// threads. (Runs of the test Group that corrupted oclgrind's heap: 17 of 42 on two threads, 0 of 12 on one
-/// thread, 0 of 10 without --inst-counts.)
+/// threads. The test Group corrupted oclgrind's heap in 17 of 42 runs on two threads, in 0 of 12 runs on one
+/// thread, and in 0 of 10 runs without --inst-counts.
 Findings findings(const std::string& tests, const std::string& checks, const std::string& environment = "") {
   const UnderOclgrind run = under_oclgrind(
       tests, "--build-options -cl-opt-disable --num-threads 1 --inst-counts " + checks, environment);

@@ -114,7 +114,8 @@ TEST_F(ImageIo, AFailedWriteLeavesWhatWasThere) {
 }
 
 TEST_F(ImageIo, AFullDiskIsNamed) {
-  // SIGXFSZ is ignored, so a write beyond this limit of the file size fails like a write to a full disk.
+  // The test limits the size of files to 64 bytes and ignores the signal SIGXFSZ. A write beyond the limit
+  // then fails like a write to a full disk.
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{64, before.rlim_max};

@@ -14,7 +14,7 @@
 namespace pelage {
 namespace {
 
-/// Returns the UV of the surface point p of two_charts().
+/// Returns the UV that the mesh test::two_charts() has at its surface point p.
 glm::vec2 uv_of(glm::vec3 p) {
   using namespace test;
   if (p.x < 0) return {0.05f + chart_scale * (p.x + half_side), 0.05f + chart_scale * (half_side - p.z)};

@@ -19,7 +19,9 @@ double coverage(const FurTexture& t, int layer, int x, int y) {
 // fraction of the slab's height that the strand fills.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur;
-  fur.layers = 16;  // for 16 layers, coverage is stored without a correction for the number of layers
+  // Coverages are computed for 16 layers and converted for other numbers of layers. No conversion is needed
+  // here.
+  fur.layers = 16;
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -46,7 +48,9 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
-  fur.layers = 16;  // for 16 layers, coverage is stored without a correction for the number of layers
+  // Coverages are computed for 16 layers and converted for other numbers of layers. No conversion is needed
+  // here.
+  fur.layers = 16;
   fur.strands = 1500;
   fur.undercoat = 500;
   fur.locks = 0;
@@ -66,14 +70,17 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
       // If the sum of the coverage bytes is small, their rounding errors change the weighted mean too much.
       if (sum < 100) continue;
       const double expected = weighted / sum;
-      // The tolerance covers three rounding errors: half a unit of the stored byte, half a unit of the bytes
-      // of level 0, and the error of the rounded coverages.
+      // Three kinds of bytes are rounded: the shade of level 1 (error 0.5), the shades of level 0 from which
+      // `expected` is computed (error 0.5), and the coverages of level 0. The tolerance covers the sum of the
+      // three errors.
       EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
       ++tested;
       uneven += std::abs(expected - plain) > 6;
     }
   EXPECT_GT(tested, 100);
-  EXPECT_GT(uneven, 10);  // number of texels whose weighted and unweighted means differ
+  // `uneven` is the number of texels whose mean shade weighted by coverage differs from the unweighted mean
+  // shade.
+  EXPECT_GT(uneven, 10);
 }
 
 }  // namespace

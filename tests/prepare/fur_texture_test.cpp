@@ -64,15 +64,16 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
 }
 
 /// Returns the mean brightness and opacity over angles of 0 to 63 degrees between view ray and strand. The
-/// mean is weighted for a picture of a furred sphere: the weight of an angle is the area of the picture in
-/// which the strands are seen at this angle.
+/// weights of the mean come from a picture of a furred sphere. The weight of an angle is proportional to the
+/// area of the picture that shows strands at this angle.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
-      // In the picture of a sphere, the angles from t to t + dt have an area proportional to cos(t) sin(t)
-      // dt. With s = tan(t) this area is s / (1 + s^2)^2 ds. The constant 0.1 is added so that rays along the
+      // Let t be the angle between view ray and strand. In the picture of a sphere, the area with angles
+      // between t and t + dt is proportional to cos(t) sin(t) dt. As a function of the slope s = tan(t), this
+      // area is proportional to s / (1 + s^2)^2 ds. The constant 0.1 is added so that rays along the
       // strands (s = 0) have a weight above 0.
       const double shown = (slope + 0.1) / std::pow(1 + slope * slope, 2);
       const Seen seen = along_rays(t, fur, slope, azimuth);
@@ -308,8 +309,9 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
   FurScene fur;
-  // The blades are thicker than a texel at all texture sizes. Where thinner blades overlap, the covered
-  // fraction would depend on the texture size.
+  // The blades are thicker than a texel at all texture sizes. A texel stores only the largest of the
+  // coverages by its blades. If blades thinner than a texel overlapped, the covered fraction would therefore
+  // depend on the texture size.
   fur.strands = 110;
   fur.undercoat = 0;
   fur.radius = 4.5f;

@@ -17,7 +17,8 @@ double degrees(glm::vec3 a, glm::vec3 b) {
   return std::acos(std::clamp(double(glm::dot(a, b)), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// Returns the greatest angle, in degrees, between the vectors u at the two ends of an edge.
+/// Returns the greatest angle, over all edges of the mesh, between the vectors frame.u at the two ends of the
+/// edge. frame.u is the first axis of the curl's tangent frame. The unit is degrees.
 double worst_edge(const Skin& skin, const CurlFrame& frame) {
   double worst = 0;
   for (const glm::uvec3& t : skin.triangle)
@@ -123,7 +124,8 @@ TEST(CurlFrame, TorusHasNoJump) {
   const Skin skin = weld(*mesh);
   const CurlFrame frame = curl_frame(*mesh, skin, surface_tangents(*mesh, skin), {});
   expect_orthonormal(skin, frame);
-  EXPECT_LT(worst_edge(skin, frame), 8.0);  // an edge around the tube spans 360 / 65 = 5.5 degrees
+  // The tube of the torus has 65 edges per turn, so an edge spans 360 / 65 = 5.5 degrees of this turn.
+  EXPECT_LT(worst_edge(skin, frame), 8.0);
 }
 
 TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
@@ -141,8 +143,9 @@ TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
     EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
   }
   EXPECT_GT(most, 45.0);
-  // Edges are 0.1 R long, and the features of the noise are 0.4 R wide. Where the gradient of the noise is
-  // greatest, the directions u at the two ends of an edge differ by 84 degrees.
+  // Edges are 0.1 R long, and the noise of the curl's phase varies over distances of 0.4 R. Where the
+  // gradient of the noise is greatest, the vectors u of the tangent frames at the two ends of an edge differ
+  // by 84 degrees.
   EXPECT_LT(worst_edge(skin, varied), 90.0);
 }
 

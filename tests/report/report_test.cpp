@@ -64,7 +64,8 @@ TEST(PaperTable, HasThePapersShape) {
 
 TEST(PaperTable, AsText) {
   const std::string text = text_of(paper_tables(cells_of(table1_rows()), note).at(0));
-  // The frame time (9360 + 480000) * 16 / 1e6 ms gives 127.7 fps, which is 0.478 times the paper's 267 fps.
+  // The synthetic frame time is (triangles + pixels) * layers / 1e6 ms = (9360 + 480000) * 16 / 1e6 ms. It
+  // corresponds to 127.7 fps, which is 0.478 times the paper's 267 fps.
   EXPECT_NE(text.find("torus             9360           128      267    0.478"), std::string::npos) << text;
   EXPECT_NE(text.find("< 1"), std::string::npos);
   EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);

@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 /// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. On
-/// the torus, the time of OpenGL is 4 times our time. On the other models it is 9 times our time with curls
+/// the torus, OpenGL takes 4 times our time. On all other models, OpenGL takes 9 times our time with curls,
 /// and 6 times our time for plain shells.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");

@@ -1,4 +1,5 @@
-// Rows of Table 1 with synthetic times, for tests of the report.
+// Rows of results with synthetic times, for tests of the report. The cases are those of the experiment
+// silva2010-table1 (Table 1 of Silva et al. 2010).
 #pragma once
 #include <fmt/format.h>
 
@@ -29,9 +30,9 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
   return rows;
 }
 
-/// Returns one row for each of the 32 cases. The median of the 21 frame times is factor * (F + P) * N / 1e6
-/// ms, where F is the number of triangles, P the number of pixels, and N the number of layers. The times
-/// differ from the median by up to 1%.
+/// Returns one row for each of the 32 cases. Each row has 21 frame times. Their median is factor * (F + P) *
+/// N / 1e6 ms, an invented formula, where F is the number of triangles, P the number of pixels, and N the
+/// number of layers. The times of a row differ from the median by up to 1%.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

@@ -75,7 +75,8 @@ TEST(Scaling, LayersDrawnInTurnsAreTheirOwnTable) {
             std::string::npos)
       << in_turns_csv(shown);
   EXPECT_NE(in_turns_text(shown).find(
-                "Twice the layers take at most 1.80 times the time; four times the layers take at most 3.20"),
+                "A frame with twice the layers takes at most 1.80 times as long (limit: 2.05); "
+                "a frame with four times the layers takes at most 3.20"),
             std::string::npos)
       << in_turns_text(shown);
   EXPECT_TRUE(in_turns_text({}).empty());
@@ -91,7 +92,8 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   two[3].median_ms = 70;
   const std::string text = scaling_text(two);
   EXPECT_NE(text.find("1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Twice the layers take at most 2.11 times the time (limit: 2.05)"), std::string::npos)
+  EXPECT_NE(text.find("A frame with twice the layers takes at most 2.11 times as long (limit: 2.05)"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("64 layers take at most 4.00 times the time of 16 layers (limit: 3.3)"),
             std::string::npos)
@@ -99,7 +101,8 @@ TEST(Scaling, SaysWhatMoreLayersCost) {
   EXPECT_NE(text.find("Most memory: 111 MiB, 9360-128-800x600"), std::string::npos) << text;
 }
 
-/// Returns one cell with the time `ms`. The model has 9360 triangles, and the picture has 800x600 pixels.
+/// Returns a cell (the result of one case) with the median frame time `ms`. The case has a model of 9360
+/// triangles and a picture of 800x600 pixels.
 Cell timed(const std::string& host, int layers, double ms) {
   Cell c = cells().at(1);
   c.host = host;
@@ -118,7 +121,8 @@ TEST(Scaling, ComparesCellsOfOneHostOnly) {
       {timed("slow", 16, 20), timed("fast", 16, 10), timed("fast", 32, 18), timed("slow", 32, 38)});
   EXPECT_NE(text.find("10.00 ->     18.00 ms, 1.80 times"), std::string::npos) << text;
   EXPECT_NE(text.find("20.00 ->     38.00 ms, 1.90 times"), std::string::npos) << text;
-  EXPECT_NE(text.find("Twice the layers take at most 1.90 times the time"), std::string::npos) << text;
+  EXPECT_NE(text.find("A frame with twice the layers takes at most 1.90 times as long"), std::string::npos)
+      << text;
 }
 
 TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {

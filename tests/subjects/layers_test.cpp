@@ -48,7 +48,7 @@ TEST(Layers, ThatFailTheirCheckFailTheRow) {
 TEST(Layers, MustBeAMultipleOfFour) {
   const Row row = row_of(6);
   EXPECT_NE(row.status, Status::ok);
-  EXPECT_NE(row.reason.find("fur.layers = 6: shells+fewer also draws a half and a quarter"),
+  EXPECT_NE(row.reason.find("fur.layers is 6; give a multiple of 4, because shells+fewer also draws"),
             std::string::npos)
       << row.reason;
 }

@@ -56,7 +56,9 @@ Row fought(float rivals_grey, std::string* order) {
 TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
   std::string order;
   const Row row = fought(0.5f, &order);
-  EXPECT_EQ(order, "orororororororor");  // o: ours, r: rival; one cold round, one warm-up round, six samples
+  // A round draws one frame with our pipeline (o) and then one frame with the baseline (r). There are eight
+  // rounds: the first launch, one warm-up round, and six samples.
+  EXPECT_EQ(order, "orororororororor");
   ASSERT_EQ(row.status, Status::ok) << row.reason;
   EXPECT_EQ(row.samples.at("frame").wall_ms, (std::vector<double>{12, 13, 14, 15, 16, 17}));
   EXPECT_EQ(row.samples.at("opengl").wall_ms, (std::vector<double>{96, 104, 112, 120, 128, 136}));

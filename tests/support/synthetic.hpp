@@ -20,8 +20,9 @@ Surface square(double side);
 /// tube.
 Surface torus();
 
-/// Returns a grid of nu x nv quads over the surface, with two triangles per quad. A periodic surface has
-/// copies of the vertices on its borders.
+/// Returns a grid of nu x nv quads over the surface, with two triangles per quad. On a periodic surface, a
+/// point on a border of the UV square also lies on the opposite border; it has one vertex on each of these
+/// borders.
 Mesh grid(const Surface& surface, int nu, int nv);
 
 /// Returns the complete input of a frame of `scene`. The mesh is a grid of nu x nv quads over `surface`. The

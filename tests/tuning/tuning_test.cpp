@@ -10,8 +10,8 @@
 namespace pelage {
 namespace {
 
-/// The simulated time and output of a configuration. Times alternate between ms * (1 + noise) and ms * (1 -
-/// noise).
+/// The simulated time and output of a configuration. The simulated times are alternately `ms` * (1 + `noise`)
+/// and `ms` * (1 - `noise`), in milliseconds.
 struct Behaviour {
   double ms = 10;
   std::uint64_t output = 1;

@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Greater than the compression ratio (decompressed bytes / file bytes) of every codec that pelage reads.
+// Upper bound of the compression ratio (decompressed bytes / file bytes) of all codecs that pelage reads. A
+// file whose header gives a higher ratio is damaged.
 constexpr std::uintmax_t densest_codec = 4096;
 
 /// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
@@ -69,7 +70,7 @@ Picture read(const fs::path& file, const std::string& kind) {
   const int channels = std::min(spec.nchannels, 4);
   std::vector<float> values(pixels * static_cast<std::size_t>(channels));
   const bool read = input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data());
-  // For a truncated TIFF the read succeeds, and only an error message remains.
+  // For a truncated TIFF, read_image() returns true, but geterror() returns an error message.
   const std::string complaint = input->geterror();
   if (!read || !complaint.empty()) {
     throw InputError(fmt::format("{}: damaged picture: {}", file.string(), one_line(complaint)));

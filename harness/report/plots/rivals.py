@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""Draws the time of the paper's OpenGL pipeline divided by that of ours, per model, layers and picture size.
+"""Draws a ratio of frame times for each model, number of layers and picture size.
+
+The ratio is the time of the paper's OpenGL pipeline, divided by the time of our OpenCL pipeline.
 
 usage: rivals.py TABLE.csv OUT.svg [OUT.pdf ...]
 

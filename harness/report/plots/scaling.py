@@ -12,8 +12,9 @@ The model is this sum of costs with coefficients that are not negative:
 The fit minimizes the squared relative errors. The intervals of the coefficients are percentiles over 1000 resamplings
 of the cases. A case is larger if it has more than 64 layers, more pixels than 1680 x 1050, or more than a million
 triangles. All other cases are smaller. The fit uses two thirds of the smaller cases. The remaining smaller cases and
-all larger cases test the fit. The smaller cases for the test are chosen so that each number of triangles, layers and
-pixels occurs both in the fit and in the test. The program needs only matplotlib and numpy.
+all larger cases test the fit. The smaller cases are divided so that every number of triangles, every number of layers
+and every picture size of the smaller cases occurs in the fit and also in the test. The program
+needs only matplotlib and numpy.
 """
 import csv
 import os
@@ -104,7 +105,11 @@ def amount(key, value):
 
 
 def panel(axis, cases, fit, x, by, every):
-    """Draws a panel with the abscissa x. Colours show the values of `by`, and markers show the numbers of triangles."""
+    """Draws a panel with the abscissa x.
+
+    Colours distinguish the cases by the quantity that `by` names ("pixels" or "layers"). Markers distinguish the
+    numbers of triangles.
+    """
     values = sorted({c[by] for c in every})
     triangles = sorted({c["triangles"] for c in cases}) if x != "triangles" else []
     for value in values:

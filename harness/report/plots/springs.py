@@ -61,7 +61,7 @@ def legend(figure, axes):
 
 
 def frames(rows):
-    """Returns the ok rows with wall times of whole frames."""
+    """Returns the rows that have the status "ok" and contain wall times of whole frames."""
     return [r for r in rows if r["phase"] == "frame" and r["clock"] == "wall" and r["status"] == "ok"]
 
 

@@ -28,8 +28,8 @@ void set_column3(std::vector<float>& table, int first, int stride, int row, glm:
     table[std::size_t(first + k) * std::size_t(stride) + std::size_t(row)] = value[k];
 }
 
-// A drawn vertex: the index of its vertex in the mesh, the triangles whose strands bend it, and the weights
-// of these strands.
+// A drawn vertex: the index of its vertex in the mesh, the triangles whose strands displace it, and the
+// weights of these strands.
 struct Vertex {
   std::uint32_t copy;
   std::span<const std::uint32_t> faces;
@@ -43,8 +43,8 @@ std::vector<Vertex> drawn_vertices(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<Vertex> vertices;
   if (parts(input.scene)) {
-    // Each triangle has three vertices that it does not share. The triangle's strand bends all three
-    // vertices. With a mass-spring topology, each vertex has its own stick.
+    // No triangle shares a vertex with another triangle. With Silva's strands, a triangle has one strand, and
+    // this strand displaces all three vertices. With a mass-spring topology, each vertex has its own stick.
     static_assert(sizeof(std::uint32_t) == 4);
     for (std::size_t f = 0; f < mesh.triangle.size(); ++f)
       for (int k = 0; k < 3; ++k) vertices.push_back({mesh.triangle[f][k], {}, {&whole_weight, 1}});

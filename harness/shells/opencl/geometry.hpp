@@ -10,23 +10,28 @@ namespace pelage::shells {
 /// Arrays of the drawn mesh. The drawn vertices are the vertices of the mesh. If triangles do not share
 /// vertices (parts()), each triangle has three drawn vertices of its own instead.
 struct Geometry {
-  int vertices = 0;            ///< number of vertices with padding (at least one); a multiple of 16
-  int triangles = 0;           ///< number of triangles, padded to a multiple of 16
-  int strands = 0;             ///< number of strands, padded to a multiple of 16
-  std::vector<float> vertex;   ///< VERTEX_COLUMNS columns
-  std::vector<float> uv;       ///< u, v per vertex
-  std::vector<float> mask_uv;  ///< UV at which each vertex samples the mask: column u, then column v
+  int vertices = 0;           ///< number of drawn vertices plus at least one padding vertex; a multiple of 16
+  int triangles = 0;          ///< number of triangles, padded to a multiple of 16
+  int strands = 0;            ///< number of strands, padded to a multiple of 16
+  std::vector<float> vertex;  ///< VERTEX_COLUMNS columns
+  std::vector<float> uv;      ///< u, v per vertex
+  /// UV coordinates at which the vertices sample the wetness mask: first u of all vertices, then v of all
+  /// vertices.
+  std::vector<float> mask_uv;
   std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
-  /// Four values per triangle: three vertex indices, and space for the number of layers in which the triangle
-  /// is drawn, which a kernel computes.
+  /// Four values per triangle. The first three values are the indices of its vertices. A kernel writes the
+  /// fourth value: the number of layers in which the triangle is drawn.
   std::vector<std::int32_t> corner;
-  std::vector<std::uint32_t> stick;  ///< per vertex, the index of the mass-spring stick that moves it; empty for Silva's strands
-  // A sparse matrix of the weights with which strands bend vertices (Silva's model). The row of a vertex has
-  // one entry per strand that bends the vertex. Within a block of `lanes` vertices, all rows are padded to
-  // the same length.
+  /// For each drawn vertex except the padding vertices, the index of the mass-spring stick that moves it.
+  /// Empty for Silva's strands.
+  std::vector<std::uint32_t> stick;
+  // The next three arrays store a sparse matrix for Silva's strands. The tip offset of a vertex is the
+  // weighted mean of the tip offsets of the strands around the vertex. The matrix has one row per vertex. An
+  // entry of the row is the index and the weight of one of these strands. Within a block of `lanes` vertices,
+  // all rows are padded to the same length with entries of weight 0.
 
-  /// The index of each block's first entry, divided by `lanes`. There is one more value: the end of the last
-  /// block.
+  /// For each block of `lanes` vertices, the index of the block's first entry in `strand` and `weight`,
+  /// divided by `lanes`. One more value follows: the size of `strand`, divided by `lanes`.
   std::vector<std::int32_t> slice;
   std::vector<std::int32_t> strand;
   std::vector<float> weight;

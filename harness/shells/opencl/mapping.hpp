@@ -27,7 +27,8 @@ class Mapping {
   /// Draws one pass: the range of layers that `params` contains. Uses the lists that bin() wrote.
   virtual cl::Event draw(const cl::Queue& queue, const RasterParams& params,
                          const RasterBuffers& buffers) = 0;
-  /// Returns the number of counters that buffers.covered needs.
+  /// Returns the number of elements of buffers.covered, in which draw() counts fragments. A mapping has one
+  /// counter per tile, or one or three counters per pixel.
   virtual std::size_t counters(const RasterParams& params) const = 0;
   virtual std::vector<const cl::Program*> programs() const = 0;
 };

@@ -66,7 +66,8 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       layers_(geometry_, "layer_vertices"),
       records_(geometry_, "vertex_records") {
   const cl::Device& device = queue.device();
-  // A second thread packs the fur texture while this thread builds the mapping's programs.
+  // A second thread packs the fur texture while this thread builds the OpenCL programs of the mapping (tile,
+  // pixel or workgroup).
   auto packed = std::async(std::launch::async, [&] { return packed_fur(input.fur); });
   mapping_ = kind_.make(setup(device, build_options(lanes_, tuning_)));
   params_.layer_batch = std::min(params_.layer_batch, layers_at_once_);

@@ -40,9 +40,9 @@ class RasterStage {
 
  private:
   void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
-  // Draws all passes with `mapping`, which must count fragments. Returns the fragment counts that the kernels
-  // write. The kernels write picture and counts to temporary buffers, so the last frame's picture does not
-  // change.
+  // Draws all passes with `mapping`, which must count fragments. Returns the kernels' fragment counters: one
+  // per tile, or one or three per pixel. The kernels write picture and counts to temporary buffers, so the
+  // last frame's picture does not change.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
   // Returns the number of passes. There are several if the screen positions of all layers do not fit in

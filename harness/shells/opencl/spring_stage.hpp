@@ -26,7 +26,8 @@ class SpringStage {
   /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, in R, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
                                 const cl::Buffer<float>& vertex, PhaseEvents* events);
-  /// Waits for the queue. Then throws springs::Diverged if any mass has diverged in a step since the start.
+  /// Waits for the queue. Then throws springs::Diverged if a mass has diverged in any step that frame() has
+  /// enqueued so far.
   void check(const cl::Queue& queue) const { masses_.check(queue); }
   /// Returns the top minus the base of every stick, in R.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }

@@ -1,5 +1,5 @@
-// The tile mapping: each work-item draws one tile at a time, in 16 lanes if the device supports them
-// (kernels/rasterize/tile/).
+// The tile mapping (kernels/rasterize/tile/). Each work-item draws one tile at a time. If the device is
+// faster with vectors of 16 elements, the work-item uses such vectors.
 #include <algorithm>
 
 #include "harness/shells/opencl/tile_bins.hpp"
@@ -45,14 +45,15 @@ class TileMapping : public Mapping {
 
 }  // namespace
 
-const MappingKind tile_mapping{.name = "tile",
-                               .what = "a work-item draws a tile, in 16 lanes if the device supports them",
-                               .kernel = "tile_shells",
-                               .one_eye_per_pixel = true,
-                               .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
-                               .tuning = [](Tuning tuning) { return tuning; },
-                               .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
-                                 return std::make_unique<TileMapping>(setup);
-                               }};
+const MappingKind tile_mapping{
+    .name = "tile",
+    .what = "a work-item draws a tile, with vectors of 16 elements on PoCL's CPU devices",
+    .kernel = "tile_shells",
+    .one_eye_per_pixel = true,
+    .lanes = [](const cl::DeviceInfo& device) { return device.lanes; },
+    .tuning = [](Tuning tuning) { return tuning; },
+    .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {
+      return std::make_unique<TileMapping>(setup);
+    }};
 
 }  // namespace pelage::shells

@@ -14,40 +14,51 @@ namespace pelage::shells {
 /// Comparisons, selections and conversions are not counted. tests/shells/opencl/work_test.cpp checks these
 /// numbers against the kernels' source. Coverage and texture addresses are computed in integers and not
 /// counted. The blending of two rows of texels is also computed in integers. It counts as three operations,
-/// because floats would need two products and a sum.
+/// because the same blending in floating point takes two products and a sum.
 namespace operations {
-/// Computes S Eq. 2 and 3. Once per strand and substep.
+/// Operations to compute S Eq. 2 and 3 (Silva's strand). They are executed once per strand and substep.
 inline constexpr double strand_substep = 89;
-/// Adds one strand's tip to the weighted mean of the tips at a vertex. Once per vertex and adjacent strand.
+/// Operations to add the tip of one strand to the weighted mean of the tips at a vertex. They are executed
+/// once per vertex and adjacent strand.
 inline constexpr double tip_entry = 6;
-/// Computes S Eq. 1, S Eq. 4 and the projection to the screen. Once per vertex and layer.
+/// Operations to compute S Eq. 1, S Eq. 4 and the projection to the screen. They are executed once per vertex
+/// and layer.
 inline constexpr double vertex_layer = 53;
-/// Computes depth and barycentric coordinates. Once per shaded fragment.
+/// Operations to compute depth and barycentric coordinates. They are executed once per shaded fragment.
 inline constexpr double point = 17;
-/// Interpolates eight attributes over a triangle. One to three times per shaded fragment.
+/// Operations to interpolate eight attributes over a triangle. They are executed one to three times per
+/// shaded fragment.
 inline constexpr double record = 48;
-/// Computes the view direction. Once per pixel or per shaded fragment (MappingKind::one_eye_per_pixel).
+/// Operations to compute the view direction. They are executed once per pixel if
+/// MappingKind::one_eye_per_pixel is true, and once per shaded fragment if it is false.
 inline constexpr double eye = 22;
-/// Computes the squared length of the normal. Once per shaded fragment.
+/// Operations to compute the squared length of the normal. They are executed once per shaded fragment.
 inline constexpr double square = 5;
-/// Computes the mip level and samples the fur texture in two mip levels. Once per shaded fragment.
+/// Operations to compute the mip level and to sample the fur texture in two mip levels. They are executed
+/// once per shaded fragment.
 inline constexpr double dry_fragment = 107;
-/// Computes S Algorithm 2. Once per wet shaded fragment.
+/// Operations to compute S Algorithm 2 (the clumps of wet fur). They are executed once per shaded fragment
+/// whose fur is wet.
 inline constexpr double clump = 24;
-/// Computes the UV shift between two sub-steps. Once per shaded fragment if fur.substeps > 1.
+/// Operations to compute the UV shift between two samples of the fur texture along the view ray. They are
+/// executed once per shaded fragment if fur.substeps > 1.
 inline constexpr double substeps = 98;
-/// Samples the fur texture in one more sub-step. fur.substeps - 1 times per shaded fragment.
+/// Operations to sample the fur texture once more along the view ray. They are executed fur.substeps - 1
+/// times per shaded fragment.
 inline constexpr double substep = 70;
-/// Computes the coat's colour, the tangent, the self-shadow and two highlights with exponent 24. Once per
-/// blended fragment with the curling model.
+/// Operations to compute the coat's colour, the tangent, the self-shadow and the powers of two highlights
+/// with exponent 24. They are executed once per blended fragment if the parameter surface_light is 0.
 inline constexpr double colour = 113;
-/// Computes the other terms of S Eq. 6 for one light. Once per light and blended fragment.
+/// Operations to compute, for one light, the diffuse term and the base of the highlight's power in S Eq. 6.
+/// They are executed once for each pair of a light and a blended fragment.
 inline constexpr double light = 35;
-/// Computes W Eq. 2 to 5, except the terms in wet_light. It replaces `colour` if surface_light is 1.
+/// Operations to compute W Eq. 2 to 5 without the terms that are counted in wet_light. If the parameter
+/// surface_light is 1, this number is used instead of `colour`.
 inline constexpr double wet_colour = 122;
-/// Computes the terms of W Eq. 2 for one light. It replaces `light` if surface_light is 1.
+/// Operations to compute the terms of W Eq. 2 for one light. If the parameter surface_light is 1, this number
+/// is used instead of `light`.
 inline constexpr double wet_light = 40;
-/// Blends a fragment with the picture. Once per blended fragment.
+/// Operations to blend a fragment with the picture. They are executed once per blended fragment.
 inline constexpr double blend = 8;
 }  // namespace operations
 

@@ -13,8 +13,8 @@
 namespace pelage::shells {
 namespace {
 
-// Pixels per side of a tile. The kernels store the pixels of a tile that one triangle covers as the bits of a
-// 64-bit word.
+// Pixels per side of a tile. A tile has 64 pixels, because the kernels store for each triangle a 64-bit mask
+// of the pixels that the triangle covers.
 constexpr int tile_side = 8;
 constexpr std::size_t work_items = std::size_t(tile_side) * tile_side;
 
@@ -95,7 +95,7 @@ const MappingKind workgroup_mapping{
     .lanes = [](const cl::DeviceInfo&) { return 1; },
     .tuning =
         [](Tuning tuning) {
-          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support only this side
+          tuning["TILE_W"] = tuning["TILE_H"] = tile_side;  // the kernels support only 8 x 8 pixels
           return tuning;
         },
     .make = [](const MappingSetup& setup) -> std::unique_ptr<Mapping> {

@@ -21,8 +21,7 @@ struct OpenGlOptions {
   /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
   std::string vertices = "indexed";
   /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). A driver
-  /// uses the positions that it has rounded only for coverage. It interpolates attributes from unrounded
-  /// positions.
+  /// computes only coverage from its rounded positions. It interpolates attributes from unrounded positions.
   std::string snap = "shader";
   /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
   /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").
@@ -36,8 +35,8 @@ struct OpenGlOptions {
   /// Framebuffer format: "rgba32f", "rgba16f" or "rgba8". With "rgba8" the picture is rounded to 8 bits after
   /// every layer, as on GPUs of 2010.
   std::string target = "rgba32f";
-  /// The shader computes the highlight's power by repeated squaring if the exponent is a whole number
-  /// ("whole"), or always by pow() ("pow").
+  /// How the shader computes the highlight's power. "whole": by repeated squaring if the exponent is a whole
+  /// number of at most 1024, else by pow(). "pow": always by pow().
   std::string power = "whole";
   /// The scene's numbers are literals in the shader source ("baked"), or uniforms ("uniform").
   std::string constants = "baked";

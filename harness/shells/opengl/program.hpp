@@ -23,7 +23,9 @@ std::vector<Constant> scene_constants(const FrameInput& input);
 /// the mask is wet.
 std::string scene_defines(const FrameInput& input, const OpenGlOptions& options, bool wet);
 
-/// Returns three vectors per layer: bend, step and look. shaders/layers.glsl describes them.
+/// Returns three vectors per layer. The vector "bend" has the factors for the positions of the vertices,
+/// "step" has the factors for the strand direction, and "look" has the values for the clump and the light.
+/// shaders/layers.glsl describes their components.
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
 /// A linked GLSL program. Move-only.

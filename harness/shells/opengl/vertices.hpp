@@ -21,8 +21,8 @@ struct Vertex {
 
 class Vertices {
  public:
-  /// Makes one vertex per vertex of the mesh. If `corners` is true or fur.binding is "separate", makes three
-  /// vertices per triangle instead.
+  /// Makes one OpenGL vertex for each vertex of the mesh. If `corners` is true or fur.binding is "separate",
+  /// makes three OpenGL vertices for each triangle instead.
   Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
 
   const std::vector<Vertex>& fixed() const { return fixed_; }

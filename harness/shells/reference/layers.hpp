@@ -30,10 +30,14 @@ glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dv
 
 /// The bend of a vertex, as two vectors. For a strand, they are the control points p0 and p of the Bezier
 /// curve, relative to the strand's root. For a stick, they are L0 n and L0 s, where L0 is the stick's length,
-/// n the surface normal and s the stick's direction.
+/// n the surface normal and s the stick's direction. If dynamics.bend is "tangent", the second vector of a
+/// stick is L0 times the sum of n and the tangential part of s.
 struct Bend {
-  glm::dvec3 a{0.0};  ///< strand: vector from the root to p0; stick: L0 n; in R
-  glm::dvec3 b{0.0};  ///< strand: vector from the root to p; stick: L0 s; in R
+  /// In R: for a strand, the vector from the root to p0; for a stick, the vector L0 n.
+  glm::dvec3 a{0.0};
+  /// In R: for a strand, the vector from the root to the tip p; for a stick, the vector L0 s (or its variant
+  /// for "tangent").
+  glm::dvec3 b{0.0};
 };
 
 /// Returns the bend of a stick by B Eq. 3. `top` is the stick's top minus its base; only the direction s of
@@ -47,26 +51,28 @@ Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& 
 glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h,
                               Mutant mutant = Mutant::none);
 
-/// The positions of all layers at one time. A slot is a vertex with its own displacement. If the triangles of
-/// a layer share vertices, each vertex of the mesh is a slot. If they do not share vertices (parts() is
-/// true), each corner of each triangle is a slot.
+/// The positions of all layers at one time. The bend and the wetness are stored once per slot. If the
+/// triangles of a layer share vertices, a slot is the index of a mesh vertex. If they do not share
+/// vertices (parts() is true), a slot is the index 3 f + c of corner c of triangle f.
 class Geometry {
  public:
-  /// Computes the bend and the wetness of the slots after `frames` frames. `wanted` has one entry per face,
-  /// which is 0 if the face is not needed. If `wanted` is empty, all faces are computed. With a mass-spring
-  /// topology, the bend comes from `sticks`, and no strands are simulated. Options::sticks describes the
-  /// entries of `sticks`.
+  /// Computes the bend and the wetness of each slot (mesh vertex or triangle corner) after `frames` frames.
+  /// `wanted` has one entry per face, which is 0 if the face is not needed. If `wanted` is empty, all faces
+  /// are computed. With a mass-spring topology, the bend comes from `sticks`, and no strands are simulated.
+  /// Options::sticks describes the entries of `sticks`.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
            Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
   std::size_t slots() const { return bend_.size(); }
   bool wanted(std::size_t slot) const { return wanted_[slot] != 0; }
   std::size_t slot(std::size_t face, std::size_t corner) const;
-  /// Returns the index of the mesh vertex at a slot. A slot is a mesh vertex or a corner of a triangle.
+  /// Returns the index of the mesh vertex that belongs to a slot. A slot is the index of a triangle corner if
+  /// parts() is true. Otherwise a slot is the index of a mesh vertex, and the function returns `slot`.
   std::uint32_t vertex(std::size_t slot) const;
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
   glm::dvec3 position(std::size_t slot, int n) const;  ///< position on layer n, in R; n = -1: base surface
-  /// Returns the curl offset of S Eq. 4 for the slot on layer n, in R. It is 0 for the base surface, n = -1.
+  /// Returns the curl offset of S Eq. 4 on layer n, in R, for a slot (the index of a mesh vertex or of a
+  /// triangle corner). It is 0 for the base surface, n = -1.
   glm::dvec3 curl_offset(std::size_t slot, int n) const;
 
  private:
@@ -75,7 +81,7 @@ class Geometry {
   bool separate_;
   std::vector<char> wanted_;
   std::vector<Bend> bend_;
-  std::vector<double> rho_;  ///< the mask's wetness at the slot's surface point
+  std::vector<double> rho_;  ///< for each slot, the wetness of the mask at its surface point
 };
 
 /// Returns the vector along the strand from layer n - 1 to layer n, in R: B(t_n) - B(t_(n-1)), without the

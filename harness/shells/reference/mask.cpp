@@ -10,8 +10,7 @@ namespace pelage::reference {
 namespace {
 
 /// Returns the index, along one axis of the mask, of the texel that contains the texture coordinate u. The
-/// mask repeats with period 1. The function returns 0 if u is NaN, which happens only if a test plants
-/// certain mistakes (Mutant).
+/// mask repeats with period 1. If u is NaN, the function returns 0, so the index is always inside the mask.
 int repeated(double u, int size) {
   const double inside = u - std::floor(u);
   return inside >= 0.0 ? std::min(int(inside * double(size)), size - 1) : 0;

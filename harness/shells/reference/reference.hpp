@@ -23,9 +23,9 @@ enum class Mutant {
   uv_swapped,          ///< u and v are swapped in every texture lookup of a fragment
   mask_bilinear,       ///< the wetness mask is sampled bilinearly
   droplets_reversed,   ///< the droplets are blended into the mask from last to first
-  log_negated,         ///< mistake in the paper: S Eq. 5 with k = -ln N, not ln N
+  log_negated,         ///< mistake: k = -ln N in S Eq. 5, as the paper prints; correct is k = ln N
   sticks_straight,     ///< k = 1 in B Eq. 4, so that layers lie along the stick
-  corners_turned,      ///< each corner of a triangle uses the stick of the next corner
+  corners_turned,      ///< mistake: corner c of a triangle uses the stick of corner (c + 1) % 3
 };
 
 struct Options {
@@ -33,9 +33,9 @@ struct Options {
   bool eight_bit = false;       ///< round the framebuffer to 8 bits after every layer, as GPUs did in 2010
   std::vector<Window> windows;  ///< the parts of the picture to draw; empty: the whole picture
   /// The sticks of a mass-spring topology, each as its top minus its base, in R. There is one stick per
-  /// surface point, or one per triangle corner if the topology is separable. `frames` does not move the
-  /// sticks; harness/springs/reference/reference.hpp computes their motion. If `sticks` is empty, the sticks
-  /// are at rest.
+  /// surface point, or one per triangle corner if the topology is "separable-sticks" or "separable-prisms".
+  /// The renderer does not simulate sticks; harness/springs/reference/reference.hpp computes their motion. If
+  /// `sticks` is empty, the sticks of the topology are at rest. In this case `frames` must be 0.
   std::vector<glm::dvec3> sticks;
   Mutant mutant = Mutant::none;
 };

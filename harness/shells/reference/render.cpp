@@ -46,8 +46,9 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. A vertex is a slot of
-  /// Geometry. Vertices that no drawn face uses are omitted (Geometry::wanted() is false).
+  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. Here a vertex is a
+  /// mesh vertex, or a triangle corner if the triangles of a layer do not share vertices (a slot of
+  /// Geometry). A vertex is omitted if no drawn face uses it (Geometry::wanted() is false).
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {
@@ -108,8 +109,8 @@ class Painter {
       }
   }
 
-  /// Interpolates an attribute over the triangle. of_slot(s) returns the attribute's value at the corner with
-  /// the slot s.
+  /// Interpolates an attribute over the triangle `face`. of_slot(s) returns the attribute's value at the
+  /// corner that has the index s in `geometry_`.
   template <class Value>
   auto interpolated(std::uint32_t face, const Sample& sample, const Value& of_slot) const {
     return sample.share[0] * of_slot(geometry_.slot(face, 0)) +
@@ -147,9 +148,11 @@ class Painter {
 
   /// Samples the fur texture for a fragment with the texture coordinates `where`. If k = scene.fur.substeps
   /// is 1, it takes one sample. If k is above 1, it takes k samples between the fragment's layer and the
-  /// layer below. From the fragment's layer to the layer below, the texture coordinates change by shift() -
-  /// clump.delta_d, in UV. shift() is the change by the ray and the strand, and -clump.delta_d is the change
-  /// by the clump.
+  /// layer below. The view ray meets another strand at the layer below. shift() returns the vector from the
+  /// root of the fragment's strand to the root of this other strand, in UV. clump.delta_d is the clump's
+  /// displacement at the fragment's layer minus the clump's displacement at the layer below, in UV. From the
+  /// fragment's layer to the layer below, the texture coordinates therefore change by
+  /// shift() - clump.delta_d.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {
@@ -235,7 +238,7 @@ class Painter {
   const Mask& mask_;
   const Geometry& geometry_;
   int layer_ = -1;
-  std::vector<ClipPoint> point_;  ///< projected position of each slot on the current layer
+  std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on this layer
 };
 
 void check(bool fits, const char* what) {
@@ -255,15 +258,18 @@ void check(const FrameInput& input, const Options& options) {
   const bool sticks = has_springs(input.scene.dynamics);
   check(!sticks || input.stick_normal.size() == points,
         "a mass-spring topology needs one normal per surface point");
-  check(options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
-        "a topology needs one stick per surface point, or one per triangle corner if it is separable");
+  check(
+      options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
+      "Options::sticks must have one entry per surface point, or one per triangle corner if the topology is "
+      "separable-sticks or separable-prisms");
   check(!sticks || !options.sticks.empty() || options.frames == 0,
-        "a mass-spring topology needs Options::sticks if the number of frames is above 0");
-  check(input.strands.row.size() == points + 1, "the strand weights need one row per surface point");
+        "Options::sticks must not be empty if a mass-spring topology is drawn after more than 0 frames");
+  check(input.strands.row.size() == points + 1,
+        "the matrix of strand weights must have one row per surface point");
   check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
-        "the curl frame needs one entry per surface point");
+        "the arrays of the curl's axes must have one entry per surface point");
   check(input.tangents.t.size() == copies && input.tangents.b.size() == copies,
-        "the surface tangents need one entry per vertex");
+        "the arrays of surface tangents must have one entry per vertex");
   check(input.scene.wetness.size > 0 && input.mask_surface.size() == texels,
         "the wetness mask needs one surface point per texel");
   check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),

@@ -26,10 +26,11 @@ bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm
 /// the eye, it returns -normal, else `normal`. `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
-/// Returns the colour of S Eq. 6 with the shadow factor gamma = (K_shadow - 1 + h) / K_shadow.
+/// Returns the fragment's colour, computed by S Eq. 6 with the shadow factor gamma = (K_shadow - 1 + h) /
+/// K_shadow.
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of W Eq. 2, 3 and 5.
+/// Returns the fragment's colour, computed by W Eq. 2, 3 and 5.
 glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the colour of the model of B, section 3: Lambert's law per pixel, times a factor that rises
@@ -44,14 +45,16 @@ glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 /// fragment.height. The model "lambert" uses plain_colour().
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the unit direction T_ws of the strand in space (W Eq. 4). `bend` is the vector along the strand
-/// from the layer below, in R. t and b are the surface tangents dX/du and dX/dv, in R per unit of UV.
-/// `delta_d` is the change of the clump's displacement from the layer below, in UV.
+/// Returns the unit direction T_ws of the strand in object space (W Eq. 4). `bend` is the vector from the
+/// strand's point on the layer below to the strand's point on the fragment's layer, in R. t and b are the
+/// surface tangents dX/du and dX/dv, in R per unit of UV. `delta_d` is the clump's displacement at the
+/// fragment's layer minus the clump's displacement at the layer below, in UV.
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                        const glm::dvec3& b, const glm::dvec2& delta_d);
 
-/// Returns the unit direction of the strand at a fragment of a layer. It is wet_tangent() for the model
-/// "wet", and the direction of `bend` for the other models. The arguments are those of wet_tangent().
+/// Returns the unit direction of the strand in object space, at a fragment of a layer. For the model "wet" it
+/// returns wet_tangent(). For all other models it returns the direction of `bend`. The arguments are those of
+/// wet_tangent().
 glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
                             const glm::dvec3& b, const glm::dvec2& delta_d);
 

@@ -1,4 +1,4 @@
-// The strand model of S, section 3.2.1: one mass on a spring per triangle.
+// The strand model of S, section 3.2.1. Each triangle has one strand, which is a mass on a spring.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -22,7 +22,8 @@ Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 /// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
-/// Computes substep number `index` since rest: S Eq. 2 by semi-implicit Euler, then S Eq. 3.
+/// Advances `strand`, the strand of the triangle `face`, by one substep: S Eq. 2 by semi-implicit Euler, then
+/// S Eq. 3. `index` is the number of earlier substeps since rest. It determines the time in the wind force.
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index);
 
 /// Simulates one strand for `frames` frames of scene.dynamics.substeps substeps, from rest.

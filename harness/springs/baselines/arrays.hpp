@@ -5,18 +5,18 @@
 
 namespace pelage::springs {
 
-/// Pointers to the arrays of a system; the struct owns no memory. The loops over these arrays are compiled
-/// with special flags. Arrays and loops contain no types of the standard library. With such types, the
-/// compiler would compile functions of the library with these flags, and the linker could take these copies
-/// for the whole program.
+/// Pointers to the arrays of a system; the struct owns no memory. fast_loops.cpp is compiled with
+/// -march=native and -ffast-math. This struct and the loops therefore use no types of the standard library.
+/// Otherwise the compiler would compile inline functions of the standard library with these flags, and the
+/// linker could use the compiled functions in files that are compiled without these flags.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
   const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
   /// On shared prisms (adjacent prisms share their sticks): for each edge (a spring between two top masses)
   /// the indices of its two sticks and its rest length in R. On separable prisms, `from` and `to` are not
-  /// used. There, with F triangles, stick c * F + f stands on corner c of triangle f, and rest[c * F + f] is
-  /// the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
+  /// used. Separable prisms on F triangles have 3 F sticks: stick c * F + f belongs to corner c of triangle
+  /// f. rest[c * F + f] is the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
   T *q[3]{}, *v[3]{};          ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
@@ -36,17 +36,20 @@ struct Course {
 /// compiled with the same compiler flags.
 template <class T>
 struct Loops {
-  void (*sticks)(const Arrays<T>&, const Course&);     ///< sticks, by any of the four solvers
-  void (*triangles)(const Arrays<T>&, const Course&);  ///< separable prisms, not by backward Euler
-  void (*prisms)(const Arrays<T>&, const Course&);     ///< shared prisms, not by backward Euler
+  /// Advances sticks and separable-sticks (no springs between top masses) by any of the four solvers.
+  void (*sticks)(const Arrays<T>&, const Course&);
+  /// Advances separable-prisms by any solver except backward Euler.
+  void (*triangles)(const Arrays<T>&, const Course&);
+  /// Advances shared prisms by any solver except backward Euler.
+  void (*prisms)(const Arrays<T>&, const Course&);
 };
 
-/// Returns the loops compiled with -O3 only. The argument's type selects the number type; its value is
-/// ignored.
+/// Returns the functions of loops.inl, compiled with -O3 and without further optimization flags. The
+/// argument's type selects the number type; its value is ignored.
 Loops<float> plain_loops(float);
 Loops<double> plain_loops(double);
-/// Returns the loops compiled with -O3 -march=native -ffast-math. The argument's type selects the number
-/// type; its value is ignored.
+/// Returns the functions of loops.inl, compiled with -O3 -march=native -ffast-math. The argument's type
+/// selects the number type; its value is ignored.
 Loops<float> fast_loops(float);
 Loops<double> fast_loops(double);
 /// Returns whether this processor supports the vector instructions (AVX2, AVX-512F) that fast_loops uses.

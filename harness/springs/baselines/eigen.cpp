@@ -1,6 +1,6 @@
 // This macro renames the namespace Eigen in this file. The file is compiled with -march=native; other files
-// of pelage must run on any processor. Without the new name, the linker could use the template instances of
-// this file in the other files.
+// of pelage must run on any processor. If the namespace kept its name, the linker could let the
+// other files call the functions of Eigen that are compiled in this file.
 #define Eigen pelage_native_eigen
 #include "harness/springs/baselines/eigen.hpp"
 
@@ -164,8 +164,9 @@ class Blocks : public Base<T> {
   }
 };
 
-// Solves the equations of all sticks as one sparse system. The sparsity pattern is computed once. Each step
-// fills the rows of 3 x 3 blocks independently of each other, so threads can fill them in parallel.
+// Solves the equations of all sticks as one sparse system. The sparsity pattern is computed once. The
+// matrix consists of 3 x 3 blocks, and each stick has one row of blocks. In each step, threads compute the
+// rows of blocks in parallel, because the rows do not depend on each other.
 template <class T, class Solver>
 class Whole : public Base<T> {
  public:

@@ -8,7 +8,7 @@
 namespace pelage::springs {
 
 enum class EigenWay {
-  blocks,              ///< only on separable prisms: one Matrix<T, 9, 9> with LLT per triangle
+  blocks,              ///< LLT of one Matrix<T, 9, 9> per triangle; only on separable prisms
   ldlt,                ///< SimplicialLDLT; the sparsity pattern is analysed once
   gradients_diagonal,  ///< ConjugateGradient (RowMajor, Lower | Upper) with DiagonalPreconditioner
   gradients_block,     ///< ConjugateGradient, preconditioned by the inverses of the 3 x 3 diagonal blocks

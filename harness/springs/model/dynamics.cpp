@@ -88,7 +88,7 @@ void check(const Dynamics& d) {
   finite("gravity (m/s^2)", d.gravity);
   direction("direction of the wind", d.wind.direction);
   finite("speed of the wind (m/s)", d.wind.speed);
-  finite("gust of the wind (fraction of its speed)", d.wind.gust);
+  finite("gust of the wind (amplitude as a fraction of the wind's speed)", d.wind.gust);
   not_negative("frequency of the gusts (Hz)", d.wind.frequency);
   above_0("wavelength of the gusts (R)", d.wind.wavelength);
   finite("velocity of the object (R/s)", d.motion.velocity);

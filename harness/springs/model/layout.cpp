@@ -110,26 +110,28 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // All values have 4 bytes. `columns` is the number of floats per place (a stick or padding). The initial
-  // value counts the buffers sites, push, offset and speed. `values` is the number of all other values. Its
-  // initial value counts the steps in which masses diverged and the rest lengths of separable prisms.
+  // All values have 4 bytes. `columns` is the number of floats that are stored for each stick, padding
+  // included: SITE_COLUMNS floats in the buffer sites, and 3 floats each in the buffers push, offset and
+  // speed. `values` is the number of values in all other buffers: diverged_at (one value per stick, padding
+  // included), first (one value) and sides (rest lengths, only for the topology separable-prisms).
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  // Only shared prisms reach this line. They store speeds and tips in rows of four floats. A speed therefore
-  // takes one float more than the three that are already counted. A tip takes four floats.
+  // Only the topology prisms reaches this line. For this topology, the speed of a top mass takes a row of
+  // four floats, of which three are already counted. The position of a top mass (tip) takes another four.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    // Conjugate gradients solve A x = b. Per place they store x and the direction d in rows of four floats (8
-    // floats), the residual r and the product A d in three columns each (6 floats), and a diagonal block of A
-    // and its inverse, which are symmetric 3 x 3 matrices (12 floats).
+    // The solver solves A x = b by conjugate gradients. For each stick it stores x and the direction d with 4
+    // floats each, and the residual r and the product A d with 3 floats each. It also stores a diagonal block
+    // of A and the inverse of this block. Both are symmetric 3 x 3 matrices with 6 floats each.
     columns += 8 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tip and speed after the step, 4 floats each
-    // RK4 has a second pair of tip and speed (8 floats). It also stores the offset at a stage and the
-    // weighted sums of the stages' offsets and speeds (9 floats).
+    // RK4 computes a step in four stages. It needs one more tip and one more speed (4 floats each). It also
+    // stores three vectors of 3 floats each: the offset at the current stage, and two sums, which add the
+    // weighted rates of the stages to the offset and to the speed at the start of the step.
     if (solver.multistage()) columns += 8 + 9;
   }
   return 4 * (columns * layout.places() + values);

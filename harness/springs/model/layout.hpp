@@ -14,14 +14,17 @@ namespace pelage::springs {
 /// order. Slice s consists of the places 16 * s to 16 * s + 15. An array with several columns stores the
 /// values of a slice column by column. Unused places hold padding: upright sticks at the origin that have no
 /// springs to other sticks.
-/// Sticks keep the order of the topology, with two exceptions. On separable prisms, three consecutive slices
-/// hold the three corners of 16 triangles. On shared (not separable) prisms, the sticks of each window of 256
-/// are sorted by their number of springs, so that the sticks of a slice have similar numbers of springs.
+/// Sticks keep the order of the topology, with two exceptions. For the topology separable-prisms, three
+/// consecutive slices hold the three corners of 16 triangles. For the topology prisms, the sticks of each
+/// window of 256 are sorted by their number of springs, so that the sticks of a slice have similar numbers of
+/// springs.
 struct Layout {
-  /// Number of consecutive slices that hold the sticks of the same triangles: 3 on separable prisms (one
-  /// slice per corner), else 1.
+  /// Number of consecutive slices that belong together. It is 3 for the topology separable-prisms: three
+  /// slices hold the sticks at the three corners of the same 16 triangles. It is 1 for all other topologies.
   int corners = 1;
-  int slices = 0;  ///< number of slices, padded to a multiple of 3 (separable prisms) or 4 (sticks)
+  /// Number of slices of 16 sticks, padding included. It is a multiple of 3 for separable-prisms, and of 4
+  /// for sticks and separable-sticks.
+  int slices = 0;
   std::vector<std::uint32_t> place;  ///< for each stick, its index in the kernels' order
   /// Constants of the stick at each place, in SITE_COLUMNS columns: base in R, unit normal, cosine and sine
   /// of the gust's phase at the base.
@@ -29,22 +32,23 @@ struct Layout {
   /// Position of the top mass at rest minus the position of the stick's base, in R. The three columns are the
   /// components x, y and z.
   std::vector<float> offset;
-  /// Only on separable prisms: the rest lengths of each triangle's sides (0, 1), (1, 2) and (2, 0), in R, in
-  /// 3 columns.
+  /// Only for the topology separable-prisms: the rest lengths of each triangle's sides (0, 1), (1, 2) and (2,
+  /// 0), in R, in 3 columns.
   std::vector<float> sides;
-  /// Only on shared prisms: the springs between top masses, as a sparse matrix in SELL-16 format (Kreutzer et
-  /// al. 2014). Each spring occurs twice, once for each end. For the stick at place 16 * s + lane of slice s,
-  /// spring k is entry 16 * (start[s] + k) + lane. In this entry, `neighbour` has the place of the stick at
-  /// the spring's other end, and `rest` has the spring's rest length in R. All sticks of a slice have equally
-  /// many entries. In the unused entries of a stick, `neighbour` has the place of this stick.
+  /// Only for the topology prisms: the springs between top masses, as a sparse matrix in SELL-16 format
+  /// (Kreutzer et al. 2014). Each spring occurs twice, once for each end. Consider the stick at the place
+  /// 16 * s + lane, which is in slice s. Its spring k is entry 16 * (start[s] + k) + lane. In this entry,
+  /// `neighbour` has the place of the stick at the spring's other end, and `rest` has the spring's rest
+  /// length in R. All sticks of a slice have equally many entries. In the unused entries of a stick,
+  /// `neighbour` has the place of this stick.
   std::vector<std::int32_t> start, neighbour;
   std::vector<float> rest;
 
   std::size_t places() const { return std::size_t(slices) * 16; }
 };
 
-/// Returns an index into an array with `columns` columns: the index of the value in column `column` for the
-/// stick at `place` (its index in the kernels' order).
+/// Returns the index of one value in an array that stores `columns` values per stick, in columns. The value
+/// is in column `column` and belongs to the stick at `place` (the stick's index in the order of the kernels).
 constexpr std::size_t column_of(std::size_t place, std::size_t columns, std::size_t column) {
   return (place / 16 * columns + column) * 16 + place % 16;
 }

@@ -15,18 +15,19 @@
 
 namespace pelage::springs {
 
-/// Selects the places of the sticks in a topology that is not separable. `points` places one stick on each
+/// Selects the places of the sticks in the topologies sticks and prisms. `points` places one stick on each
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
 /// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so the topology is split
-/// along the seams. Like `copies`, Banisch and Wuethrich count such a point once per side. Separable
-/// topologies ignore this choice.
+/// along the seams. Like `copies`, Banisch and Wuethrich count such a point once per side. The
+/// topologies separable-sticks and separable-prisms always have one stick at each corner of each triangle, so
+/// they ignore this choice.
 enum class Vertices { points, copies };
 
 /// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +
 /// sticks(), its top mass on the outermost layer. The first sticks() springs are the sticks. The other
-/// springs connect top masses, and each of them occurs once. In a separable topology stick 3 * f + c stands
-/// on corner c of triangle f, and the springs between the top masses of triangle f connect corners (0, 1),
-/// (1, 2) and (2, 0), in that order.
+/// springs connect top masses, and each of them occurs once. In the topologies separable-sticks and
+/// separable-prisms, stick 3 * f + c stands on corner c of triangle f. In separable-prisms, the springs
+/// between the top masses of triangle f connect corners (0, 1), (1, 2) and (2, 0), in that order.
 struct SpringNetwork {
   Kind kind = Kind::sticks;
   std::vector<glm::vec3> mass;      ///< rest position of each mass in R
@@ -43,9 +44,9 @@ struct SpringNetwork {
 };
 
 /// Builds the topology with sticks of `length` R (above 0) along the area-weighted vertex normals. All sticks
-/// at one surface point have the same rest position, so the layers of a separable topology have no gaps at
-/// rest. If a triangle edge connects a surface point with itself, no spring is built for it. Throws
-/// InputError if the mesh has no triangle or the length is not above 0.
+/// at one surface point have the same rest position, so the layers of separable-sticks and
+/// separable-prisms have no gaps at rest. If a triangle edge connects a surface point with itself, no spring
+/// is built for it. Throws InputError if the mesh has no triangle or the length is not above 0.
 SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
 
 /// Returns the index of the first triangle of `mesh` that the ray from `origin` (in R) along `direction`

@@ -9,12 +9,12 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics. The wind's speed is strength / drag. With this speed, the wind exerts the
-/// scene's force `strength` on a mass at rest, as it does on Silva's strands.
+/// Converts the scene's dynamics. The wind's speed is strength / drag. A wind of this speed exerts the force
+/// `strength` of the scene on a mass at rest. The wind exerts the same force on one of Silva's strands.
 Dynamics dynamics_of(const DynamicsScene& scene);
 
-/// Returns the scene's topology over its mesh: one stick per surface point, or one per triangle corner if
-/// separable.
+/// Returns the scene's topology over its mesh: one stick per surface point, or one stick per triangle
+/// corner for the topologies separable-sticks and separable-prisms.
 SpringNetwork topology_of(const FrameInput& input);
 
 /// Returns the local force of the scene's poke on each stick, in newtons. The result is empty if the scene

@@ -58,9 +58,10 @@ AdaptiveSteps::Frame AdaptiveSteps::advance(const cl::Queue& queue, MassSprings&
   Vectors coarse = tried(steps_);
   for (;;) {
     if (2 * steps_ > most_)
-      throw InputError(fmt::format(
-          "tolerance {}: not reached with {} steps per frame; use a larger tolerance or a shorter frame",
-          tolerance_, steps_));
+      throw InputError(
+          fmt::format("the tolerance {} needs more than {} time steps per frame; use a larger tolerance or a "
+                      "shorter frame",
+                      tolerance_, most_));
     Vectors fine = tried(2 * steps_);
     const double error = coarse.empty() || fine.empty() ? std::numeric_limits<double>::infinity()
                                                         : difference(coarse, fine, masses.length());

@@ -23,16 +23,17 @@ struct MassSpringOptions {
   int lanes = 0;
   std::size_t group = 0;    ///< work-items per work-group; 0 selects the device's default
   int blocks_per_item = 0;  ///< slices (16 sticks) per work-item; 0 selects the device's default
-  /// Whether one work-item computes all steps of a launch for the whole model. On a CPU this is faster for
-  /// small models, whose launches take longer than the computation of the steps.
+  /// Whether one work-item computes all steps of a launch for the whole model. On a CPU a single work-item is
+  /// faster for a small model, because waking a second core takes longer than the second core saves.
   enum class Whole { as_suits, never, always } whole = Whole::as_suits;
 };
 
-/// Returns whether Whole::as_suits selects one work-item for the whole model: only on a CPU, and only for few
-/// sticks.
+/// Returns true if a single work-item should compute the whole model: only on a CPU, and only if the model
+/// has few sticks. The option Whole::as_suits uses this function.
 bool whole_suits(const cl::DeviceInfo& device, Kind kind, Solver solver, std::size_t sticks);
 
-/// Statistics of the solves by conjugate gradients since construction; all 0 if there was no such solve.
+/// Statistics of the linear systems that a MassSprings object has solved by conjugate gradients. All values
+/// are 0 if the object has solved no system.
 struct LinearSolves {
   long solves = 0, iterations = 0;
   int most_iterations = 0;    ///< largest number of iterations of one solve
@@ -41,7 +42,7 @@ struct LinearSolves {
 
 class MassSprings {
  public:
-  /// Creates the system at rest. Throws InputError if check(dynamics) throws it.
+  /// Creates the system at rest. Throws InputError if check() of dynamics.hpp rejects `dynamics`.
   MassSprings(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
               const MassSpringOptions& options = {});
   ~MassSprings();
@@ -56,7 +57,7 @@ class MassSprings {
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
   /// Sets the time step of all later steps, in seconds. Keeps the count of the steps done; set() can change
-  /// this count. Throws InputError if check(dynamics) throws it.
+  /// this count. Throws InputError if check() of dynamics.hpp rejects the new time step.
   void retime(float step);
 
   /// Sets local forces on the top masses, one per stick, in newtons, in the object's frame. An empty vector
@@ -82,9 +83,10 @@ class MassSprings {
   /// the index of the x component in this buffer. y is stored 16 floats and z 32 floats after x.
   const cl::Buffer<float>& offset() const;
   std::vector<std::int32_t> offset_columns() const;
-  long steps() const;         ///< number of steps done or enqueued
-  float length() const;       ///< length of the fur in R
-  std::size_t bytes() const;  ///< bytes of device memory, counted as by memory() in layout.hpp
+  long steps() const;    ///< number of steps done or enqueued
+  float length() const;  ///< length of the fur in R
+  /// Bytes of device memory. memory() in layout.hpp gives the same number.
+  std::size_t bytes() const;
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels
 

@@ -169,8 +169,9 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // Stages 1 to 3 read alternately from two pairs of tip and speed buffers. The tips and speeds at the start
-  // of the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
+  // The four stages of RK4 have the numbers 0 to 3. Stages 1 and 3 read tips and speeds from other_tip_ and
+  // other_speed_. Stage 2 reads them from spare_tip_ and spare_speed_. The tips and speeds at the start of
+  // the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {

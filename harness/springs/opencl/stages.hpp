@@ -1,5 +1,6 @@
 // The parts of MassSprings: the buffers that all solvers share, and two classes that enqueue kernels.
-// PrismStage handles shared prisms (adjacent prisms share their sticks), BlockStage all other topologies.
+// PrismStage handles the topology prisms, in which adjacent prisms share their sticks. BlockStage handles all
+// other topologies.
 #pragma once
 #include <string>
 #include <vector>
@@ -11,14 +12,14 @@
 namespace pelage::springs {
 
 /// Buffers that all solvers share. A slice consists of 16 sticks. The float buffers store one slice after
-/// another. In a slice, each component of a value, such as x, has a column of 16 floats (see places.clh). On
-/// shared prisms `speed` has one row of four floats per stick instead.
+/// another. In a slice, each component of a value, such as x, has a column of 16 floats (see places.clh). For
+/// the topology prisms, `speed` has no columns: it stores one row of four floats per stick (x, y, z and 0).
 struct Buffers {
   /// Wind, gravity and the object's motion at each half step. A launch reads the entries from index
   /// params.first_moment on.
   cl::Buffer<Moment> moments;
   cl::Buffer<float> sites, push, offset, speed;
-  /// One value per place (a stick or padding): the number of the first step after which the stick's top mass
+  /// One value per stick, padding included: the number of the first step after which the stick's top mass
   /// had diverged (see diverged() in kernels/springs/equations.clh).
   cl::Buffer<std::int32_t> diverged_at;
   cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
@@ -37,8 +38,8 @@ int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wante
 /// all launches also saves time, because CPU drivers compile a kernel anew for each work-group size.
 std::size_t group_size(int lanes, std::size_t wanted);
 
-/// Advances sticks, separable sticks and separable prisms. One launch computes all substeps of all sticks. If
-/// `whole` is set, the launch has a single work-item.
+/// Computes time steps of the topologies sticks, separable-sticks and separable-prisms. One launch computes
+/// all substeps of all sticks. If `whole` is set, the launch has a single work-item.
 class BlockStage {
  public:
   BlockStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
@@ -56,15 +57,15 @@ class BlockStage {
   int blocks_, units_, per_item_;
 };
 
-/// Advances shared prisms (adjacent prisms share their sticks). Explicit solvers need one launch per
-/// evaluation of the forces, and conjugate gradients three launches per iteration. If `whole` is set, one
-/// work-item computes all steps of the whole model in one launch.
+/// Computes time steps of the topology prisms, in which adjacent prisms share their sticks. Explicit solvers
+/// need one launch per evaluation of the forces, and conjugate gradients three launches per iteration. If
+/// `whole` is set, one work-item computes all steps of the whole model in one launch.
 class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
-  /// Sets the offsets, in columns as in Layout::offset. Updates the tips and resets the initial guess of
-  /// conjugate gradients.
+  /// Sets the tips (positions of the top masses) to the bases plus `offset`, which has the columns of
+  /// Layout::offset. Resets the initial guess of conjugate gradients to 0.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
   /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
@@ -82,7 +83,7 @@ class PrismStage {
   void whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
   void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
 
-  // Receives the events of launches during enqueue(); may be null.
+  // enqueue() sets this pointer. If it is not null, launch() appends the event of every kernel launch.
   std::vector<cl::Event>* launches_ = nullptr;
 
   Solver solver_;
@@ -99,13 +100,13 @@ class PrismStage {
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per place
+  cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per stick, padding included
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
-  // Buffers of conjugate gradients on A x = b. diagonal_: the 3 x 3 diagonal blocks of A. inverse_: their
-  // inverses. coupling_: the coupling of each spring. change_: the solution x. left_: the residual r. way_:
-  // the direction d. along_: the product A d, and later z, the preconditioned residual. change_ and way_ have
-  // rows of four floats.
+  // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_: the 3 x 3 diagonal blocks of
+  // A. inverse_: their inverses. coupling_: the coupling of each spring. change_: the solution x. left_: the
+  // residual r. way_: the direction d. along_: the product A d, and later z, the preconditioned residual.
+  // change_ and way_ have rows of four floats.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // results of gradients_whole

@@ -31,13 +31,13 @@ State rest(const SpringNetwork& topology);
 /// includes the forces on the fixed masses.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
 
-/// Returns the state after one more time step of the solver in `system.dynamics`. `number` is the number of
-/// earlier steps.
+/// Returns the state after one more time step of the solver in `system.dynamics`. `number` is the index
+/// of this step, starting at 0.
 State step(const System& system, const State& state, long number);
 
 /// Returns the relative residual |b - A x| / |b| of the linear system A x = b of one backward Euler step. The
-/// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the number
-/// of earlier steps.
+/// vector x is `change`, the change of the top masses' velocities (R/s) in this step. `number` is the index
+/// of this step, starting at 0.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
 /// Returns the kinetic energy plus the potential energy of the springs, in joules. The sum excludes the

@@ -10,7 +10,7 @@
 namespace pelage::springs {
 
 /// Returns the position of each top mass relative to its base, in R, after `frames` frames that start from
-/// rest. The functions of reference.hpp compute it.
+/// rest. The functions of reference.hpp compute the positions.
 std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames);
 
 /// State of a selection of sticks after some frames that start from rest.

@@ -132,8 +132,9 @@ class Duel : public Subject {
     return state;
   }
 
-  // Checks one step of backward Euler if the model is too large for the reference's factorization. Inserts
-  // the device's change of the velocities into the reference's equations and computes their residual. Also
+  // Checks one step of backward Euler if the model is too large for the reference's factorization. Let
+  // A x = b be the reference's linear equations for the change x of the velocities. The check inserts the
+  // device's change of the velocities as x and computes the relative residual |b - A x| / |b|. Also
   // checks that each new position is the old position plus the time step times the new velocity.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);

@@ -1,7 +1,7 @@
-// Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of all layers, and the
-// boxes of each layer batch for binning. A work-item computes LANES vertices. PoCL takes 25 ms to preprocess a program,
-// even if its cache contains the compiled program. Therefore the kernels of bin.clh and reach.clh are part of this
-// program.
+// Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of the vertices in all
+// layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
+// work-item computes LANES vertices. PoCL takes 25 ms to preprocess a program, even if its cache contains the compiled
+// program. Therefore the kernels of bin.clh and reach.clh are part of this program.
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
@@ -16,9 +16,9 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
 }
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
-// its root. The vertices are divided into blocks of LANES vertices. The strand list of each vertex is padded to the
-// longest list of its block. Entry e of the list of vertex i of a block is at (slice[block] + e) * LANES + i. Padding
-// entries have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
+// its root. The vertices are divided into blocks of LANES vertices. Each vertex has a list of strands, padded to
+// the length of the longest list in its block. Entry e of the list of vertex i of a block is at
+// (slice[block] + e) * LANES + i. Padding entries have weight 0. tips: columns q_x, q_y, q_z of length strand_stride.
 __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, TABLE(float) weight, TABLE(float) tips,
                           int strand_stride, __global float *tip) {
   int block = (int)get_global_id(0);
@@ -47,8 +47,8 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 
 // The bounding boxes of LANES vertices. The box of a vertex contains its screen positions in one layer or in several
 // layers. The unit is one pixel, and the origin is the image's top left corner. The box contains pixel centres only, so
-// left and top are rounded up, and right and bottom are rounded down.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;    // most: greatest 1/w of the vertex
+// left and top are rounded up, and right and bottom are rounded down. most: greatest 1/w of the vertex in these layers.
+typedef struct { whole left, top, right, bottom; real most; } Bounds;
 
 static inline Bounds nothing(void) {
   Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
@@ -83,9 +83,10 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 // Computes the vertices of the base and of the pass's layers.
 // screen: one row for each layer and vertex, which holds x, y and 1/w. x and y are integers, stored as the bits of
 // floats. Their unit is 1/256 pixel, and their origin is the image centre. The rows of layer n start at screen_row(n).
-// box: one row for each layer batch and vertex, which holds the bounds of the vertex in the batch. The row of vertex i
-// in batch g starts at 4 * (g * vertices + i). The last batch has the index layer_batches and contains the base and all
-// layers.
+// box: one row for each layer batch and vertex. The row holds the bounding box of the vertex's screen positions in the
+// layers of the batch, and the greatest 1/w of these positions. The row of vertex i in batch g starts at
+// 4 * (g * vertices + i). Batch 0 is the base, and each of the batches 1 to layer_batches - 1 consists of adjacent
+// layers. One more batch, with the index layer_batches, contains the base and all layers of the pass.
 // If a vertex needs clipping, its 1/w in `screen` is 0 and its greatest 1/w in `box` is infinite.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box) {

@@ -1,10 +1,10 @@
-// Copies the tips of a mass-spring topology's sticks to the vertices (docs/frame.md, section 3). A work-item computes
-// LANES vertices.
+// Computes the tip B of each vertex (docs/frame.md, section 3) from the sticks of a mass-spring topology. A work-item
+// computes LANES vertices.
 #include "rasterize/geometry/transform.clh"
 
-// offset: the vectors q of the sticks (top minus base). The sticks are stored in slices of 16, so q_y is stored 16
-// entries and q_z 32 entries after q_x. stick: for each vertex, the index of q_x of the vertex's stick. level: 1
-// selects B Eq. 4 without its component along the normal, see level_tip().
+// offset: the vectors q of the sticks (top minus base). The sticks are stored in slices of 16: first q_x of the 16
+// sticks, then q_y, then q_z. stick: for each vertex, the index of the q_x of the vertex's stick. level: if it is 1,
+// level_tip() removes the component along the normal n from the displacement s - n of B Eq. 4.
 __kernel void stick_tips(RasterParams s, int level, TABLE(int) stick, TABLE(float) offset, TABLE(float) vertex,
                          __global float *tip) {
   int block = (int)get_global_id(0);

@@ -1,6 +1,6 @@
 // The pixel mapping: for every layer, a work-item per pixel reads the triangle list of its tile and shades each
-// fragment immediately. This mapping is the simplest implementation of the equations, on one lane. Tests compare the
-// other mappings with it on every device.
+// fragment immediately. The pixel mapping is the simplest implementation of the equations: it computes one fragment at
+// a time, without vectors. Tests compare the other mappings with the pixel mapping on every device.
 //
 //   triangles_at reads a triangle's vertices in the layer (coverage/fan.clh).
 //   triangle_hit tests coverage and locates the pixel on the triangle (this file, coverage/).

@@ -1,14 +1,15 @@
 // The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, adds each
-// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once.
-// Layers are drawn from the outermost to the innermost, and the triangles of a layer in reverse order, with
-// front-to-back compositing. Layers write no depth, so the 'under' operator in reverse order gives the same result as
-// the paper's 'over' operator. A pixel is complete when its transmittance is at most OPAQUE. A tile runs these stages
-// in this order:
+// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once. The
+// paper draws the layers from the innermost to the outermost with the 'over' operator. This mapping draws the layers
+// and the triangles of each layer in the reverse order with the 'under' operator. Both operators give the same result:
+// layers write no depth, so the order of drawing does not change which fragments are blended. A pixel is complete when
+// its transmittance is at most OPAQUE. A tile runs these stages in this order:
 //
 //   draw_layer() sets up the triangles of a layer (this file, coverage/).
 //   keep() and cover_pixels() add each triangle to the lists of the blocks that the triangle covers (fragments.clh).
 //   find_next() selects the next triangle of each pixel (lists.clh).
-//   points_at() computes the position of each pixel on its triangle (points.clh, coverage/perspective.clh).
+//   points_at() computes the barycentric coordinates of each pixel on its triangle (points.clh,
+//   coverage/perspective.clh).
 //   shade() and flush() compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
 //   find_hidden() runs after the base is drawn. It computes the bounds of 1/w below which the base hides a fragment
 //   (hidden.clh).
@@ -121,13 +122,16 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
     if (covering == 0) continue;
     int slot = d->used;
     d->used += LANES;
-    // Adds the triangles that may cover a pixel to the lists of their blocks, in drawing order.
+    // For each triangle that may cover a pixel, in drawing order: appends the triangle to the list of each block that
+    // it covers.
     while (covering != 0) {
       int lane = n < 0 ? first_lane(covering) : last_lane(covering);
       covering ^= 1u << lane;
       if (d->most == ENTRIES) {
         flush(pass, 0, d, tile);
-        d->used = slot + LANES;   // keeps the slots of the current LANES triangles; some are not drawn yet
+        // flush() frees all rows of d->triangle. The rows of the current LANES triangles must stay, because some of
+        // these triangles are not drawn yet.
+        d->used = slot + LANES;
       }
       covered += cover_pixels(batch, lane, slot + lane, &pass->hidden, d);
     }
@@ -223,9 +227,9 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   return fragments;
 }
 
-// shown: buffer with room for 4 integers per entry of all lists, and 4 * LANES more per tile. next: number of the next
-// tile that no work-item has taken, initially 0. Each work-item takes one tile at a time, so that tiles with much fur
-// are distributed over the work-items.
+// shown: buffer for the triangles that may_be_seen() selects. It has 4 integers per entry of `list`, and 4 * LANES more
+// integers per tile. next: number of the next tile that no work-item has taken, initially 0. Each work-item takes one
+// tile at a time, so that tiles with much fur are distributed over the work-items.
 __kernel void tile_shells(RasterParams s, RASTER_BUFFERS, __global int *shown, __global int *next) {
   RasterBuffers of = RASTER_RECORD;
   Geometry m = of.geometry;

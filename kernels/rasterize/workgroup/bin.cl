@@ -1,8 +1,8 @@
-// Bins of the workgroup mapping: for each layer batch, a list of the triangles that may touch each tile of TILE_W x
-// TILE_H pixels, in the mesh's order. The first kernel counts the tiles of each triangle. A prefix sum of the counts
-// gives the positions at which the second kernel writes pairs (list number, triangle number). A stable sort
-// (common/radix_sort.cl) groups the pairs by list number. No capacity is fixed in advance, so the number of triangles
-// is not limited.
+// Makes the triangle lists of the workgroup mapping. There is one list per layer batch and tile of TILE_W x TILE_H
+// pixels. A list contains the triangles that may touch its tile in its layer batch, in the mesh's order. The first
+// kernel counts the tiles that each triangle may touch. A prefix sum of the counts gives the positions at which the
+// second kernel writes pairs (list number, triangle number). A stable sort (common/radix_sort.cl) groups the pairs by
+// list number. No capacity is fixed in advance, so the number of triangles is not limited.
 #include "rasterize/geometry/boxes.clh"
 
 typedef struct { int left, top, right, bottom; } Span;
@@ -14,8 +14,8 @@ static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) b
   return tiles;
 }
 
-// Counts the tiles of each triangle in each layer batch. The result for triangle t in layer batch g is stored in
-// count[g * triangles + t].
+// Counts the tiles that each triangle may touch in each layer batch. The result for triangle t in layer batch g is
+// stored in count[g * triangles + t].
 __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box, __global int *count) {
   int i = (int)get_global_id(0);
   if (i >= s.layer_batches * s.triangles) return;
@@ -23,9 +23,9 @@ __kernel void group_count(RasterParams s, TABLE(float) corners, TABLE(float) box
   count[i] = max(tiles.right - tiles.left + 1, 0) * max(tiles.bottom - tiles.top + 1, 0);
 }
 
-// Writes a pair (list number, triangle number) for each tile of each triangle in each layer batch. The list number is
-// g * tiles + tile for layer batch g.
-//   start     prefix sums of the results of group_count
+// For each layer batch and each triangle, writes one pair (list number, triangle number) per tile that the triangle may
+// touch. The list of layer batch g for the tile in column x and row y has the number (g * tiles_y + y) * tiles_x + x.
+//   start     prefix sums of the counts that the kernel group_count has written
 //   key       receives the list number of each pair
 //   triangle  receives the triangle number of each pair
 __kernel void group_emit(RasterParams s, TABLE(float) corners, TABLE(float) box, TABLE(int) start, __global int *key,

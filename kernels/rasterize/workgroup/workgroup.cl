@@ -1,9 +1,9 @@
-// The workgroup mapping, for GPUs: a work-group draws a tile, and a work-item draws a pixel. Triangles are drawn in
-// batches, one triangle per work-item. Each work-item sets up its triangle and finds the pixels that the triangle
-// covers, as bits of a word. Triangles that cover no pixel are dropped. Then each work-item draws the triangles that
-// cover its pixel. Layers are drawn from the outermost to the innermost, and the triangles of a layer in reverse order,
-// with front-to-back compositing. Layers write no depth, so the 'under' operator in reverse order gives the same result
-// as the paper's 'over' operator.
+// The workgroup mapping, for GPUs: a work-group draws a tile, and a work-item draws a pixel. The triangles of a tile
+// are processed in batches. A batch has as many triangles as the work-group has work-items. First, each work-item sets
+// up one triangle of the batch and computes a mask of the pixels that this triangle covers. Triangles that cover no
+// pixel are dropped. Then each work-item draws all triangles of the batch that cover its pixel. Layers are drawn from
+// the outermost to the innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers
+// write no depth, so the 'under' operator in reverse order gives the same result as the paper's 'over' operator.
 //
 //   put_triangle() sets up one triangle and the mask of its pixels (batch.clh, coverage/).
 //   draw_clipped() draws a triangle that needs clipping (this file, coverage/fan.clh).
@@ -132,7 +132,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
         mine |= (work.drawn.covered[slot] >> item & 1) << slot;
       }
       if (n >= 0) p.fragments += (uint)popcount(mine);
-      // Keeps the drawing order: each round draws the triangles before the next clipped triangle, then this triangle.
+      // Draws the triangles in the order of their slots. Each round draws the triangles before the next triangle that
+      // needs clipping, and then this triangle.
       for (;;) {
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {
@@ -152,8 +153,9 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
       barrier(CLK_LOCAL_MEM_FENCE);
       least_iw = as_float(work.least);
     } else if (first < last) {
-      // After a layer without triangles the test is skipped: no pixel has changed, and no barrier separates this test
-      // from the previous one.
+      // Tests whether all pixels of the tile are finished. A layer without triangles skips this test for two reasons.
+      // Such a layer changes no pixel. It also executes no barrier, so a work-item could write work.finished while
+      // another work-item still reads work.finished for the previous layer.
       if (!finished && (!inside || p.front.w <= OPAQUE)) {
         finished = true;
         atomic_inc(&work.finished);

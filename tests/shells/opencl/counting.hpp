@@ -1,7 +1,7 @@
-// A second implementation of kernels/dialect.clh in C++ (the first is tests/support/opencl_as_cpp.hpp). It
-// has one lane. Its number type counts the arithmetic operations. An fma counts as two operations. A
-// logarithm or a power counts as many operations as the kernels' code needs to compute it. Comparisons,
-// selections, conversions and negations are not counted.
+// A second implementation of kernels/dialect.clh in C++ (the first is tests/support/opencl_as_cpp.hpp). A
+// `real` of this implementation is one number, not a vector. The type counts the arithmetic operations. An
+// fma counts as two operations. A logarithm or a power counts as many operations as the kernels' code needs
+// to compute it. Comparisons, selections, conversions and negations are not counted.
 #pragma once
 #include <gtest/gtest.h>
 

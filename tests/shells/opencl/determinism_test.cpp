@@ -48,8 +48,8 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
 }
 
 // The pipeline does not draw a triangle in layers where S Algorithm 2 would discard all its fragments. This
-// must not change any bit of the picture. The test compares it with a picture for which every triangle is
-// drawn in all layers (REACH = 0).
+// must not change any bit of the picture. The test compares the usual picture with a picture for which every
+// triangle is drawn in all layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
     for (const char* cells : {"separate", "literal"})

@@ -11,8 +11,9 @@
 namespace pelage {
 namespace {
 
-/// Returns the parameters of a scene whose shading keys are not 0. If `specular`, `wrap` or `darkening` is 0
-/// in the result, the model ignores the key of this name.
+/// Returns the kernel parameters for a scene with the shading model `model`. In the scene, the values of
+/// shading.specular, shading.wrap and shading.darkening are not 0. A model that ignores one of these values
+/// has 0 in the corresponding parameter.
 RasterParams params_of(const std::string& model) {
   Scene scene = synthetic::lively_scene();
   scene.shading.model = model;
@@ -56,7 +57,8 @@ TEST(RasterParameters, OfLambertsModelHaveNoHighlightNoWrapAndNoDarkening) {
   EXPECT_EQ(p.occlusion, .7f) << "the self-shadow of the paper stays";
 }
 
-// Fails if a model of shading is added. The parameters of the new model then need their own test above.
+// This test fails if a shading model is added. The new model then needs a test of its parameters in this
+// file.
 TEST(RasterParameters, OfEveryModelAreTested) {
   EXPECT_EQ(shading_models().size(), 3u);
 }

@@ -26,11 +26,11 @@ struct Mapping {
   const char* name;
   ShellOptions options;
   int pictures;    ///< number of pictures of random triangles
-  int triangles;   ///< triangles per picture; a million in total for the default mapping
+  int triangles;   ///< number of random triangles per picture; in all pictures of "tile" a million
   int repeats;     ///< number of random meshes of each kind in the test of shared edges
-  int coarser;     ///< divisor of the numbers of grid columns and rows in the tests of shared edges
-  int spokes;      ///< number of triangles in each star
-  double samples;  ///< least number of pixel centres next to shared edges that the meshes must have
+  int coarser;     ///< the grids have this many times fewer columns and rows than the grids for "tile"
+  int spokes;      ///< number of triangles around the common corner in each mesh made by star()
+  double samples;  ///< least number of pixel centres next to shared edges, summed over all meshes of a test
 };
 void PrintTo(const Mapping& mapping, std::ostream* out) {
   *out << mapping.name;
@@ -73,7 +73,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // 1 in 64 of these is thin, with two corners far outside the picture but within the guard band
+    default:  // small; 1 in 64 is thin, with two corners far outside the picture but in the guard band
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
@@ -168,8 +168,9 @@ Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   return flat;
 }
 
-/// Returns the number of pixel centres next to shared edges, inside the picture. In each row or column that
-/// an edge crosses, one centre on each side of the edge counts.
+/// Returns the number of pixel centres next to shared edges, inside the picture. An edge crosses rows and
+/// columns of pixels; the larger of the two numbers is used. In each such row or column, the function counts
+/// one pixel centre on each side of the edge.
 double samples(const Flat& flat) {
   double sum = 0;
   for (const glm::uvec3& t : flat.triangle)
@@ -177,8 +178,8 @@ double samples(const Flat& flat) {
       const auto inside = [](double x) { return std::clamp(x, -.5 * size, .5 * size); };
       const glm::vec2 a = flat.vertex[t[c]], b = flat.vertex[t[(c + 1) % 3]];
       // The loop visits a shared edge twice, once for each of its two triangles. Each visit adds the number
-      // of rows or columns that the edge crosses, whichever is larger. The sum therefore counts one centre on
-      // each side of the edge.
+      // of rows or columns that the edge crosses, whichever is larger. For each such row or column, the two
+      // visits thus count two pixel centres, one on each side of the edge.
       sum += std::max(std::abs(inside(a.x) - inside(b.x)), std::abs(inside(a.y) - inside(b.y)));
     }
   return sum;
@@ -247,8 +248,9 @@ TEST_P(Coverage, SharedEdgesLeaveNoGapAndHitNothingTwice) {
 
 TEST_P(Coverage, APlaneThatRunsBehindTheEyeHasNoCracks) {
   // A vertex (x, y) of `flat` has the view depth w = 1/2 + y / 2000 on the counted layer (the layer with
-  // fur). The part of the layer with y < -1000 has w < 0, so it is behind the eye. The horizon of the layer's
-  // plane is 1000 pixels below the image centre, outside the picture, so the layer fills the picture.
+  // fur). The part of the layer with y < -1000 has w < 0, so it is behind the eye. On the screen, y points
+  // down, and the layer covers all pixels above its horizon. The horizon is 1000 pixels below the image
+  // centre, outside the picture. The layer therefore fills the picture.
   std::mt19937 random(4);
   std::vector<std::vector<glm::dvec2>> v;
   const int n = 80 / GetParam().coarser;

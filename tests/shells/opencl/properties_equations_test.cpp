@@ -273,8 +273,9 @@ TEST(Equations, ColoursAreTheReferences) {
     const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
                                 any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};
     // The kernels compute the wrapped light (x + .4f) / 1.4f with float literals, so it is up to 2.2e-8 too
-    // large. The error is multiplied by the sum of the light intensities, 2.1, and by up to 1.2 for colour
-    // and highlight. Without wrapped light there is no such error.
+    // large. The error is multiplied by 2.1, the sum of the light intensities, and by at most 1.25: each
+    // component of the colour is at most 1, and each component of `specular` is at most 0.25. Without wrapped
+    // light there is no such error.
     const double tolerance = shading.wrap == 0 ? 1e-11 : 6e-8;
     expect_near(curling(shading, f), reference::curling_colour(shading, f), tolerance);
     expect_near(wet(shading, f), reference::wet_colour(shading, f), tolerance);

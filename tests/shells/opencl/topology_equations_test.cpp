@@ -70,7 +70,7 @@ TEST(EquationsOfSticks, EquationThreeAndFourAreAsPrinted) {
       expect_near(layer(stick, h, 2, false), rise * n + part * (s - n));
       expect_near(layer(stick, h, 1, false), rise * s);
       expect_near(layer(stick, h, 2, true), rise * n + part * (s - glm::dot(s, n) * n));
-      // With dynamics.bend = "tangent", every layer keeps its height.
+      // With dynamics.bend = "tangent", the bend does not change the height of a layer along the normal.
       EXPECT_NEAR(glm::dot(layer(stick, h, 3, true), n), rise, 1e-12);
     }
   }

@@ -9,8 +9,8 @@
 
 #include "tests/shells/opencl/counting.hpp"
 
-// The kernels are C code, and this file does not use all of their functions. GCC's warnings about both are
-// disabled.
+// The kernels are C code, and this file does not use all of their functions. The following lines disable
+// GCC's warnings about C constructs and about unused functions.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wconversion"

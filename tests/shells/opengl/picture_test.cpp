@@ -106,9 +106,9 @@ TEST(OpenGlPicture, AnyPictureSize) {
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
-  // picture. OpenGL drivers clip triangles at other planes than docs/frame.md. The corners of a clipped
-  // triangle therefore differ between the baseline and the reference, and so do their coordinates after the
-  // rounding to 1/256 pixel.
+  // picture. The planes at which OpenGL drivers clip triangles differ from the planes that docs/frame.md
+  // specifies. The corners of a clipped triangle therefore differ between the baseline and the reference, and
+  // so do their coordinates after the rounding to 1/256 pixel.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};

@@ -40,7 +40,8 @@ TEST(ReferenceCoverage, TheTopLeftRuleOnASquareOfPixelCentres) {
 
 TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
   // The top-left rule is equivalent to a small shift of every pixel centre, by e to the right and e^2 down,
-  // in the limit e -> 0. This test computes with scaled integers, so that nothing is rounded.
+  // in the limit e -> 0. This test uses e = 2^-20 in units of 1/256 pixel. It multiplies all coordinates by
+  // 2^40, so that e and e^2 become integers and nothing is rounded.
   std::mt19937 random(3);
   std::uniform_int_distribution<int> coarse(-6 * 2, 6 * 2), fine(-6 * 256, 6 * 256);
   using Wide = __int128;

@@ -135,8 +135,9 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
     glm::dvec3 sum(0);
     for (int n = 0; n < 16; ++n) {
       sum += chord(input, {a, b}, n);
-      // If b = a (a strand at rest), the derivative of the Bezier curve is 0 at the tip. The chord must not
-      // be 0.
+      // The arguments {a, b} are the control points of the strand's Bezier curve. For a strand at rest, both
+      // control points are equal, and the derivative of the curve is 0 at the tip. The chord is the vector
+      // between two adjacent layers. It must not be 0 there.
       EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);
     }
     EXPECT_LT(distance(sum, b), 1e-15);

@@ -61,8 +61,8 @@ TEST(ReferenceMask, CloseDropletsBlend) {
 }
 
 TEST(ReferenceMask, WetnessStopsAtOneAndAlphaFollows) {
-  // By S Algorithm 1, the wetness rho = .5 + .8 is clamped to 1, so the second droplet has the weight alpha =
-  // .8.
+  // In S Algorithm 1, the sum of the wetnesses is .5 + .8 = 1.3. It is clamped to rho = 1. The second droplet
+  // then has the weight alpha = .8 / rho = .8.
   const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .5f), droplet(.6f, .5f, .2f, .8f)}));
   expect_clump(texel(mask, 4, 4), .2 * .5 + .8 * .6, .5, .2 * .3 + .8 * .2, 1);
 }
@@ -87,7 +87,8 @@ TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {
   FrameInput input = with({droplet(.5f, .5f, .4f, .5f)});
   input.droplets[0].point = input.mask_surface[4 * 8 + 4];
   input.droplets[0].reach = .3f;
-  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;  // beyond the reach of .3
+  // The surface points of texel column 3 are moved to z = 1, farther from the droplet than its reach of .3.
+  for (int j = 0; j < 8; ++j) input.mask_surface[std::size_t(j) * 8 + 3].z = 1;
   const Mask mask = wetness_mask(input);
   EXPECT_EQ(texel(mask, 4, 4).wetness, .5);
   EXPECT_EQ(texel(mask, 5, 4).wetness, .5);
@@ -149,8 +150,8 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
   // With "literal", the factor of the displacement is the clump's radius .2 instead of clump.gain.
   input.scene.clump.scale = "literal";
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
-  // With shape 1, the displacement d is 0 on the first layer. delta_d, its difference from the base surface,
-  // is then also 0.
+  // If clump.shape is 1, the displacement d is 0 on the first layer. delta_d is d on this layer minus d on
+  // the base surface. On the base surface d is 0, so delta_d is also 0.
   input.scene.clump.shape = 1;
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 0).delta_d.x, 0, 1e-15);
   input.scene.clump.shape = .5f;

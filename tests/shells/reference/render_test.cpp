@@ -1,4 +1,5 @@
-// Tests whole pictures: windows, clipping, the 8-bit framebuffer, and the look of opaque fur.
+// Tests rendered pictures: pictures of which only some rectangles are drawn (Options::windows), the clipping
+// of triangles, the 8-bit framebuffer, and opaque fur.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -152,7 +153,8 @@ TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) 
         ASSERT_EQ(picture.at(x, y).w, hit ? 1 : 0) << x << ' ' << y;
         if (!hit || std::min(uv.x, uv.y) < 1 / 128.0 || std::max(uv.x, uv.y) > 127 / 128.0) continue;
         ++skin;
-        const double steepness = std::max(1.0, t * t);  // UV per pixel grows with the square of the distance
+        // The UV distance between adjacent pixels grows with the square of the distance from the eye.
+        const double steepness = std::max(1.0, t * t);
         ASSERT_NEAR(picture.at(x, y).x, .5 * 2 * (uv.x * 128 - .5) / 255, 2e-4 * steepness) << x << ' ' << y;
         ASSERT_NEAR(picture.at(x, y).y, .5 * 2 * (uv.y * 128 - .5) / 255, 2e-4 * steepness) << x << ' ' << y;
       }
@@ -245,7 +247,8 @@ TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
       EXPECT_EQ(picture.at(x, y).y, 0);
     }
   input.camera = synthetic::camera({false, {}, {0, 0, -3}, {0, 0, 0}, {0, 1, 0}, 37, .01f}, 160, 100);
-  EXPECT_GT(render(input, {}).at(80, 50).y, .1);  // the lower part is visible from below
+  // From below, the camera sees the lower half of the folded sheet, which is green.
+  EXPECT_GT(render(input, {}).at(80, 50).y, .1);
 }
 
 TEST(ReferenceRender, EveryMutantIsSeenAndTheOriginalIsNot) {

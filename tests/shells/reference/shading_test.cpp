@@ -86,8 +86,8 @@ TEST(ReferenceCurling, AmbientAndWrapAreAdditionsThatZeroTakesAway) {
   expect_colour(curling_colour(shading, seen(z, z, x)), .25 * coat);
   shading = bare();
   shading.wrap = 1;
-  expect_colour(curling_colour(shading, seen(x, z, x)), 2.0 * coat);      // facing the light: full light
-  expect_colour(curling_colour(shading, seen(x, -z, x)), glm::dvec3(0));  // facing away: no light
+  expect_colour(curling_colour(shading, seen(x, z, x)), 2.0 * coat);             // n.L = 1: full light
+  expect_colour(curling_colour(shading, seen(x, -z, x)), glm::dvec3(0));         // n.L = -1: no light
   expect_colour(curling_colour(shading, seen(x, y, x)), 2.0 * .4 / 1.4 * coat);  // n.L = 0
   shading.wrap = .5f;
   expect_colour(curling_colour(shading, seen(x, -z, x)), 1.0 * coat);

@@ -116,7 +116,8 @@ TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
   const Strand first = reference::substep(input, 0, reference::rest(input, 0), 0);
   EXPECT_NEAR(first.velocity.z, -.008 * (1 - .5 * std::sin(.7)) / .001 / 240, 1e-7);
   // A quarter of a period later, the gust's sine is sin(pi/2 - phase).
-  dynamics.wind.frequency = 60.f / 16;  // 16 substeps are a quarter of a period
+  // 16 substeps of 1/240 s are a quarter of the gust's period 16/60 s.
+  dynamics.wind.frequency = 60.f / 16;
   const Strand later = reference::substep(input, 0, reference::rest(input, 0), 16);
   EXPECT_NEAR(later.velocity.z, -.008 * (1 + .5 * std::cos(.7)) / .001 / 240, 1e-7);
 }
@@ -174,7 +175,8 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
     }
   }
   EXPECT_LE(highest, 1 + 1e-12);
-  // The limit is below 0, because n is a float vector, and its length differs from 1 by up to 6e-8.
+  // A tip may be slightly below the surface. The reason is that the normal n is rounded to floats, so its
+  // length differs from 1 by up to 6e-8, and the projection of the tip onto the surface is not exact.
   EXPECT_GE(lowest, -1e-7);
   EXPECT_GT(highest, 1 - 1e-12);  // tips reach both bounds
   EXPECT_LT(lowest, 1e-7);

@@ -134,7 +134,8 @@ TEST(ReferenceSubsteps, TransmittancesHaveTheirGeometricMeanAndShadesTheirMeanBy
 }
 
 /// Returns a skewed sheet with black fur over white skin. All slices of the fur have the same pattern. The
-/// brightness of a pixel is the transmittance of the layers.
+/// skin has the brightness 1, and the fur adds no light. The brightness of a pixel is therefore the product
+/// of the transmittances of all layers.
 FrameInput sheet(const Scene& scene) {
   const synthetic::Surface skewed{
       [](double u, double v) { return glm::dvec3(3 * (u - .5) + .8 * (v - .5), 2.6 * (v - .5), 0.0); }};
@@ -167,8 +168,9 @@ Scene sheet_scene(int layers, int substeps) {
 }
 
 /// Returns the greatest difference in transmittance between a picture with 16 layers and a picture with 4
-/// layers, in the middle of the pictures. Each of the 4 layers replaces four layers, so the transmittance of
-/// the 4 layers is raised to the power 4.
+/// layers, in the middle of the pictures. The picture with 16 layers has four layers for each layer of the
+/// picture with 4 layers. The function therefore raises the transmittance of the picture with 4 layers to the
+/// power 4.
 double difference(const Picture& sixteen, const Picture& four) {
   double worst = 0;
   for (int y = 35; y < 65; ++y)
@@ -178,9 +180,9 @@ double difference(const Picture& sixteen, const Picture& four) {
 }
 
 TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
-  // The fur is straight on a plane and leans to one side (a curl without turns). Along each view ray, 16
-  // layers sample the fur texture at the same positions as 4 layers with 4 samples each. Only the snapping of
-  // the triangles' corners differs.
+  // The surface is a plane and the strands are straight. A curl with the radius `lean` and without turns
+  // tilts them to one side. Along each view ray, 16 layers sample the fur texture at the same positions as 4
+  // layers with 4 samples each. Only the snapping of the triangles' corners differs.
   const auto drawn = [](int layers, int substeps, float lean, const glm::vec3& eye) {
     Scene scene = sheet_scene(layers, substeps);
     scene.curl.radius = lean;

@@ -20,7 +20,7 @@ TEST(ReferenceTextures, TexelCentresReturnTheirTexel) {
   EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).coverage, 1, 1e-12);
   EXPECT_NEAR(sample_fur(fur, {.75, .25}, 0, 0).shade, 102 / 127.5, 1e-12);
   EXPECT_NEAR(sample_fur(fur, {.25, .75}, 0, 0).coverage, 51 / 255.0, 1e-12);  // rows increase with v
-  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0).coverage, 4 / 255.0, 1e-12);   // slices are not mixed
+  EXPECT_NEAR(sample_fur(fur, {.75, .75}, 1, 0).coverage, 4 / 255.0, 1e-12);   // no filtering between slices
   EXPECT_NEAR(sample_fur(fur, {3.75, -1.75}, 0, 0).coverage, 1, 1e-12);        // the texture repeats
 }
 

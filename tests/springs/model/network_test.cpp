@@ -52,7 +52,8 @@ TEST(Topology, ThePapersGrassHas13VerticesAnd16Faces) {
   ASSERT_EQ(mesh->welded, 13u);
   ASSERT_EQ(mesh->triangle.size(), 16u);
   expect_counts(build(Kind::sticks, *mesh, length), 26, 13);
-  // Euler's formula for a disk: V + F - 1 edges
+  // A disk with V = 13 vertices and F = 16 faces has V + F - 1 = 28 edges (Euler's formula). The topology
+  // prisms has one spring per vertex and one spring per edge.
   expect_counts(build(Kind::prisms, *mesh, length), 26, 13 + 28);
   expect_counts(build(Kind::separable_sticks, *mesh, length), 96, 48);
   expect_counts(build(Kind::separable_prisms, *mesh, length), 96, 96);
@@ -123,8 +124,8 @@ TEST(Topology, DegreesCountTheSpringsOfATop) {
   EXPECT_EQ(apart.least, 3);
   EXPECT_EQ(apart.most, 3);
   const Degrees whole = degrees(build(Kind::prisms, mesh, length));
-  EXPECT_EQ(whole.least, 1 + 3);  // a corner's mass has its stick, two sides and a diagonal
-  EXPECT_EQ(whole.most, 1 + 8);   // the centre's mass has its stick, four sides and four diagonals
+  EXPECT_EQ(whole.least, 1 + 3);  // a top mass at a corner has 1 stick spring and 3 edge springs
+  EXPECT_EQ(whole.most, 1 + 8);   // the top mass at the centre has 1 stick spring and 8 edge springs
   EXPECT_DOUBLE_EQ(whole.mean, (13 + 2 * 28) / 13.0);
 }
 

@@ -114,8 +114,8 @@ TEST(TopologyDevice, OneWorkItemSolvesToTheResidualToo) {
     EXPECT_LE(springs->solves().worst_residual, double(d.residual));
     EXPECT_GT(springs->solves().worst_residual, 1e-3 * double(d.residual));
   }
-  // One work-item tests the residual after every iteration. Separate launches test it after every second
-  // iteration.
+  // A single work-item tests the residual after every iteration. If each part of an iteration has its own
+  // launch, the host tests the residual only after every two iterations.
   EXPECT_LE(one.solves().iterations, many.solves().iterations);
   EXPECT_GE(one.solves().iterations, 30);
   EXPECT_GE(30 * one.solves().most_iterations, one.solves().iterations);
@@ -157,7 +157,7 @@ TEST(TopologyDevice, AStateThatIsPutBackGoesOnAsItDid) {
 }
 
 // Drivers compile a kernel anew for each work-group size, which takes seconds. The test therefore uses only
-// two pairs of a topology and a solver.
+// two combinations of a topology and a solver.
 TEST(TopologyDevice, OneSetOfBitsAtOneLaneAndInLargerGroups) {
   const Mesh mesh = sphere(2);
   for (const auto& [kind, solver] : {std::pair(Kind::separable_prisms, Solver::backward_euler),

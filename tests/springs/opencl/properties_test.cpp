@@ -1,5 +1,5 @@
-// Tests without a comparison with the reference's motion: orders of convergence, fur that stays at rest,
-// energy, and the effect of the return force (B Eq. 5).
+// Tests properties that need no comparison with the reference's motion: the orders of convergence, fur that
+// stays at rest, the energy, and the effect of the return force (B Eq. 5).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,8 +25,9 @@ std::string kind_name(const testing::TestParamInfo<Kind>& given) {
   return text;
 }
 
-// Computes the error after 0.0625 s against RK4 with 2048 steps, for two time steps. Halving the time step
-// must divide the error by 2^order, where `order` is the order of the solver.
+// Simulates 0.0625 s with each solver, once with a coarse time step and once with half this time step. The
+// error is the difference from RK4 with 2048 steps. Halving the time step must divide the error by 2^order,
+// where `order` is the order of the solver.
 TEST_P(PropertiesOf, OrdersOfConvergence) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   const auto offsets_after = [&](Solver solver, int steps) {
@@ -53,21 +54,23 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   const auto rest = reference::offsets(topology, reference::rest(topology));
   for (const Solver solver : solvers) {
     Dynamics d = still(solver);
-    // Explicit Euler needs a shorter step than still() has: steps of 1/240 s would amplify rounding errors.
+    // still() sets a time step of 1/240 s. With this step, explicit Euler would amplify rounding errors, so
+    // the test uses the time step of lively(), which is 1 ms for explicit Euler.
     d.step = lively(solver).step;
     Shim shim(topology, d);
     shim.advance(500);
     MassSprings device(queue(), topology, d);
     device.advance(queue(), 500);
-    // Normals, positions and rest lengths are floats of about 1 R with an error up to 6e-8 R. Differences of
-    // positions on the device have an error of the same size.
+    // Normals, positions and rest lengths have values up to about 1 (lengths in R, the mesh radius). Rounding
+    // to floats changes these values by up to 6e-8. Differences of positions on the device have a rounding
+    // error of the same size.
     EXPECT_LT(largest_difference(shim.offsets(), rest), 6e-8) << name(solver);
     EXPECT_LT(largest_difference(device.offsets(queue()), rest), 1.2e-7) << name(solver);
   }
 }
 
-// Without the return force (B Eq. 5), damping and drag, the system is conservative. Semi-implicit Euler is
-// symplectic and keeps the energy within a band at all times.
+// If there is no return force (B Eq. 5), no damping and no drag, the system is conservative. Semi-implicit
+// Euler is symplectic and keeps the energy within a band at all times.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -102,7 +105,8 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
 }
 
-// Without the return force (B Eq. 5), damping and drag, backward Euler must never increase the energy.
+// If there is no return force (B Eq. 5), no damping and no drag, backward Euler must never increase the
+// energy.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -157,7 +161,8 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  // The loop records no angle before the angle's first change of sign, so peaks[1] is 0.
+  // peaks[0] is the initial angle. Before the angle's first change of sign, the loop does not update
+  // `highest`, so the first value that it appends, peaks[1], is 0.
   peaks.erase(peaks.begin() + 1);
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;

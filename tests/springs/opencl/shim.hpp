@@ -7,13 +7,17 @@
 
 namespace pelage::springs::test {
 
-/// The arguments of the kernels for one layout, with the state in double precision.
+/// The arguments of the kernels for one Layout (a topology in the kernels' order). Positions, velocities and
+/// constants of the sticks are in double precision.
 struct Memory {
   TopologyParams params{};
   std::vector<Moment> moments;
   const Layout* layout = nullptr;
   std::vector<double> sites, push, sides, rest;  ///< the float arrays of the layout, converted to double
-  std::vector<double> offset, speed;  ///< stored in columns; on shared prisms speed is stored in rows of four
+  /// `offset` has the top minus the base of each stick, and `speed` the velocity of each top mass. Both are
+  /// stored in columns x, y and z. On shared prisms (adjacent prisms share their sticks), `speed` instead has
+  /// one row of four values per stick.
+  std::vector<double> offset, speed;
   std::vector<int> diverged_at, first;
   /// Only shared prisms use these arrays. Each array has one row of four values per stick. `tip` has the
   /// position of the top mass (root + q). `change` has the change of the top mass's velocity in the previous
@@ -30,7 +34,8 @@ struct BlockKernels {
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
 
-/// Runs the kernel of `solver` for all work-items of one launch, which compute all sticks or triangles.
+/// Runs the kernel of `solver` for all work-items of one launch. Together, the work-items compute all sticks
+/// or all triangles.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
 /// Both functions compute substep number `substep` of a launch on shared prisms (adjacent prisms share their
@@ -55,7 +60,7 @@ class Shim {
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
 
  private:
-  void stand();  // computes the tips from the offsets
+  void stand();  // computes the position of each top mass: base of the stick plus `offset`
   std::vector<glm::dvec3> by_stick(const std::vector<double>& values, bool rows) const;
   std::size_t at(std::size_t stick, std::size_t c, bool rows) const;
   Dynamics dynamics_;

@@ -66,7 +66,8 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
       shim.push(force);
       for (int done = 0; done < steps; done += 50)
         shim.advance(std::min(50, steps - done), whole == Whole::always);
-      // Even in the double-precision build, gravity, wind, 1/m and the unit normals are rounded to floats.
+      // Shim runs the kernels in double precision, but gravity, wind, 1/m and the unit normals are rounded to
+      // floats. The tolerance permits the effect of this rounding.
       EXPECT_LT(largest_difference(shim.offsets(), offsets), tolerance::float_records * double(fur_length));
 
       MassSprings device(queue(), topology, dynamics, {.whole = whole});
@@ -127,7 +128,8 @@ TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
 
 // Returns the relative residual |b - A x| / |b| of one backward Euler step from rest, computed in double
 // precision. `stiffness` is the stiffness of the springs between tops in N/m. The solution x is the change of
-// the velocities. From rest it equals the new velocities, so the test gets x without further rounding.
+// the velocities. Because the step starts from rest, x is equal to the new velocities. The test can therefore
+// read x from the device without an additional rounding error.
 double residual_left(const Mesh& mesh, float stiffness, float step, float asked, Whole whole) {
   const SpringNetwork topology = build(Kind::prisms, mesh, fur_length);
   Dynamics dynamics = lively(Solver::backward_euler);
@@ -153,7 +155,8 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
     EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
     // A residual of 1e-7 cannot be reached, because the positions of the top masses are floats with an error
     // of 6e-8 R. The spring forces at rest therefore have an error: the stiffness times the error of the
-    // positions. The vector b has the same error, multiplied by the time step.
+    // positions. The right-hand side b contains the forces multiplied by the time step, so b has an error,
+    // too.
     EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
   }
 }

@@ -141,8 +141,9 @@ TEST(ReferenceTopology, ASticksLengthIsADampedOscillation) {
   }
 }
 
-// For a stretched stick the linearised step of backward Euler is exact: (m + h c + h^2 k) dv = -h (k x + (c +
-// h k) v), with the extension x, its rate v, the mass m, the damping c, the stiffness k and the time step h.
+// Let x be the extension of a stick that is stretched along its axis, and v the rate of x. A step of length h
+// changes v by dv. m is the mass, c the damping and k the stiffness. For this motion the linearised step of
+// backward Euler is exact: (m + h c + h^2 k) dv = -h (k x + (c + h k) v).
 TEST(ReferenceTopology, BackwardEulerOfAStraightPullIsItsClosedForm) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);

@@ -27,8 +27,8 @@ std::string opengl_renderer() {
 std::string shader_hash() {
   refuse();
 }
-// This constructor must have the signature that the class declares. The class declares `input` as a value,
-// because the constructor of the real baseline stores it.
+// opengl.hpp declares this constructor, and builds with OpenGL define it differently. The declaration passes
+// `input` by value, because the constructor of builds with OpenGL stores it.
 // NOLINTNEXTLINE(performance-unnecessary-value-param)
 OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&, const OpenGlOptions&) {
   refuse();
