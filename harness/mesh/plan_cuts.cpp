@@ -111,7 +111,7 @@ Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const
       if (&tried == &plans.back()) throw;
     }
   }
-  throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
 }
 
 }  // namespace pelage

@@ -111,7 +111,7 @@ Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& n
     map.quality = map_quality(map.uv, disk.triangle);
     method = "mean-value coordinates on a circle";
   }
-  if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for it", name));
+  if (!map.quality.usable) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
   result.notes.push_back(fmt::format(
       "UV map: one chart, {} vertices added at seams, {} cuts to tips of limbs, method: {}, {} faces flipped",
       disk.point.size() - surface.point.size(), plan.tips.size(), method, map.quality.flipped));

@@ -29,7 +29,7 @@ double timed(const Work& work) {
 std::string broken(const std::vector<Check>& checks) {
   for (const Check& c : checks)
     if (!c.holds())
-      return fmt::format("{} against {} is {:.6g}, must be {} {:.6g}", c.metric, c.against, c.value,
+      return fmt::format("{} against {} is {:.6g}, but must be {} {:.6g}", c.metric, c.against, c.value,
                          c.at_least ? "at least" : "at most", c.limit);
   return {};
 }
