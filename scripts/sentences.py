@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Lists the sentences of pelage's documents, comments and messages, or draws a random sample for readers who judge them.
 
-A sentence of the sample is printed with its file, its line and its paragraph. A comment is also printed with the line of
-code that follows it.
+A sentence of the sample is printed with its file, its line and its paragraph, and with the place where a reader finds it:
+the lines around a comment or a message; for a document, the headings and the lines before the paragraph, or the head and
+the row of a table.
 
   scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
   scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
@@ -22,6 +23,7 @@ ROOT = Path(__file__).resolve().parent.parent
 C_LIKE = {".cpp", ".hpp", ".h", ".cl", ".clh", ".inl", ".glsl", ".vert", ".frag"}
 HASH_COMMENTS = {".py", ".sh", ".toml", ".cmake", ".txt"}
 FEWEST_WORDS = 4
+LINES_AROUND = 4  # lines that are printed before and after a sentence's comment or paragraph
 
 
 @dataclass(frozen=True)
@@ -166,12 +168,22 @@ def sentences_of(paragraph):
             yield part
 
 
-def code_at(paragraph):
-    """Returns the line of code beside a comment, or the first line of code below it."""
-    for text in (ROOT / paragraph.path).read_text().split("\n")[paragraph.line - 1:]:
-        if text.strip() and not text.strip().startswith(("//", "#", "*", "/*")):
-            return text.strip()
-    return ""
+def place_of(paragraph):
+    """Returns what a reader sees around the paragraph: headings of a document, or the lines around a comment or message."""
+    lines = (ROOT / paragraph.path).read_text().split("\n")
+    at = paragraph.line - 1
+    if paragraph.kind == "document":
+        headings = [line for line in lines[:at] if line.startswith(("# ", "## ", "### ", ".SH", ".SS"))][-2:]
+        first = at
+        while lines[first].startswith("|") and first > 0 and lines[first - 1].startswith("|"):
+            first -= 1
+        if first < at:  # a table
+            return [*headings, lines[first], lines[at]]
+        return headings + lines[max(0, at - LINES_AROUND):at]
+    end = at
+    while end < len(lines) and lines[end].strip().startswith(("//", "#", "*", "/*", '"')):
+        end += 1
+    return lines[max(0, at - LINES_AROUND):end + LINES_AROUND]
 
 
 def main():
@@ -191,9 +203,10 @@ def main():
     for i, (p, sentence) in enumerate(random.Random(seed).sample(found, options.draw), 1):
         print(f"{i}. {p.path}:{p.line} ({p.kind})\n   sentence: {sentence}")
         if sentence != p.text:
-            print(f"   stands in: {p.text}")
-        if p.kind == "comment":
-            print(f"   code: {code_at(p)}")
+            print(f"   paragraph: {p.text}")
+        print("   place:")
+        for line in place_of(p):
+            print(f"     {line}")
         print()
 
 

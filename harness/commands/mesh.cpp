@@ -118,8 +118,9 @@ void print(const Mesh& mesh) {
       "UV area / surface area of a face, divided by the same ratio of the whole map (1: no distortion): "
       "{:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
-  fmt::print("surface length: {:.3f} R per unit of u, {:.3f} R per unit of v\n", mesh.length_per_uv.x,
-             mesh.length_per_uv.y);
+  fmt::print(
+      "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
+      mesh.length_per_uv.x, mesh.length_per_uv.y);
 }
 
 int run(const MeshCommand& command) {

@@ -27,7 +27,7 @@ struct TopologyTable {
     std::optional<double> ratio;     ///< geometric mean of Entry::ratio over the table rows
     std::optional<double> simulate;  ///< median over the table rows of the ratio simulation time / frame time
     std::optional<double> worst;  ///< maximum over the table rows of the ratio simulation time / frame time
-    std::string worst_row;        ///< name of the table row with this maximum
+    std::string worst_row;        ///< name of the table row in which simulation time / frame time is largest
   };
   std::string experiment, device, host;
   std::vector<std::string> topologies;

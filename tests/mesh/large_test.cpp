@@ -108,8 +108,8 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   EXPECT_LE(told.back(), 1.0);
 }
 
-// The test writes a named model to a file and loads the file. The UV map that flatten() computes for the file
-// is about as good as the map that CGAL computes for the named model.
+// The test writes a model of experiments/models.toml to a file and loads the file. flatten() computes the UV
+// map of the file, and CGAL that of the model with a name. Both maps are about equally good.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

@@ -19,8 +19,9 @@ class AdaptiveSteps {
   AdaptiveSteps(float span, int steps, float tolerance, int most = 4096);
 
   struct Frame {
-    int steps = 0;     ///< number of steps of the kept result
-    double error = 0;  ///< difference between the results of `steps` and `steps` / 2 steps, in fur lengths
+    int steps = 0;  ///< number of steps of the kept result
+    double error =
+        0;  ///< difference between the positions after n and after n / 2 steps, n = `steps`, in fur lengths
   };
   /// Computes the next frame. `masses` must be at rest (first call) or in the state that the previous call
   /// left. Throws Diverged or InputError if `most` steps do not suffice.
