@@ -67,7 +67,7 @@ def markdown(name, text):
             line = ""
         if fenced or line.startswith(("#", "    ", "![", "<")):
             line = ""
-        if line.startswith("|"):  # each cell of a table is a separate paragraph
+        if line.startswith("| "):  # each cell of a table is a separate paragraph
             for cell in line.strip("|").split("|"):
                 yield Paragraph(name, number, "document", cell.strip())
             line = ""
@@ -175,7 +175,7 @@ def place_of(paragraph):
     if paragraph.kind == "document":
         headings = [line for line in lines[:at] if line.startswith(("# ", "## ", "### ", ".SH", ".SS"))][-2:]
         first = at
-        while lines[first].startswith("|") and first > 0 and lines[first - 1].startswith("|"):
+        while lines[first].startswith("| ") and first > 0 and lines[first - 1].startswith("| "):
             first -= 1
         if first < at:  # a table
             return [*headings, lines[first], lines[at]]
