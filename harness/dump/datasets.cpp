@@ -213,8 +213,7 @@ void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& ou
   file.write(
       "layer/offset", {layers, geometry.slots(), 3}, flat<float>(offset), "R",
       fmt::format(
-          "displacement of each {} of each layer from the mesh's surface, computed by the double-precision "
-          "reference",
+          "displacement of each {} of each layer from the mesh's surface, computed in double precision",
           separate ? "triangle corner" : "vertex"));
 }
 

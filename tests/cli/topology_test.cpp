@@ -69,7 +69,7 @@ TEST(TopologyCommand, RefusesWhatItCannotDraw) {
   const Folder folder;
   for (const auto& [arguments, said] : {std::pair("banisch-grass --draw grass.png", ".svg"),
                                         std::pair("bunny --draw bunny.svg", "--faces 2000"),
-                                        std::pair("banisch-grass --draw nowhere/grass.svg", "no folder"),
+                                        std::pair("banisch-grass --draw nowhere/grass.svg", "does not exist"),
                                         std::pair("banisch-grass --draw grass.svg --length 0", "--length")}) {
     const Outcome outcome = pelage(folder, std::string("topology ") + arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
