@@ -48,7 +48,8 @@ std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit) {
 }
 
 void check_soup(const Soup& soup, const std::string& name) {
-  if (soup.point.empty() || soup.polygon.empty()) throw InputError(fmt::format("{}: the file contains no faces", name));
+  if (soup.point.empty() || soup.polygon.empty())
+    throw InputError(fmt::format("{}: the file contains no faces", name));
   if (soup.polygon.size() > most_polygons)
     throw InputError(
         fmt::format("{}: {} faces; at most {} are read", name, soup.polygon.size(), most_polygons));
