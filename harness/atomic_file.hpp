@@ -3,7 +3,10 @@
 #pragma once
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,24 +29,47 @@ inline void require_place(const std::filesystem::path& path) {
     throw InputError(path.string() + ": cannot be written, because it is a folder");
 }
 
+/// Copies the bytes of `from` to the device, pipe or socket `to`. Throws InputError if they cannot be written.
+inline void copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::ifstream source(from, std::ios::binary);
+  std::ofstream target(to, std::ios::binary);
+  if (source.peek() != std::ifstream::traits_type::eof()) target << source.rdbuf();
+  target.flush();
+  if (!target) throw InputError(to.string() + ": cannot be written: " + std::strerror(errno));
+}
+
 /// Calls write(temporary path), then renames the written file to `path`. The temporary file is in the same
-/// folder and has the same extension, because some libraries choose the format by the extension. If `write`
-/// throws, the temporary file is removed and `path` is unchanged. Throws InputError if the folder does not
-/// exist, if `path` is a folder, or if renaming fails.
+/// folder and has the same extension, because some libraries choose the format by the extension. If `path` is a
+/// symbolic link, the file that it points to is replaced. If `path` is neither a regular file nor absent, for
+/// example a device or a pipe, the bytes are copied to it. If `write` throws, the temporary file is removed and
+/// `path` is unchanged. Throws InputError if the folder does not exist, if `path` is a folder or a link that
+/// leads nowhere, or if renaming fails.
 template <class Write>
 void write_atomically(const std::filesystem::path& path, Write&& write) {
   namespace fs = std::filesystem;
   require_place(path);
+  std::error_code error;
+  fs::path target = path;
+  if (fs::is_symlink(fs::symlink_status(path, error))) {
+    target = fs::weakly_canonical(path, error);
+    if (error) throw InputError(path.string() + ": cannot be written: " + error.message());
+    require_place(target);
+  }
+  const bool special = fs::exists(target, error) && !fs::is_regular_file(target, error);
   std::string name = ".";
-  name += path.stem().string();
+  name += target.stem().string();
   name += '.';
   name += std::to_string(getpid());
-  name += path.extension().string();
-  const fs::path temporary = path.parent_path() / name;
-  std::error_code error;
+  name += target.extension().string();
+  const fs::path temporary = (special ? fs::temp_directory_path() : target.parent_path()) / name;
   try {
     std::forward<Write>(write)(temporary);
-    fs::rename(temporary, path);
+    if (special) {
+      copy_bytes(temporary, target);
+      fs::remove(temporary, error);
+    } else {
+      fs::rename(temporary, target);
+    }
   } catch (const fs::filesystem_error& failure) {
     fs::remove(temporary, error);
     throw InputError(path.string() + ": cannot be written: " + failure.code().message());

@@ -3,8 +3,8 @@
 // 130 or 143 interrupted by a signal.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string>
 
@@ -46,8 +46,16 @@ std::string version() {
 }
 
 int failed(const std::string& what, int code) {
-  std::string line = what;
-  std::replace(line.begin(), line.end(), '\n', ' ');
+  // Names of files may contain control characters, which would change the terminal.
+  std::string line;
+  for (const char c : what) {
+    if (c == '\n' || c == '\t')
+      line += ' ';
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+    else
+      line += c;
+  }
   fmt::print(stderr, "pelage: {}\n", line);
   return code;
 }
@@ -95,6 +103,8 @@ int main(int argc, char** argv) {
                   2);
   } catch (const InputError& error) {
     return failed(error.what(), 2);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return failed(fmt::format("{}: {}", error.path1().string(), error.code().message()), 2);
   } catch (const NoDeviceError& error) {
     return failed(error.what(), 3);
   } catch (const DeviceError& error) {

@@ -24,10 +24,19 @@ bool may_pin(const std::vector<int>& cores, int online);
 /// The function does nothing if may_pin() is false for the cores that the process may use.
 void pin_threads();
 
-/// Calls pin_threads() and registers NVIDIA's driver. Containers receive this driver without the file in
-/// /etc/OpenCL/vendors that names its library. If one of the driver's folders contains the library, this
-/// function adds the library to the loader's existing entries. The function must run before the first OpenCL
-/// call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS, which are
+/// Returns the folder in which PoCL keeps compiled kernels: $POCL_CACHE_DIR, else pocl/kcache in
+/// $XDG_CACHE_HOME or in ~/.cache. Empty if none of the variables is set.
+std::filesystem::path kernel_cache();
+
+/// Sets POCL_CACHE_DIR to a new temporary folder if files cannot be written in kernel_cache(), and says so on
+/// stderr. Without a writable folder PoCL reports no device. The temporary folder is deleted when the program
+/// ends.
+void need_kernel_cache();
+
+/// Calls pin_threads() and need_kernel_cache(), and registers NVIDIA's driver. Containers receive this driver
+/// without the file in /etc/OpenCL/vendors that names its library. If one of the driver's folders contains
+/// the library, this function adds the library to the loader's existing entries. The function must run before
+/// the first OpenCL call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS, which are
 /// separated by colons. If this variable is not set, it searches the folders in $LD_LIBRARY_PATH and the
 /// folders that distributions and containers use for the driver. If OCL_ICD_VENDORS is set, the function does
 /// not change the loader's entries.

@@ -91,10 +91,17 @@ std::string hash_of(const std::vector<const Program*>& programs) {
   return hash_of(all);
 }
 
+std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs) {
+  std::map<std::string, std::string> hashes;
+  for (const Program* program : programs) hashes[program->file()] = hash_of(program->sources());
+  return hashes;
+}
+
 Program::Program(const Device& device, const fs::path& file, const std::string& options) {
   const fs::path folder = kernel_folder();
   const IncludePath include(folder);
   const std::string source = read_source(folder / file);
+  file_ = file.generic_string();
   sources_ = sources_of(file);
   const char* text = source.data();
   const std::size_t length = source.size();
@@ -128,12 +135,14 @@ Program::~Program() {
 Program::Program(Program&& other) noexcept
     : program_(std::exchange(other.program_, nullptr)),
       log_(std::move(other.log_)),
+      file_(std::move(other.file_)),
       sources_(std::move(other.sources_)),
       build_ms_(other.build_ms_) {}
 
 Program& Program::operator=(Program&& other) noexcept {
   std::swap(program_, other.program_);
   std::swap(log_, other.log_);
+  std::swap(file_, other.file_);
   std::swap(sources_, other.sources_);
   std::swap(build_ms_, other.build_ms_);
   return *this;

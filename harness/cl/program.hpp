@@ -42,17 +42,21 @@ class Program {
   cl_program get() const { return program_; }
   const std::string& log() const { return log_; }
   double build_ms() const { return build_ms_; }
+  const std::string& file() const { return file_; }  ///< path of the program's file in the kernel folder
   const Sources& sources() const { return sources_; }
 
  private:
   cl_program program_ = nullptr;
-  std::string log_;
+  std::string log_, file_;
   Sources sources_;
   double build_ms_ = 0;
 };
 
 /// Returns 16 hex digits: the hash of the source files of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
+
+/// Returns for each program's file the hash of its source files, as they were when the program was built.
+std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs);
 
 class Event {
  public:

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <regex>
 #include <set>
 
 #include "harness/commands/scene_options.hpp"
@@ -13,6 +12,7 @@
 #include "harness/compare/pictures.hpp"
 #include "harness/compare/tips.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/filter.hpp"
 #include "harness/hash.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -139,12 +139,8 @@ void print_hashes(const cl::Device& device, const CheckScene& which) {
 /// Returns the cases whose names contain a match of the regular expression `filter`. Throws InputError if the
 /// expression is malformed or no case matches.
 std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::string& filter) {
-  try {
-    const std::regex pattern(filter);
-    std::erase_if(cases, [&](const CheckScene& which) { return !std::regex_search(which.name, pattern); });
-  } catch (const std::regex_error&) {
-    throw InputError(fmt::format("--filter {}: this is not a valid regular expression", filter));
-  }
+  const Filter pattern(filter);
+  std::erase_if(cases, [&](const CheckScene& which) { return !pattern.finds(which.name); });
   if (cases.empty()) throw InputError(fmt::format("--filter {}: no case has a name that matches", filter));
   return cases;
 }

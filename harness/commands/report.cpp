@@ -14,14 +14,7 @@ struct ReportOptions {
   std::string output;
 };
 
-int report(const ReportOptions& options) {
-  const std::vector<FoundRow> rows = read_results(options.results);
-  const std::vector<Model> known = models();
-  const Report written = write_report(rows, options.output, [&known](const std::string& name) {
-    for (const Model& model : known)
-      if (model.name == name) return model.footnote;
-    return std::string{};
-  });
+void print(const Report& written) {
   for (const PaperTable& table : written.tables) fmt::print("{}\n", text_of(table));
   for (const TopologyTable& table : written.topologies) fmt::print("{}\n", text_of(table));
   for (const RivalTable& table : written.rivals) fmt::print("{}\n", text_of(table));
@@ -33,6 +26,17 @@ int report(const ReportOptions& options) {
     if (cell.status != Status::ok)
       fmt::print(stderr, "pelage: {} {}: {}: {}\n", cell.experiment, cell.case_name, to_text(cell.status),
                  cell.reason);
+}
+
+int report(const ReportOptions& options) {
+  const std::vector<FoundRow> rows = read_results(options.results);
+  const std::vector<Model> known = models();
+  const auto footnote = [&known](const std::string& name) {
+    for (const Model& model : known)
+      if (model.name == name) return model.footnote;
+    return std::string{};
+  };
+  for (const Report& written : write_reports(rows, options.output, footnote)) print(written);
   fmt::print(stderr, "pelage: the report is {}/index.html\n", options.output);
   return 0;
 }

@@ -22,6 +22,7 @@
 #include "harness/measure/statistics.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/shells/opencl/shells.hpp"
+#include "harness/subjects/case_identity.hpp"
 #include "harness/subjects/pipelines.hpp"
 #include "harness/tuning/tuning.hpp"
 
@@ -98,7 +99,8 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 }
 
 /// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
-/// Also throws it if `resume` is true and a row was recorded with another preset.
+/// Also throws it if `resume` is true and a row was recorded with another preset, or measured other inputs
+/// than its case has now.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
@@ -113,6 +115,15 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
   }
+  if (!resume) return;
+  std::map<std::string, const Row*> recorded;
+  for (const Row& row : journal.rows())
+    if (row.status != Status::error) recorded[row_key(row)] = &row;
+  std::vector<KeptRow> kept;
+  for (const Case& which : plan.cases)
+    if (const auto row = recorded.find(planned_key(plan, which)); row != recorded.end())
+      kept.push_back({row->second, &which});
+  refuse_other_inputs(journal.file().string(), kept, plan.identity);
 }
 
 std::string told(const Row& row) {
@@ -143,6 +154,10 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   plan.provenance.update(device_provenance(device.info()));
   plan.provenance["preset"] = options.preset;
   plan.provenance["order_seed"] = seed;
+  Progress progress(plan.cases.size());
+  const auto note = [&](const std::string& text) { progress.note("  " + text); };
+  const auto context = make_context(device, sweep.experiment, tuning, note);
+  plan.identity = [&](const Case& which) { return case_identity(*context, which, plan.limits); };
 
   const std::string shard = options.shard.empty() ? ""
                                                   : fmt::format(".{}-of-{}", options.shard_or_all().index,
@@ -154,7 +169,6 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   Journal journal(file, resume ? Journal::Mode::resume : Journal::Mode::fresh);
   refuse_other_run(journal, plan, resume);
 
-  Progress progress(plan.cases.size());
   if (journal.dropped_bytes() > 0)
     progress.note(fmt::format("pelage: {}: removed an incomplete last row", file.string()));
   progress.skip(std::size_t(std::count_if(plan.cases.begin(), plan.cases.end(), [&](const Case& c) {
@@ -169,9 +183,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
       progress.note("pelage: warning: " + warning);
     progress.finish(told(row));
   };
-  const auto note = [&](const std::string& text) { progress.note("  " + text); };
-  const MakeSubject make = subjects_on(device, sweep.experiment, tuning, note);
-  return run_cases(plan, make, journal, listener);
+  return run_cases(plan, subjects_of(context), journal, listener);
 }
 
 int run_here(const RunOptions& options, const fs::path& folder) {
@@ -207,7 +219,6 @@ int run_here(const RunOptions& options, const fs::path& folder) {
       all.kept += one.kept;
       all.not_ok += one.not_ok;
       all.left += one.left;
-      all.bad_input = all.bad_input || one.bad_input;
     }
   }
   fmt::print(stderr, "pelage: {} cases ok, {} cases not ok{}{}\n", all.ok, all.not_ok,
@@ -216,15 +227,14 @@ int run_here(const RunOptions& options, const fs::path& folder) {
                             ", {} not run because the time of --budget is used up; continue with --resume {}",
                             all.left, folder.string())
                       : "");
-  return all.bad_input ? 2 : all.not_ok > 0 ? 1 : 0;
+  return all.not_ok > 0 ? 1 : 0;
 }
 
 int run_command(const RunOptions& options) {
   const fs::path folder = options.folder();
   refuse_recordings(folder);
   if (options.dry_run) return run_here(options, folder);
-  end_on_interrupt(fmt::format("\npelage: interrupted; finished cases are kept; continue with --resume {}\n",
-                               folder.string()));
+  end_on_interrupt(folder.string());
   const int code = options.repeat > 1 && options.repeat_index < 0 ? run_repeats(options, folder)
                                                                   : run_here(options, folder);
   if (options.repeat_index < 0) fmt::print("{}\n", folder.string());

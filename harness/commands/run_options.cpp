@@ -53,6 +53,10 @@ Overrides RunOptions::overrides() const {
   for (const std::string& text : axis) {
     const auto [key, values] = key_and_value(text, "--axis");
     result.axes.push_back({key, split(values)});
+    for (const std::string& value : result.axes.back().values)
+      if (value.find_first_not_of(" \t") == std::string::npos)
+        throw InputError(
+            fmt::format("--axis '{}' has an empty value; write for instance layers=16,64", text));
   }
   result.model = model;
   return result;
@@ -87,7 +91,8 @@ void declare(CLI::App& command, RunOptions& options) {
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
       ->type_name("NAME|FILE");
   command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
-  command.add_option("--axis", options.axis, "Use these values of an axis instead of the experiment's values")
+  command
+      .add_option("--axis", options.axis, "Use these values of an axis instead of the experiment's values")
       ->type_name("key=a,b")
       ->take_all();
   command
@@ -128,6 +133,10 @@ void declare(CLI::App& command, RunOptions& options) {
   command
       .add_option("--order-seed", options.order_seed,
                   "Seed of the random order of the cases, as recorded in the rows of an earlier run")
+      ->check([](const std::string& seed) {
+        return seed.starts_with('-') ? "the seed " + seed + " is negative; give a whole number of at least 0"
+                                     : std::string();
+      })
       ->type_name("N");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
   command.add_flag("--dry-run", options.dry_run, "Print the cases without running them");

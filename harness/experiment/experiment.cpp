@@ -2,14 +2,15 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <random>
-#include <regex>
 #include <set>
 
 #include "harness/error.hpp"
+#include "harness/experiment/filter.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -30,10 +31,10 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
   if (axis == "layers") return {{"fur.layers", value}};
   if (axis == "reading" || axis == "variant") return {};
   if (axis == "size") {
-    std::smatch match;
-    if (!std::regex_match(value, match, std::regex("([0-9]{1,5})x([0-9]{1,5})")))
+    std::string width, height;
+    if (!RE2::FullMatch(value, "([0-9]{1,5})x([0-9]{1,5})", &width, &height))
       throw InputError(fmt::format("size '{}' is not WIDTHxHEIGHT, such as 800x600", value));
-    return {{"image.width", match[1]}, {"image.height", match[2]}};
+    return {{"image.width", width}, {"image.height", height}};
   }
   return {};
 }
@@ -42,10 +43,17 @@ bool is_named_axis(const std::string& key) {
   return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
 }
 
-/// Returns an axis value for use in a file name: the path of a model file is reduced to its stem, and all
-/// characters except letters, digits, '.' and '_' are replaced by '_'.
-std::string fit_for_a_name(const std::string& axis, const std::string& value) {
-  std::string text = axis == "model" ? fs::path(value).stem().string() : value;
+/// Returns an axis value for use in a file name. The path of a model file is reduced to its stem, unless
+/// another value of the axis has the same stem. All characters except letters, digits, '.' and '_' are
+/// replaced by '_'.
+std::string fit_for_a_name(const Axis& axis, const std::string& value) {
+  std::string text = value;
+  if (axis.key == "model") {
+    const auto stem = [](const std::string& name) { return fs::path(name).stem(); };
+    const auto same = std::count_if(axis.values.begin(), axis.values.end(),
+                                    [&](const std::string& other) { return stem(other) == stem(value); });
+    text = same > 1 ? fs::path(value).lexically_normal().replace_extension().string() : stem(value).string();
+  }
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '_') c = '_';
   return text;
@@ -97,7 +105,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
                         own->values.front() == value;
-    if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(key, value);
+    if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
   }
   // A relative path on the command line is relative to the working folder. A relative path in the experiment
   // file is relative to the folder of that file.
@@ -182,6 +190,11 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
           throw InputError(
               fmt::format("{}: this experiment has no table [reading.{}]", experiment.name, value));
 
+  double count = 1;
+  for (const Axis& axis : axes) count *= double(axis.values.size());
+  if (count > most_cases)
+    throw InputError(fmt::format("{}: the axes have {:.0f} combinations of values; the limit is {} cases",
+                                 experiment.name, count, most_cases));
   std::vector<Case> result;
   std::vector<std::size_t> choice(axes.size(), 0);
   for (bool more = true; more;) {
@@ -193,9 +206,15 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
     }
   }
   std::set<std::string> names;
-  for (const Case& c : result)
+  for (const Case& c : result) {
+    if (c.name.size() > longest_case_name)
+      throw InputError(
+          fmt::format("{}: the name of case {}... has {} characters; the limit is {}, because files are "
+                      "named after the case. Use shorter names",
+                      experiment.name, c.name.substr(0, 40), c.name.size(), longest_case_name));
     if (!names.insert(c.name).second)
       throw InputError(fmt::format("{}: two cases have the name {}", experiment.name, c.name));
+  }
   return result;
 }
 
@@ -205,28 +224,24 @@ Scene scene_of(const Experiment& experiment, const Case& which) {
   const std::string source = fmt::format("{} case {}", experiment.file.string(), which.name);
   Scene scene =
       parse_scene(text, source, experiment.file.has_parent_path() ? experiment.file.parent_path() : ".");
-  for (const auto& [key, value] : which.set) apply_set(scene, fmt::format("{}={}", key, value));
+  for (const auto& [key, value] : which.set)
+    apply_set(scene, fmt::format("{}={}", key, value),
+              which.axes.contains(key) ? fmt::format("{}: axis {}", experiment.name, key) : "--set");
   check_scene(scene, source);
   return scene;
 }
 
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {
-  if (regex.empty()) return cases;
-  try {
-    const std::regex pattern(regex);
-    std::erase_if(cases, [&](const Case& c) { return !std::regex_search(c.name, pattern); });
-  } catch (const std::regex_error&) {
-    throw InputError(fmt::format("--filter '{}' is not a regular expression", regex));
-  }
+  const Filter filter(regex);
+  std::erase_if(cases, [&](const Case& c) { return !filter.finds(c.name); });
   return cases;
 }
 
 Shard shard_from_text(const std::string& text) {
-  std::smatch match;
-  if (std::regex_match(text, match, std::regex("([0-9]{1,6})/([0-9]{1,6})"))) {
-    const Shard shard{std::stoi(match[1]), std::stoi(match[2])};
-    if (shard.index < shard.count) return shard;
-  }
+  Shard shard;
+  if (RE2::FullMatch(text, "([0-9]{1,6})/([0-9]{1,6})", &shard.index, &shard.count) &&
+      shard.index < shard.count)
+    return shard;
   throw InputError(fmt::format("--shard '{}' is not i/n with 0 <= i < n, such as 0/4", text));
 }
 

@@ -112,6 +112,12 @@ std::vector<std::filesystem::path> experiment_files();  ///< all shipped experim
 /// exist.
 const Preset& preset_of(const Experiment& experiment, const std::string& name);
 
+/// Largest number of cases of an experiment. It limits the memory for the list of cases.
+inline constexpr int most_cases = 100'000;
+
+/// Largest number of characters in the name of a case.
+inline constexpr std::size_t longest_case_name = 200;
+
 /// Returns all cases; the last axis of the file varies fastest. Throws InputError for a variant, reading or
 /// size that is not valid, and for two cases of the same name.
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,

@@ -1,15 +1,18 @@
 // Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
+#include <re2/re2.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "harness/toml_depth.hpp"
 
 namespace pelage {
 namespace {
@@ -22,7 +25,13 @@ namespace fs = std::filesystem;
                         : fmt::format("{}: {}", file.string(), what));
 }
 
+/// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
+/// 0.050000000000000003.
 std::string literal(const toml::node& node) {
+  if (const auto number = node.value_exact<double>()) {
+    const std::string digits = fmt::format("{}", *number);
+    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
+  }
   std::ostringstream text;
   node.visit([&text](const auto& value) {
     using Node = std::decay_t<decltype(value)>;
@@ -71,22 +80,33 @@ double number_at(const fs::path& file, const toml::table& table, std::string_vie
   return *value;
 }
 
-std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
-  std::vector<std::pair<toml::source_position, Axis>> found;
+/// Adds the axes of a table. TOML takes the key of `curl.radius = [1, 2]` for a table `curl` with the key
+/// `radius`.
+void find_axes(const fs::path& file, const toml::table& table, const std::string& prefix,
+               std::vector<std::pair<toml::source_position, Axis>>& found) {
   for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (const auto* inner = node.as_table()) {
+      find_axes(file, *inner, name + ".", found);
+      continue;
+    }
     const auto* list = node.as_array();
-    if (!list || list->empty())
-      refuse(file, &node, fmt::format("axis {} must be a list of values", key.str()));
-    Axis axis{std::string(key.str()), {}};
+    if (!list || list->empty()) refuse(file, &node, fmt::format("axis {} must be a list of values", name));
+    Axis axis{name, {}};
     for (const toml::node& value : *list) {
       if (!value.is_value())
-        refuse(file, &value, fmt::format("the values of axis {} must be numbers or strings", key.str()));
+        refuse(file, &value, fmt::format("the values of axis {} must be numbers or strings", name));
       axis.values.push_back(plain(value));
     }
     if (std::set<std::string>(axis.values.begin(), axis.values.end()).size() != axis.values.size())
-      refuse(file, &node, fmt::format("axis {} contains a value twice", key.str()));
+      refuse(file, &node, fmt::format("axis {} contains a value twice", name));
     found.emplace_back(key.source().begin, std::move(axis));
   }
+}
+
+std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
+  std::vector<std::pair<toml::source_position, Axis>> found;
+  find_axes(file, table, "", found);
   // toml++ sorts the keys of a table by name. This sort restores the order of the keys in the file from their
   // line and column numbers.
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
@@ -173,9 +193,8 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
 
 Metric published_figure(const std::string& text, const std::string& unit) {
   const std::string number = R"(([0-9]+(?:\.[0-9]+)?))";
-  std::smatch match;
-  if (std::regex_match(text, match, std::regex(number))) {
-    const double value = std::stod(match[1]);
+  double value = 0, greatest = 0;
+  if (RE2::FullMatch(text, number, &value)) {
     // A printed number represents all values that round to it: +-0.5 for a whole number, else +- half a unit
     // of the last digit.
     const std::size_t point = text.find('.');
@@ -183,13 +202,10 @@ Metric published_figure(const std::string& text, const std::string& unit) {
         point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));
     return {value, unit, "=", value - half, value + half};
   }
-  if (std::regex_match(text, match, std::regex("< *" + number)))
-    return {std::stod(match[1]), unit, "<", std::nullopt, std::stod(match[1])};
-  if (std::regex_match(text, match, std::regex("~ *" + number)))
-    return {std::stod(match[1]), unit, "about", std::nullopt, std::nullopt};
-  if (std::regex_match(text, match, std::regex(number + R"(\.\.)" + number)))
-    return {(std::stod(match[1]) + std::stod(match[2])) / 2, unit, "range", std::stod(match[1]),
-            std::stod(match[2])};
+  if (RE2::FullMatch(text, "< *" + number, &value)) return {value, unit, "<", std::nullopt, value};
+  if (RE2::FullMatch(text, "~ *" + number, &value)) return {value, unit, "about", std::nullopt, std::nullopt};
+  if (RE2::FullMatch(text, number + R"(\.\.)" + number, &value, &greatest))
+    return {(value + greatest) / 2, unit, "range", value, greatest};
   throw InputError(
       fmt::format("'{}' is not a published figure; write for instance 267, < 1, ~ 30 or 20..30", text));
 }
@@ -197,7 +213,11 @@ Metric published_figure(const std::string& text, const std::string& unit) {
 Experiment read_experiment(const fs::path& file) {
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) refuse(file, nullptr, "cannot be read");
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    refuse_deep_keys(text, file.string());
+    table = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
@@ -209,7 +229,7 @@ Experiment read_experiment(const fs::path& file) {
   result.paper = text_at(file, table, "paper");
   result.table = text_at(file, table, "table");
   result.hardware = text_at(file, table, "hardware");
-  if (!std::regex_match(result.name, std::regex("[A-Za-z0-9][A-Za-z0-9._-]*")))
+  if (!RE2::FullMatch(result.name, "[A-Za-z0-9][A-Za-z0-9._-]*"))
     refuse(file, table.get("name"),
            "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
   static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware"};

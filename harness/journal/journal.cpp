@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "harness/error.hpp"
@@ -51,6 +52,7 @@ struct Contents {
 
 Contents parse(const fs::path& file, std::string_view text) {
   Contents result;
+  std::map<std::string, std::size_t> last;  // key -> index of the last row with this key
   int line_number = 0;
   while (true) {
     const std::size_t end = text.find('\n', result.good);
@@ -59,15 +61,22 @@ Contents parse(const fs::path& file, std::string_view text) {
     try {
       result.rows.push_back(row_from_line(text.substr(result.good, end - result.good)));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}:{}: damaged: {}", file.string(), line_number, error.what()));
+      throw InputError(fmt::format("{}:{}: damaged: {}; delete this line, then --resume runs its case again",
+                                   file.string(), line_number, error.what()));
     }
     const std::string key = row_key(result.rows.back());
-    if (!result.keys.insert(key).second)
+    if (result.keys.contains(key))
       throw InputError(
           fmt::format("{}:{}: damaged: second row with the key {}", file.string(), line_number, key));
+    if (result.rows.back().status != Status::error) result.keys.insert(key);
+    last[key] = result.rows.size() - 1;
     result.good = end + 1;
   }
   result.torn = text.size() - result.good;
+  std::vector<Row> valid;
+  for (std::size_t i = 0; i < result.rows.size(); ++i)
+    if (last.at(row_key(result.rows[i])) == i) valid.push_back(std::move(result.rows[i]));
+  result.rows = std::move(valid);
   return result;
 }
 
@@ -146,7 +155,7 @@ void Journal::append(const Row& row) {
     fail(file_, "cannot be synced to the disk", errno);
   }
   good_length_ += off_t(line.size());
-  keys_.insert(key);
+  if (row.status != Status::error) keys_.insert(key);
 }
 
 void Journal::write_all(const std::string& text) {

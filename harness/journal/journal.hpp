@@ -36,23 +36,25 @@ class Journal {
 
   /// Opens or creates `file` (and its folder), takes the lock and reads the existing rows. Throws InputError
   /// if the file cannot be written, another process writes it, a line is damaged, two lines have the same
-  /// key, or the last line is truncated and `mode` is fresh.
+  /// key and the first of them is not an error, or the last line is truncated and `mode` is fresh.
   Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
   ~Journal();
   Journal(Journal&& other) noexcept;
   Journal& operator=(Journal&&) = delete;
 
-  const std::vector<Row>& rows() const { return rows_; }  ///< rows that the file contained when it was opened
-  bool holds(const std::string& key) const {
-    return keys_.contains(key);
-  }  ///< true if the file contained the row when it was opened, or append() added it
+  /// Rows that the file contained when it was opened. A row whose status is error is left out if a later row
+  /// has the same key.
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Returns whether the file contains a row with this key and a status other than error.
+  bool holds(const std::string& key) const { return keys_.contains(key); }
   std::size_t dropped_bytes() const {
     return dropped_;
   }  ///< length of the truncated last line that was removed, in bytes
   const std::filesystem::path& file() const { return file_; }
 
-  /// Appends a row, syncs the file to the disk and returns. Throws InputError for an existing key, a full
-  /// disk or an I/O error. After such an error the file ends with the last row of a successful call.
+  /// Appends a row, syncs the file to the disk and returns. Throws InputError if holds() is true for the
+  /// row's key, for a full disk or an I/O error. After such an error the file ends with the last row of a
+  /// successful call.
   void append(const Row& row);
 
  private:
@@ -65,7 +67,7 @@ class Journal {
   std::size_t dropped_ = 0;
   bool broken_ = false;
   std::vector<Row> rows_;
-  std::set<std::string> keys_;
+  std::set<std::string> keys_;  // keys of the rows whose status is not error
 };
 
 /// Reads the rows of a journal, also while another process holds the lock and writes the file. The function

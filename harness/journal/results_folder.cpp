@@ -3,16 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "harness/error.hpp"
 #include "harness/journal/journal.hpp"
 
 namespace pelage {
+namespace {
+
+/// Returns a text that is unique among the rows that pelage writes, except rows of failed cases, which run again.
+std::string measurement_of(const Row& row) {
+  return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
+}
+
+}  // namespace
 
 namespace fs = std::filesystem;
 
 std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
   std::vector<FoundRow> rows;
+  std::map<std::string, std::size_t> known;  // measurement -> index in `rows`
   for (const std::string& place : places) {
     std::vector<fs::path> journals;
     if (fs::is_directory(place)) {
@@ -26,7 +36,20 @@ std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
     }
     std::sort(journals.begin(), journals.end());
     for (const fs::path& journal : journals)
-      for (Row& row : read_journal(journal)) rows.push_back({std::move(row), journal});
+      for (Row& row : read_journal(journal)) {
+        const auto [entry, added] = known.try_emplace(measurement_of(row), rows.size());
+        if (added) {
+          rows.push_back({std::move(row), journal});
+          continue;
+        }
+        FoundRow& first = rows[entry->second];
+        if (to_line(first.row) != to_line(row))
+          throw InputError(fmt::format(
+              "{} and {}: their rows of case {} have the same run and differ; one of the files was changed, so "
+              "give only the original",
+              first.journal.string(), journal.string(), row.case_name));
+        first.copies.push_back(journal);
+      }
   }
   return rows;
 }

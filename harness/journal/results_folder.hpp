@@ -12,11 +12,14 @@ namespace pelage {
 struct FoundRow {
   Row row;
   std::filesystem::path journal;
+  std::vector<std::filesystem::path> copies = {};  ///< other journals that contain the same row
 };
 
 /// Returns all rows of the given journals (*.jsonl), and of all journals at any depth in the given folders.
 /// The journals of a folder are sorted by path. Throws InputError for a missing path, a folder without a
-/// journal, or a damaged journal.
+/// journal, or a damaged journal. A row that is contained in several journals is returned once, with the first
+/// journal. Also throws InputError for two rows that claim to be the same measurement (equal run, case, variant,
+/// device and repeat) but differ.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
 /// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains

@@ -79,12 +79,23 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
+/// Throws InputError for a row that is ok although a check failed, or that has no check.
+void refuse_contradiction(const Row& row) {
+  if (row.status != Status::ok) return;
+  if (row.check.empty()) throw InputError("the row is ok, but nothing was checked");
+  for (const Check& check : row.check)
+    if (!check.holds())
+      throw InputError(fmt::format("the row is ok, but its check {} against {} does not hold", check.metric,
+                                   check.against));
+}
+
 Row row_from_json(const Json& json) {
   const int schema = json.at("schema").get<int>();
-  if (schema != kRowSchema)
-    throw InputError(
-        fmt::format("the row has schema {}; this version of pelage reads schema {}", schema, kRowSchema));
+  if (schema < 1 || schema > kRowSchema)
+    throw InputError(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
+                                 schema, kRowSchema));
   Row row;
+  row.schema = schema;
   json.at("run_id").get_to(row.run_id);
   json.at("experiment").get_to(row.experiment);
   json.at("case").get_to(row.case_name);
@@ -92,6 +103,7 @@ Row row_from_json(const Json& json) {
   row.axes = strings(json.at("axes"));
   row.overrides = strings(json.at("overrides"));
   json.at("device").get_to(row.device);
+  if (schema > 1) json.at("identity").get_to(row.identity);
   json.at("repeat").get_to(row.repeat);
   const auto status = status_from_text(json.at("status").get<std::string>());
   if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
@@ -110,6 +122,7 @@ Row row_from_json(const Json& json) {
   json.at("tuning").get_to(row.tuning);
   json.at("image_hash").get_to(row.image_hash);
   row.provenance = json.at("provenance");
+  refuse_contradiction(row);
   return row;
 }
 
@@ -149,25 +162,26 @@ std::string to_line(const Row& row) {
   Json metrics = Json::object();
   for (const auto& [name, metric] : row.metrics) metrics[name] = metric_json(metric);
 
-  const Json json{{"schema", kRowSchema},
-                  {"run_id", row.run_id},
-                  {"experiment", row.experiment},
-                  {"case", row.case_name},
-                  {"variant", row.variant},
-                  {"axes", object(row.axes)},
-                  {"overrides", object(row.overrides)},
-                  {"device", row.device},
-                  {"repeat", row.repeat},
-                  {"status", to_text(row.status)},
-                  {"reason", row.reason},
-                  {"check", check},
-                  {"samples", samples},
-                  {"metrics", metrics},
-                  {"build_ms", row.build_ms},
-                  {"first_launch_ms", row.first_launch_ms},
-                  {"tuning", Json(row.tuning)},
-                  {"image_hash", row.image_hash},
-                  {"provenance", row.provenance}};
+  Json json{{"schema", row.schema},
+            {"run_id", row.run_id},
+            {"experiment", row.experiment},
+            {"case", row.case_name},
+            {"variant", row.variant},
+            {"axes", object(row.axes)},
+            {"overrides", object(row.overrides)},
+            {"device", row.device},
+            {"repeat", row.repeat},
+            {"status", to_text(row.status)},
+            {"reason", row.reason},
+            {"check", check},
+            {"samples", samples},
+            {"metrics", metrics},
+            {"build_ms", row.build_ms},
+            {"first_launch_ms", row.first_launch_ms},
+            {"tuning", Json(row.tuning)},
+            {"image_hash", row.image_hash},
+            {"provenance", row.provenance}};
+  if (row.schema > 1) json["identity"] = row.identity;
   // Driver strings and logs may contain bytes that are not UTF-8. Such bytes are replaced; otherwise
   // dump() would throw and the row would be lost.
   std::string body = json.dump(-1, ' ', false, Json::error_handler_t::replace);

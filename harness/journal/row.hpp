@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "harness/compare/check.hpp"
+#include "harness/journal/identity.hpp"
 
 namespace pelage {
 
-inline constexpr int kRowSchema = 1;
+/// The schema of new rows. Rows of schema 1 have no identity.
+inline constexpr int kRowSchema = 2;
 
 enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 
@@ -38,6 +40,7 @@ struct Metric {
 };
 
 struct Row {
+  int schema = kRowSchema;
   std::string run_id;
   std::string experiment;
   std::string case_name;
@@ -46,7 +49,8 @@ struct Row {
   std::map<std::string, std::string>
       overrides;  ///< values of --set, --axis and --model; empty if the experiment was not changed
   std::string device;
-  int repeat = 0;  ///< index of the process among those of --repeat, from 0
+  Identity identity;  ///< empty in rows of schema 1; may be incomplete if the status is error
+  int repeat = 0;     ///< index of the process among those of --repeat, from 0
   Status status = Status::ok;
   std::string reason;  ///< reason for a status other than ok, or a note about an ok row
   std::vector<Check> check;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <string_view>
 
 namespace pelage {
 namespace {
@@ -13,11 +14,13 @@ namespace {
 // thread may receive a signal.
 std::atomic<int> holders{0};
 std::atomic<int> pending{0};
-const std::string* note = nullptr;
+const std::string *place = nullptr, *note = nullptr;
+constexpr std::string_view nothing_kept = "\npelage: interrupted; nothing was recorded\n";
 
 [[noreturn]] void end(int signal) {
   if (note) {
-    const ssize_t written = ::write(STDERR_FILENO, note->data(), note->size());
+    const std::string_view text = ::access(place->c_str(), F_OK) == 0 ? std::string_view(*note) : nothing_kept;
+    const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
     static_cast<void>(written);
   }
   ::_exit(128 + signal);
@@ -30,8 +33,10 @@ void handle(int signal) {
 
 }  // namespace
 
-void end_on_interrupt(const std::string& message) {
-  note = new std::string(message);  // never freed, because the handler may run during exit
+void end_on_interrupt(const std::string& folder) {
+  // The texts are never freed, because the handler may run during exit.
+  place = new std::string(folder);
+  note = new std::string("\npelage: interrupted; finished cases are kept; continue with --resume " + folder + "\n");
   struct sigaction action = {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;

@@ -5,9 +5,9 @@
 
 namespace pelage {
 
-/// Installs a handler: SIGINT and SIGTERM print `message`, which explains how to resume, to stderr and end
-/// the process. Call it once per process.
-void end_on_interrupt(const std::string& message);
+/// Installs a handler: SIGINT and SIGTERM print a message to stderr and end the process. The message explains
+/// how to resume the run in `folder`, if this folder exists at that time. Call it once per process.
+void end_on_interrupt(const std::string& folder);
 
 /// Defers SIGINT and SIGTERM while at least one object of this class exists. If a signal arrives meanwhile,
 /// the process ends when the last object is destroyed.

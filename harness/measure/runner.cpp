@@ -87,6 +87,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     row.reason = reason;
   };
   try {
+    if (plan.identity) row.identity = plan.identity(which);
     const auto from = std::chrono::steady_clock::now();
     const std::unique_ptr<Subject> subject = make(which);
     row.provenance["prepare_s"] = seconds_since(from);
@@ -120,9 +121,6 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     fails(Status::unsupported, error.what());
   } catch (const OutOfBounds& error) {
     fails(Status::diverged, error.what());
-  } catch (const InputError& error) {
-    row.provenance["bad_input"] = true;
-    fails(Status::error, error.what());
   } catch (const std::bad_alloc&) {
     fails(Status::error, "out of memory");
   } catch (const std::exception& error) {
@@ -156,7 +154,6 @@ RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& jour
       journal.append(row);
     }
     row.status == Status::ok || row.status == Status::unsupported ? ++summary.ok : ++summary.not_ok;
-    summary.bad_input = summary.bad_input || row.provenance.contains("bad_input");
     if (listener.finished) listener.finished(i, row);
   }
   return summary;

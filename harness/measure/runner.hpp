@@ -14,6 +14,9 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
+  /// Returns the identity of a case except the parts that describe() adds. May throw InputError. If empty,
+  /// rows get only the parts of describe().
+  std::function<Identity(const Case&)> identity;
   /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
   /// most the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();
@@ -33,7 +36,6 @@ struct RunListener {
 /// another status.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
-  bool bad_input = false;  ///< whether a row failed because of its input and not because of the device
 };
 
 /// Returns the key that this case's row will have in the journal.

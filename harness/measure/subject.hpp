@@ -42,7 +42,8 @@ class Subject {
   /// at least one check and all checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
   /// Sets build_ms, tuning and metrics of `row`. Adds the hashes of mesh, kernels and scene to
-  /// row.provenance. Metrics may be computed from row.samples, which is already filled.
+  /// row.provenance, and the hashes of the OpenCL programs and shaders that ran to row.identity. Metrics may
+  /// be computed from row.samples, which is already filled.
   virtual void describe(Row& row) = 0;
 };
 

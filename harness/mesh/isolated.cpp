@@ -55,10 +55,13 @@ std::uint64_t address_space() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
   const int quiet = ::open("/dev/null", O_WRONLY);
   ::dup2(quiet, STDOUT_FILENO);
+  rlimit space_of_user{};
+  bool by_user = false;
   if (!sanitized) {
     ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
-    ::setrlimit(RLIMIT_AS, &space);
+    // setrlimit() fails if the user has set a lower limit, which then stays in force.
+    if (::setrlimit(RLIMIT_AS, &space) != 0 && ::getrlimit(RLIMIT_AS, &space_of_user) == 0) by_user = true;
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
   }
@@ -67,7 +70,10 @@ std::uint64_t address_space() {
   } catch (const InputError& error) {
     send(pipe, Kind::input_error, error.what());
   } catch (const std::bad_alloc&) {
-    send(pipe, Kind::error, fmt::format("needs more than {} MiB of memory", limits.memory >> 20));
+    send(pipe, Kind::error,
+         by_user ? fmt::format("needs more memory than the limit of this shell, {} MiB (ulimit -v)",
+                               space_of_user.rlim_cur >> 20)
+                 : fmt::format("needs more than {} MiB of memory", limits.memory >> 20));
   } catch (const std::exception& error) {
     send(pipe, Kind::error, error.what());
   }

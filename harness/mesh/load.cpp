@@ -1,12 +1,13 @@
 #include <fmt/format.h>
+#include <re2/re2.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vector_relational.hpp>
 #include <optional>
-#include <regex>
 
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
@@ -14,6 +15,7 @@
 #include "harness/mesh/cache.hpp"
 #include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
+#include "harness/mesh/gltf_files.hpp"
 #include "harness/mesh/isolated.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
@@ -63,9 +65,8 @@ glm::dvec3 up_before(glm::dvec3 rotation) {
 // Returns the numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if
 // they are out of range.
 std::optional<glm::ivec2> finer_torus(const std::string& name) {
-  std::smatch quads;
-  if (!std::regex_match(name, quads, std::regex("torus-([0-9]{1,4})x([0-9]{1,4})"))) return {};
-  const glm::ivec2 count{std::stoi(quads[1]), std::stoi(quads[2])};
+  glm::ivec2 count{};
+  if (!RE2::FullMatch(name, "torus-([0-9]{1,4})x([0-9]{1,4})", &count.x, &count.y)) return {};
   if (std::min(count.x, count.y) < 3 || 2 * count.x * count.y > most_torus_faces)
     throw InputError(
         fmt::format("{}: give at least 3 quads per direction and at most {} faces", name, most_torus_faces));
@@ -210,6 +211,12 @@ void need_source(const Source& source) {
                                  source.kind == "cgal" ? "libcgal-demo" : "glmark2-data"));
 }
 
+bool is_gltf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".gltf" || ending == ".glb";
+}
+
 std::string key_of(const Model& model, const Source& source, const MeshOptions& options) {
   Hash hash;
   hash.number(recipe)
@@ -222,7 +229,10 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
   if (source.kind == "procedural")
     hash.number(procedural_recipe);
   else
-    hash.text(read_bytes(source.file(), std::uint64_t(1) << 30));
+    hash.text(read_bytes(source.file(), largest_mesh_file));
+  if (source.kind == "file" && is_gltf(source.file()))
+    for (const std::filesystem::path& part : detail::gltf_files(source.file()))
+      hash.text(read_bytes(part, largest_mesh_file));
   return hash.hex();
 }
 

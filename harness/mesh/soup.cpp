@@ -7,13 +7,14 @@
 #include <fstream>
 
 #include "harness/error.hpp"
+#include "harness/mesh/gltf_files.hpp"
 
 namespace pelage {
 namespace {
 
-// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
-constexpr std::uint64_t largest_file = std::uint64_t(1) << 30;
 constexpr std::size_t most_polygons = 10'000'000;
+// Some editors write these bytes at the beginning of a text file in UTF-8.
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 std::string ending(const std::filesystem::path& file) {
   std::string text = file.extension().string();
@@ -66,6 +67,7 @@ void check_soup(const Soup& soup, const std::string& name) {
 }
 
 Soup parse_soup(std::string bytes, std::string_view format, const std::string& name) {
+  if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
   detail::check_text(bytes, format, name);
   Soup soup;
   const bool good = detail::read_by_cgal(bytes, format, soup);
@@ -81,10 +83,16 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
   if (!by_cgal && !by_assimp)
     throw InputError(
         fmt::format("{}: meshes are read from .obj, .off, .ply, .stl, .3ds, .gltf and .glb", file.string()));
-  std::string bytes = read_bytes(file, largest_file);
+  std::string bytes = read_bytes(file, largest_mesh_file);
   const bool has_uv = with_uv && (format == "obj" || format == "ply");
   if (by_cgal && !has_uv) return parse_soup(std::move(bytes), format, file.string());
+  if (by_cgal && bytes.starts_with(byte_order_mark))
+    throw InputError(
+        fmt::format("{}: begins with a byte-order mark, which is read only without a UV map; save the "
+                    "file as UTF-8 without it",
+                    file.string()));
   if (by_cgal) detail::check_text(bytes, format, file.string());
+  if (!by_cgal && format != "3ds") detail::gltf_files(file);
   Soup soup = detail::read_by_assimp(file);
   check_soup(soup, file.string());
   return soup;

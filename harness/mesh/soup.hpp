@@ -31,6 +31,9 @@ Soup parse_soup(std::string bytes, std::string_view format, const std::string& n
 /// Throws InputError if the soup is empty, or contains a number that is not finite or an index out of range.
 void check_soup(const Soup& soup, const std::string& name);
 
+/// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
+inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
+
 /// Reads a whole file. Throws InputError if it is missing, a folder, empty or larger than `limit` bytes.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 

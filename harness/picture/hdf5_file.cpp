@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
 #include <numeric>
 #include <utility>
@@ -48,11 +49,16 @@ void write_text(hid_t object, const std::string& name, const std::string& text) 
 
 }  // namespace
 
-Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name) : name_(std::move(name)) {
+Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name)
+    : path_(path), name_(std::move(name)) {
   // Turns off HDF5's error messages on stderr, because pelage throws exceptions.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  file_ = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (file_ < 0) throw InputError(name_ + ": cannot be written");
+  // The file is built in memory, and close() writes it. If the disk is full, HDF5 cannot close a file on
+  // disk, and the program crashes when it ends.
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, name_);
+  H5Pset_fapl_core(access, std::size_t(1) << 20, 0);
+  file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  if (file_ < 0) throw InputError(name_ + ": HDF5 cannot create it in memory");
 }
 
 Hdf5File::~Hdf5File() {
@@ -60,10 +66,11 @@ Hdf5File::~Hdf5File() {
 }
 
 Hdf5File::Hdf5File(Hdf5File&& other) noexcept
-    : file_(std::exchange(other.file_, -1)), name_(std::move(other.name_)) {}
+    : file_(std::exchange(other.file_, -1)), path_(std::move(other.path_)), name_(std::move(other.name_)) {}
 
 Hdf5File& Hdf5File::operator=(Hdf5File&& other) noexcept {
   std::swap(file_, other.file_);
+  std::swap(path_, other.path_);
   std::swap(name_, other.name_);
   return *this;
 }
@@ -125,9 +132,15 @@ void Hdf5File::note(const std::string& name, const std::string& text) {
 }
 
 void Hdf5File::close() {
-  if (file_ >= 0 && H5Fclose(std::exchange(file_, -1)) < 0) {
-    throw InputError(fmt::format("{}: cannot be written; is the disk full?", name_));
-  }
+  if (file_ < 0) return;
+  H5Fflush(file_, H5F_SCOPE_GLOBAL);
+  const ssize_t size = H5Fget_file_image(file_, nullptr, 0);
+  std::string bytes(std::size_t(std::max<ssize_t>(size, 0)), '\0');
+  const bool read = size > 0 && H5Fget_file_image(file_, bytes.data(), bytes.size()) == size;
+  H5Fclose(std::exchange(file_, -1));
+  std::ofstream stream(path_, std::ios::binary);
+  stream << bytes << std::flush;
+  if (!read || !stream) throw InputError(fmt::format("{}: cannot be written; is the disk full?", name_));
 }
 
 }  // namespace pelage

@@ -10,8 +10,8 @@ namespace pelage {
 
 class Hdf5File {
  public:
-  /// Creates or replaces the file. `name` is the name of the file in error messages. Throws InputError if the
-  /// file cannot be created.
+  /// Prepares a file in memory, which close() writes to `path`. `name` is the name of the file in error
+  /// messages. Throws InputError if there is no memory for it.
   Hdf5File(const std::filesystem::path& path, std::string name);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
@@ -31,8 +31,8 @@ class Hdf5File {
   /// Writes a string attribute of the file.
   void note(const std::string& name, const std::string& text);
 
-  /// Flushes and closes the file. Throws InputError if the file cannot be written. The destructor also closes
-  /// the file, but does not throw.
+  /// Creates or replaces the file on disk. Throws InputError if it cannot be written. Without this call
+  /// nothing is written.
   void close();
 
  private:
@@ -40,6 +40,7 @@ class Hdf5File {
                  const void* values, std::size_t count, const std::string& units,
                  const std::string& description);
   std::int64_t file_ = -1;
+  std::filesystem::path path_;
   std::string name_;
 };
 

@@ -34,12 +34,14 @@ Cell cell_of(const FoundRow& found) {
   cell.host = text(row, "host");
   cell.axes = row.axes;
   cell.overrides = row.overrides;
+  cell.identity = row.identity;
   cell.metrics = row.metrics;
   cell.image = image_of(found);
   return cell;
 }
 
-auto identity(const Cell& c) {
+/// The names of a cell. Several cells may have the same names.
+auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }
 
@@ -82,8 +84,9 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
   for (const FoundRow& found : rows) {
     Cell cell = cell_of(found);
-    auto place = std::find_if(cells.begin(), cells.end(),
-                              [&](const Cell& c) { return identity(c) == identity(cell); });
+    auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
+      return names(c) == names(cell) && c.identity == cell.identity;
+    });
     if (place == cells.end()) place = cells.insert(place, std::move(cell));
     add(*place, found.row);
   }

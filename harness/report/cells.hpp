@@ -14,6 +14,7 @@ namespace pelage {
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
+  Identity identity;           ///< identity of all combined rows
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;       ///< metrics of the first of the combined rows
@@ -32,7 +33,7 @@ struct Cell {
 };
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
-/// which they first occur in the rows.
+/// which they first occur in the rows. Only rows with equal identities are combined.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
 /// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the

@@ -41,7 +41,7 @@ std::vector<std::string> every_topology() {
 
 std::map<std::string, Table> tables_of(const std::vector<FoundRow>& rows) {
   std::map<std::string, std::map<Key, std::pair<std::vector<double>, std::vector<double>>>> samples;
-  for (const auto& [row, journal] : rows) {
+  for (const auto& [row, journal, copies] : rows) {
     if (row.experiment != "banisch2006-update-time" || row.status != Status::ok || !row.overrides.empty())
       continue;
     auto& [frame, simulate] =

@@ -1,8 +1,10 @@
 #include "harness/report/comparison.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <re2/re2.h>
 
-#include <regex>
+#include <map>
 
 #include "harness/error.hpp"
 
@@ -38,6 +40,19 @@ Verdict verdict_of(const Cell& a, const Cell& b, double change, double threshold
   return change > 0 ? Verdict::slower : Verdict::faster;
 }
 
+/// Throws InputError if the set contains two cells that nothing but their inputs distinguishes.
+void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
+  std::map<std::pair<std::string, std::string>, const Cell*> known;
+  for (const Cell& cell : cells) {
+    const auto [place, added] = known.try_emplace({common_name(cell, by), value_of(cell, by)}, &cell);
+    if (added) continue;
+    throw InputError(fmt::format(
+        "{}: one set of results contains two measurements of this case with other inputs ({}); compare each "
+        "with the other set separately",
+        place->first.first, fmt::join(differing_parts(place->second->identity, cell.identity), ", ")));
+  }
+}
+
 }  // namespace
 
 CompareBy::CompareBy(const std::string& by) : text(by) {
@@ -47,6 +62,8 @@ CompareBy::CompareBy(const std::string& by) : text(by) {
 
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, double threshold) {
+  refuse_ambiguous(a, by);
+  refuse_ambiguous(b, by);
   std::vector<Pair> pairs;
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
@@ -82,10 +99,11 @@ std::string_view to_text(Verdict verdict) {
 }
 
 double threshold_from_text(const std::string& text) {
-  std::smatch match;
-  if (!std::regex_match(text, match, std::regex(R"(([0-9]{1,6}(?:\.[0-9]{1,9})?)(%?))")))
+  double number = 0;
+  std::string percent;
+  if (!RE2::FullMatch(text, R"(([0-9]{1,6}(?:\.[0-9]{1,9})?)(%?))", &number, &percent))
     throw InputError(fmt::format("--threshold '{}' is not a fraction; write for instance 5% or 0.05", text));
-  return std::stod(match[1]) * (match[2].length() > 0 ? 0.01 : 1.0);
+  return percent.empty() ? number : 0.01 * number;
 }
 
 }  // namespace pelage

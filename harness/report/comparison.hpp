@@ -28,7 +28,7 @@ struct Pair {
 /// names may differ. A pair counts as faster or slower only if the medians differ by more than `threshold`
 /// (0.05 is 5%) and their 95% intervals do not overlap. If `one_set` is true, `a` and `b` are the same set.
 /// If this set then contains the pair (x, y), the pair (y, x) is left out. Throws InputError if there is no
-/// pair.
+/// pair, or if a set contains two cells that differ only in their identity.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, double threshold);
 

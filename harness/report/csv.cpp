@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <functional>
 #include <set>
 
@@ -38,7 +39,8 @@ std::string of_provenance(const Row& row, const char* key) {
 std::vector<std::string> head(const Columns& columns, std::vector<std::string> rest) {
   std::vector<std::string> fields{"experiment", "case", "variant"};
   fields.insert(fields.end(), columns.axes.begin(), columns.axes.end());
-  for (const char* name : {"overrides", "device", "host", "run_id", "repeat", "preset", "status", "reason"})
+  for (const char* name :
+       {"overrides", "device", "host", "run_id", "repeat", "preset", "identity", "status", "reason"})
     fields.emplace_back(name);
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics) fields.push_back("metric." + name);
@@ -51,7 +53,7 @@ std::vector<std::string> body(const Columns& columns, const Row& row, const std:
     fields.push_back(row.axes.contains(key) ? row.axes.at(key) : "");
   for (std::string text :
        {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id, std::to_string(row.repeat),
-        of_provenance(row, "preset"), std::string(to_text(row.status)), row.reason})
+        of_provenance(row, "preset"), hash_of(row.identity), std::string(to_text(row.status)), row.reason})
     fields.push_back(std::move(text));
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics)
@@ -70,12 +72,23 @@ void each_list(
   }
 }
 
+/// Returns whether a spreadsheet could take the text for a formula: it begins with =, +, -, @ or a control
+/// character and is not a number.
+bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
+  double number = 0;
+  const char* first = text.data() + (text.front() == '+' ? 1 : 0);
+  const auto [end, code] = std::from_chars(first, text.data() + text.size(), number);
+  return code != std::errc{} || end != text.data() + text.size();
+}
+
 }  // namespace
 
 std::string csv_line(const std::vector<std::string>& fields) {
   std::string line;
-  for (const std::string& field : fields) {
-    if (&field != &fields.front()) line += ',';
+  for (const std::string& given : fields) {
+    if (&given != &fields.front()) line += ',';
+    const std::string field = is_formula(given) ? "'" + given : given;
     if (field.find_first_of(",\"\r\n") == std::string::npos) {
       line += field;
       continue;

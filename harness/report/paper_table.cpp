@@ -168,7 +168,9 @@ std::string text_of(const PaperTable& table) {
   text +=
       "\nFrames per second: 1000 divided by the median wall time of a warm frame in ms.\n"
       "Ratio: ours divided by the paper's.\n";
-  if (!table.hardware.empty()) text += fmt::format("The paper's frame rates are from {}, measured on {}.\n", table.source, table.hardware);
+  if (!table.hardware.empty())
+    text +=
+        fmt::format("The paper's frame rates are from {}, measured on {}.\n", table.source, table.hardware);
   if (any_unconverged(table)) text += "* the interval of the median is wider than the preset requires\n";
   for (const std::string& note : table.footnotes) text += note + "\n";
   return text;

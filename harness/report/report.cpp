@@ -11,6 +11,7 @@
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/report/csv.hpp"
+#include "harness/report/input_sets.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/scaling.hpp"
 
@@ -194,11 +195,43 @@ void note_load(Report& report, const std::vector<FoundRow>& rows) {
                     loaded, timed, 100 * most_other_share));
 }
 
+/// Adds a note with the number of rows that several journals contain.
+void note_copies(Report& report, const std::vector<FoundRow>& rows) {
+  const auto copied =
+      std::count_if(rows.begin(), rows.end(), [](const FoundRow& f) { return !f.copies.empty(); });
+  if (copied > 0)
+    report.notes.push_back(
+        fmt::format("{} of {} rows are in several journals; each is counted once", copied, rows.size()));
+}
+
 }  // namespace
 
-Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note) {
+std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::path& folder,
+                                  const ModelNote& note) {
+  const std::vector<InputSet> sets = input_sets(rows);
+  std::vector<Report> reports;
+  std::vector<std::string> apart;
+  for (std::size_t i = 1; i < sets.size(); ++i)
+    apart.push_back(fmt::format(
+        "{} of {} rows measured other inputs under the same names ({}); their report is inputs-{}/index.html",
+        sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    reports.push_back(
+        write_report(sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
+                     i == 0 ? apart
+                            : std::vector<std::string>{
+                                  fmt::format("these rows measured other inputs ({}) than the rows with the "
+                                              "same names in the report of the folder above",
+                                              sets[i].differs)}));
+  return reports;
+}
+
+Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note,
+                    std::vector<std::string> notes) {
   for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
   Report report;
+  report.notes = std::move(notes);
+  note_copies(report, rows);
   note_load(report, rows);
   report.cells = cells_of(rows);
   report.tables = paper_tables(report.cells, note);

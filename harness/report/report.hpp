@@ -47,10 +47,15 @@ struct Report {
 /// Sets the titles of tables of shipped experiments. Tables of the user's own experiment files get no title.
 void add_titles(std::vector<PaperTable>& tables);
 
-/// Writes all parts into `folder` (created if missing) and returns them. Throws InputError for a path that
-/// cannot be written.
+/// Writes one report per set of inputs (input_sets()): the report of the first set into `folder`, the others
+/// into its folders inputs-2, inputs-3 and so on. Returns them in this order. Throws like write_report().
+std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
+                                  const ModelNote& note);
+
+/// Writes all parts into `folder` (created if missing) and returns them. `notes` become the first notes of
+/// the report. Throws InputError for a path that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
-                    const ModelNote& note);
+                    const ModelNote& note, std::vector<std::string> notes = {});
 
 /// Returns the HTML page. It uses only files in `folder`.
 std::string html_of(const Report& report, const std::filesystem::path& folder);

@@ -50,7 +50,7 @@ std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows) {
 
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows) {
   std::vector<SolverLine> lines;
-  for (const auto& [row, journal] : rows) {
+  for (const auto& [row, journal, copies] : rows) {
     if (row.experiment != "topology-solvers" || row.status != Status::ok || !row.overrides.empty()) continue;
     for (const auto& [name, metric] : row.metrics) {
       if (!name.ends_with(ratio_mark) || name.ends_with(processor_mark)) continue;

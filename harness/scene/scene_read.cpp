@@ -11,6 +11,7 @@
 #include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
+#include "harness/toml_depth.hpp"
 
 namespace pelage {
 namespace {
@@ -232,6 +233,7 @@ std::string trimmed(std::string_view text) {
 Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder) {
   Scene scene;
   try {
+    refuse_deep_keys(text, name);
     const toml::table table = toml::parse(text, name);
     read_table(scene, scene_keys(scene), Source{name, folder}, table, "");
   } catch (const toml::parse_error& error) {

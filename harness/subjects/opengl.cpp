@@ -71,7 +71,7 @@ class OpenGlSubject : public Subject {
     row.provenance["check_seed"] = seed_;
     row.provenance["opengl_renderer"] = opengl_renderer();
     row.provenance["opengl_options"] = to_text(options_);
-    row.provenance["shader_hash"] = shader_hash();
+    row.provenance["shader_hash"] = row.identity[shader_part] = shader_hash();
   }
 
  private:
@@ -120,6 +120,7 @@ class Duel : public Subject {
     row.metrics[phase_ + "_build_ms"] = {other.build_ms, "ms"};
     for (const auto& [key, value] : other.provenance.items())
       if (!row.provenance.contains(key)) row.provenance[key] = value;
+    row.identity.insert(other.identity.begin(), other.identity.end());
     row.metrics[phase_ + "_ratio"] = median_ratio(row.samples[phase_].wall_ms, row.samples["frame"].wall_ms);
   }
 

@@ -35,12 +35,14 @@ std::span<const Pipeline> pipelines() {
   return table;
 }
 
-MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
-                        const std::map<std::string, int>& tuning,
-                        const std::function<void(const std::string&)>& progress) {
-  const auto context =
-      std::make_shared<SubjectContext>(SubjectContext{device, experiment, tuning, progress, {}, {}});
-  return [context](const Case& which) {
+std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Experiment& experiment,
+                                             const std::map<std::string, int>& tuning,
+                                             const std::function<void(const std::string&)>& progress) {
+  return std::make_shared<SubjectContext>(SubjectContext{device, experiment, tuning, progress, {}, {}});
+}
+
+MakeSubject subjects_of(std::shared_ptr<SubjectContext> context) {
+  return [context = std::move(context)](const Case& which) {
     for (const Pipeline& pipeline : pipelines())
       if (pipeline.name == which.pipeline) return pipeline.make(*context, which);
     throw Unsupported(fmt::format("this build has no pipeline '{}'", which.pipeline));

@@ -13,12 +13,15 @@ namespace pelage {
 /// Returns the table of all pipelines. Each entry has a name and a factory function.
 std::span<const Pipeline> pipelines();
 
-/// Returns a factory of subjects (objects that the harness times) on `device`. For a case of `experiment` it
+/// Returns the data from which the subjects of a run are made. `tuning` maps the kernels' tuning axes to
+/// values. Long preparation steps are reported to `progress`.
+std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Experiment& experiment,
+                                             const std::map<std::string, int>& tuning,
+                                             const std::function<void(const std::string&)>& progress);
+
+/// Returns a factory of subjects (objects that the harness times). For a case of the context's experiment it
 /// makes a subject that runs the case's pipeline. The factory throws Unsupported for an unknown pipeline, and
-/// keeps meshes in memory for later cases. `tuning` maps the kernels' tuning axes to values. The factory
-/// reports long preparation steps to `progress`.
-MakeSubject subjects_on(const cl::Device& device, const Experiment& experiment,
-                        const std::map<std::string, int>& tuning,
-                        const std::function<void(const std::string&)>& progress);
+/// keeps meshes in memory for later cases.
+MakeSubject subjects_of(std::shared_ptr<SubjectContext> context);
 
 }  // namespace pelage

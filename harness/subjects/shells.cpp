@@ -87,6 +87,7 @@ class ShellsSubject : public Subject {
     row.metrics["windows_flips"] = {double(sample_.flips), "pixels"};
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};
     row.metrics["worst_y"] = {double(agreement_.worst_y), "pixels"};
+    add_programs(row.identity, shells_.programs());
     row.provenance["kernel_hash"] = shells_.kernel_hash();
     row.provenance["mesh_hash"] = input_->mesh->hash;
     row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <re2/re2.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -32,7 +32,7 @@ int axis_value(const fs::path& file, const toml::node& node, const std::string& 
 }
 
 void check_name(const fs::path& file, const toml::node& node, const std::string& name) {
-  if (!std::regex_match(name, std::regex("[A-Z][A-Z0-9_]*")))
+  if (!RE2::FullMatch(name, "[A-Z][A-Z0-9_]*"))
     throw InputError(place(file, node, name) +
                      ": the name of a tuning axis must be in capitals, such as TILE_W");
 }

@@ -49,7 +49,8 @@ TEST(RowLine, ComesBackAsItWent) {
 TEST(RowLine, CpuTimesMayBeMissing) {
   const std::string body =  // the row up to its checksum
       R"({"schema":1,"run_id":"r","experiment":"e","case":"c","variant":"v","axes":{},"overrides":{},"device":"d",)"
-      R"("repeat":0,"status":"ok","reason":"","check":[],"samples":{"frame":{"event_ms":[],"wall_ms":[1.5]}},)"
+      R"("repeat":0,"status":"ok","reason":"","check":[{"against":"a","metric":"m","value":2.0,"limit":1.0,)"
+      R"("sense":">="}],"samples":{"frame":{"event_ms":[],"wall_ms":[1.5]}},)"
       R"("metrics":{},"build_ms":0.0,"first_launch_ms":0.0,"tuning":{},"image_hash":"","provenance":{})";
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(body.data()), uInt(body.size()));
   const Row row = row_from_line(body + fmt::format(",\"crc\":\"{:08x}\"}}", sum));

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
@@ -112,6 +113,13 @@ TEST(Coat, TakesAPictureWithItsTopAtVOne) {
   EXPECT_EQ(t.texel[0][2], 255);
   coat.image = folder / "missing.png";
   EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError);
+  coat.image = folder / "coat.exr";
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -1e30f}) {
+    picture.pixel.front().y = bad;
+    write_picture(coat.image, picture);
+    EXPECT_THROW(make_coat(*test::two_charts(), coat), InputError) << bad;
+  }
   std::filesystem::remove_all(folder);
 }
 

@@ -39,6 +39,31 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
   EXPECT_GT(torus.interval_ms.high / torus.interval_ms.low, 1.9);
 }
 
+TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {
+  auto rows = table1_rows(), other = table1_rows(2);
+  for (FoundRow& row : rows) row.row.identity = {{"scene", "1111111122222222"}};
+  for (FoundRow& row : other) row.row.identity = {{"scene", "5555555566666666"}};
+  rows.insert(rows.end(), other.begin(), other.end());
+  const auto cells = cells_of(rows);
+  ASSERT_EQ(cells.size(), 64u);
+  for (const Cell& cell : cells) EXPECT_EQ(cell.processes.size(), 1u);
+}
+
+TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
+  auto rows = table1_rows(), other = table1_rows(2);
+  for (FoundRow& row : rows) row.row.identity = {{"mesh", "1"}, {"scene", "1111111122222222"}};
+  for (FoundRow& row : other) row.row.identity = {{"mesh", "1"}, {"scene", "5555555566666666"}};
+  const auto clean = cells_of(rows);
+  EXPECT_EQ(compare_cells(clean, cells_of(other), false, CompareBy(""), 0.05).size(), 32u);
+  rows.insert(rows.end(), other.begin(), other.end());
+  try {
+    compare_cells(cells_of(rows), clean, false, CompareBy(""), 0.05);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("other inputs (scene)"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Cells, OneBadRowSpoilsItsCell) {
   auto rows = table1_rows();
   FoundRow bad = rows.front();

@@ -125,6 +125,8 @@ TEST(PaperTable, AsLatex) {
 
 TEST(Csv, Quotes) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
+  // A spreadsheet must not run a text as a formula; numbers stay numbers.
+  EXPECT_EQ(csv_line({"=1+1", "@x", "-a", "-1.5e-3", "+2", "-"}), "'=1+1,'@x,'-a,-1.5e-3,+2,'-\n");
 }
 
 /// Python's csv module reads the files. All lines of a file must have the same number of columns. The numbers

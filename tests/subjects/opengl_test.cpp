@@ -84,7 +84,7 @@ TEST(Pipelines, AnUnknownOneIsUnsupported) {
   Case which;
   which.pipeline = "no-such-pipeline";
   try {
-    subjects_on(cl::choose_device(""), {}, {}, {})(which);
+    subjects_of(make_context(cl::choose_device(""), {}, {}, {}))(which);
     ADD_FAILURE() << "a subject was made";
   } catch (const Unsupported& refusal) {
     EXPECT_STREQ(refusal.what(), "this build has no pipeline 'no-such-pipeline'");

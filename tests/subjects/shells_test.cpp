@@ -32,7 +32,7 @@ struct OneRow {
     which.pipeline = pipeline;
     RunPlan plan = test::fake_plan(1);
     plan.cases = {which};
-    row = run_case(plan, which, preset.limits, subjects_on(device, experiment, {}, {}));
+    row = run_case(plan, which, preset.limits, subjects_of(make_context(device, experiment, {}, {})));
   }
 };
 

@@ -21,6 +21,9 @@ namespace fs = std::filesystem;
 // file whose header gives a higher ratio is damaged.
 constexpr std::uintmax_t densest_codec = 4096;
 
+// Greatest number of pixels that is read, 8192 x 8192. A pixel takes 32 bytes while it is read.
+constexpr std::uint64_t most_pixels_read = std::uint64_t(1) << 26;
+
 /// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
 std::string one_line(const std::string& text) {
   const std::string line = text.substr(0, text.find('\n'));
@@ -64,6 +67,10 @@ Picture read(const fs::path& file, const std::string& kind) {
   if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
                                  file.string(), spec.width, spec.height));
+  }
+  if (std::uint64_t(spec.width) * std::uint64_t(spec.height) > most_pixels_read) {
+    throw InputError(fmt::format("{}: {} x {} pixels; pelage reads at most {} pixels", file.string(),
+                                 spec.width, spec.height, most_pixels_read));
   }
   require_end(file, kind);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);

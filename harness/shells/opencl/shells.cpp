@@ -126,6 +126,9 @@ double Shells::build_ms() const {
   for (const cl::Program* program : state_->programs()) sum += program->build_ms();
   return sum;
 }
+std::vector<const cl::Program*> Shells::programs() const {
+  return state_->programs();
+}
 std::string Shells::kernel_hash() const {
   return cl::hash_of(state_->programs());
 }

@@ -12,6 +12,10 @@
 
 namespace pelage {
 
+namespace cl {
+class Program;
+}
+
 /// Returns the names of all mappings. A mapping is a way to assign the pixels of a frame to work-items.
 const std::vector<std::string>& mappings();
 /// Returns "name: description; ..." of all mappings, for --help.
@@ -88,6 +92,7 @@ class Shells {
   /// triangle is drawn. FrameTiming does not include this time.
   double per_mask_ms() const;
   std::string kernel_hash() const;  ///< hash of the sources of all built programs, including their headers
+  std::vector<const cl::Program*> programs() const;  ///< the programs of all stages
 
  private:
   struct State;

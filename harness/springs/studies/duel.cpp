@@ -89,6 +89,7 @@ class Duel : public Subject {
   void describe(Row& row) override {
     const SpringNetwork& topology = setting_.topology;
     row.build_ms = masses_.program().build_ms();
+    add_programs(row.identity, {&masses_.program()});
     row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
     row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
     row.metrics["sticks"] = {double(topology.sticks()), "sticks"};

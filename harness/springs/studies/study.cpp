@@ -49,6 +49,7 @@ class Study : public Subject {
     row.metrics["triangles"] = {double(setting_.topology.corner.size()), "triangles"};
     row.metrics["sticks"] = {double(setting_.topology.sticks()), "sticks"};
     row.metrics["step_ms"] = {1e3 * double(setting_.dynamics.step), "ms"};
+    row.identity.insert(programs_.begin(), programs_.end());
   }
 
  protected:
@@ -59,6 +60,7 @@ class Study : public Subject {
   }
   cl::Queue queue_;
   Setting setting_;
+  Identity programs_;  // the programs that ran; add_programs() adds them
 };
 
 class ErrorStudy : public Study {
@@ -66,7 +68,9 @@ class ErrorStudy : public Study {
   ErrorStudy(const cl::Device& device, Setting setting, const Motions& exact)
       : Study(device, std::move(setting)),
         exact_(exact),
-        masses_(queue_, setting_.topology, setting_.dynamics) {}
+        masses_(queue_, setting_.topology, setting_.dynamics) {
+    add_programs(programs_, {&masses_.program()});
+  }
   FrameSample frame() override {
     const Motions start = rest(setting_.topology);
     masses_.set(queue_, start.offset, start.speed);
@@ -111,6 +115,7 @@ class LimitStudy : public Study {
     longest_ = low;
     setting_.dynamics.step = float(low);
     MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    add_programs(programs_, {&masses.program()});
     taken_ = second(masses);
     return {.wall_ms = taken_};
   }
@@ -150,6 +155,7 @@ class EnergyStudy : public Study {
   EnergyStudy(const cl::Device& device, Setting setting) : Study(device, std::move(setting)) {}
   FrameSample frame() override {
     MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    add_programs(programs_, {&masses.program()});
     energy_.clear();
     const auto from = std::chrono::steady_clock::now();
     double next = 0;

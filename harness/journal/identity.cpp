@@ -1,0 +1,44 @@
+#include "harness/journal/identity.hpp"
+
+#include <fmt/format.h>
+
+#include "harness/hash.hpp"
+
+namespace pelage {
+namespace {
+
+std::string shown(const Identity& identity, const std::string& part) {
+  const auto found = identity.find(part);
+  return found == identity.end() ? "absent" : found->second;
+}
+
+}  // namespace
+
+void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs) {
+  for (const auto& [file, hash] : cl::hashes_by_file(programs)) identity[kernel_part + file] = hash;
+}
+
+std::vector<std::string> differing_parts(const Identity& a, const Identity& b) {
+  Identity all = a;
+  all.insert(b.begin(), b.end());
+  std::vector<std::string> parts;
+  for (const auto& [part, unused] : all)
+    if (shown(a, part) != shown(b, part)) parts.push_back(part);
+  return parts;
+}
+
+std::vector<std::string> differences(const Identity& was, const Identity& is) {
+  std::vector<std::string> texts;
+  for (const std::string& part : differing_parts(was, is))
+    texts.push_back(fmt::format("{} was {}, is {}", part, shown(was, part), shown(is, part)));
+  return texts;
+}
+
+std::string hash_of(const Identity& identity) {
+  if (identity.empty()) return {};
+  Hash hash;
+  for (const auto& [part, content] : identity) hash.text(part).text(content);
+  return hash.hex();
+}
+
+}  // namespace pelage

@@ -1,0 +1,74 @@
+#include "harness/subjects/case_identity.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "harness/cl/program.hpp"
+#include "harness/error.hpp"
+#include "harness/hash.hpp"
+#include "harness/journal/provenance.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/shells/opengl/opengl.hpp"
+
+namespace pelage {
+namespace {
+
+std::string hash(const std::string& text) {
+  return Hash().text(text).hex();
+}
+
+std::string text_of(const std::map<std::string, int>& tuning) {
+  std::string text;
+  for (const auto& [axis, value] : tuning) text += fmt::format("{}={} ", axis, value);
+  return text;
+}
+
+/// Returns the text with the shortest decimal form of every number, so that equal limits have equal texts.
+std::string text_of(const SamplingLimits& l) {
+  return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
+}
+
+}  // namespace
+
+Identity case_identity(SubjectContext& context, const Case& which, const SamplingLimits& limits) {
+  const Scene scene = scene_of(context.experiment, which);
+  return {{"scene", scene_hash(scene)},
+          {"mesh", context.mesh_of(scene)->hash},
+          {"variant", Hash().text(which.pipeline).text(which.mapping).text(which.opengl).hex()},
+          {"tuning", hash(text_of(context.tuning))},
+          {"sampling", hash(text_of(limits))},
+          {"device", hash(device_provenance(context.device.info()).dump())}};
+}
+
+Identity present_identity(Identity planned, const Identity& recorded) {
+  const std::string prefix = kernel_part;
+  for (const auto& [part, unused] : recorded) {
+    if (part == shader_part) planned[part] = shader_hash();
+    if (!part.starts_with(prefix)) continue;
+    try {
+      planned[part] = cl::hash_of(cl::sources_of(part.substr(prefix.size())));
+    } catch (const InputError&) {  // The file is missing, so the identity gets no part and differs.
+    }
+  }
+  return planned;
+}
+
+void refuse_other_inputs(const std::string& file, const std::vector<KeptRow>& kept,
+                         const std::function<Identity(const Case&)>& identity) {
+  for (const auto& [row, which] : kept) {
+    if (row->identity.empty())
+      throw InputError(
+          fmt::format("{}: the row of {} was written by an older version and does not record what was "
+                      "measured; give a new "
+                      "folder with -o",
+                      file, row->case_name));
+    const Identity now = present_identity(identity(*which), row->identity);
+    if (const std::vector<std::string> texts = differences(row->identity, now); !texts.empty())
+      throw InputError(fmt::format(
+          "{}: the recorded row of {} measured something else: {}; restore it, or give a new folder "
+          "with -o",
+          file, row->case_name, fmt::join(texts, "; ")));
+  }
+}
+
+}  // namespace pelage

@@ -1,0 +1,199 @@
+// Tests commands on the results of a user's own experiment: what --resume refuses, how reports keep
+// measurements of other inputs apart, and where results can be written.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+std::string experiment(const std::string& length) {
+  return "name = \"own\"\n[axes]\nmodel = [\"torus-24x12\"]\nlayers = [4, 8]\nsize = "
+         "[\"320x240\"]\n[scene]\nfur.length = " +
+         length +
+         "\nfur.texture = 64\n[preset.quick]\nwarm_up_s = 0.0\nleast = 2\nmost = 2\nprecision = 1.0\nlimit_s "
+         "= 20.0\n";
+}
+
+struct Results : ::testing::Test {
+  void SetUp() override {
+    folder.write("own.toml", experiment("0.1"));
+    const Outcome first = pelage(folder, "run own.toml -o first");
+    ASSERT_EQ(first.code, 0) << first.err;
+  }
+  Outcome resume(const std::string& options = "") {
+    return pelage(folder, options + " run own.toml --resume first");
+  }
+  Folder folder;
+};
+
+TEST_F(Results, ResumeKeepsRowsOfEqualInputs) {
+  const Outcome again = resume();
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_NE(again.err.find("2 kept"), std::string::npos) << again.err;
+}
+
+TEST_F(Results, ResumeRefusesAnEditedScene) {
+  folder.write("own.toml", experiment("0.12"));
+  const Outcome edited = resume();
+  EXPECT_EQ(edited.code, 2);
+  EXPECT_NE(edited.err.find("measured something else: scene was "), std::string::npos) << edited.err;
+  EXPECT_EQ(std::count(edited.err.begin(), edited.err.end(), '\n'), 1) << edited.err;
+  folder.write("own.toml", experiment("0.1"));
+  EXPECT_EQ(resume().code, 0);
+}
+
+TEST_F(Results, ResumeRefusesOtherLimitsOfSampling) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("most = 2"), 8, "most = 3");
+  folder.write("own.toml", text);
+  const Outcome edited = resume();
+  EXPECT_EQ(edited.code, 2);
+  EXPECT_NE(edited.err.find("sampling was "), std::string::npos) << edited.err;
+}
+
+// A change to a kernel file that the rows did not use changes nothing.
+TEST_F(Results, ResumeRefusesAnEditedKernelOnlyIfItRan) {
+  namespace fs = std::filesystem;
+  fs::copy(PELAGE_SOURCE_DIR "/kernels", folder.path() / "mine", fs::copy_options::recursive);
+  EXPECT_EQ(resume("--kernels mine").code, 0);
+  folder.write("mine/springs/gradients.cl", folder.read("mine/springs/gradients.cl") + "// edited\n");
+  EXPECT_EQ(resume("--kernels mine").code, 0);
+  folder.write("mine/dialect.clh", folder.read("mine/dialect.clh") + "// edited\n");
+  const Outcome edited = resume("--kernels mine");
+  EXPECT_EQ(edited.code, 2);
+  EXPECT_NE(edited.err.find("kernel rasterize/"), std::string::npos) << edited.err;
+}
+
+TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
+  folder.write("own.toml", experiment("0.12"));
+  ASSERT_EQ(pelage(folder, "run own.toml -o second").code, 0);
+  const Outcome report = pelage(folder, "report first second -o page");
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_NE(report.err.find("2 of 4 rows measured other inputs under the same names (scene)"),
+            std::string::npos)
+      << report.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/index.html"));
+  EXPECT_EQ(pelage(folder, "compare first second").code, 0);
+  std::filesystem::create_directory(folder.path() / "both");
+  for (const char* one : {"first", "second"})
+    std::filesystem::rename(folder.path() / one, folder.path() / "both" / one);
+  const Outcome mixed = pelage(folder, "compare both both");
+  EXPECT_EQ(mixed.code, 2);
+  EXPECT_NE(mixed.err.find("other inputs (scene)"), std::string::npos) << mixed.err;
+}
+
+TEST_F(Results, ACopyCountsOnce) {
+  std::filesystem::copy(folder.path() / "first", folder.path() / "copy",
+                        std::filesystem::copy_options::recursive);
+  const Outcome report = pelage(folder, "report first copy first -o page");
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_NE(report.err.find("2 of 2 rows are in several journals"), std::string::npos) << report.err;
+  const std::string lines = pelage(folder, "export first copy").out;
+  EXPECT_EQ(lines, pelage(folder, "export first").out);
+}
+
+TEST_F(Results, CsvGoesToLinksPipesAndDevices) {
+  namespace fs = std::filesystem;
+  const std::string expected = pelage(folder, "export first").out;
+  folder.write("real.csv", "old");
+  fs::create_symlink("real.csv", folder.path() / "link.csv");
+  EXPECT_EQ(pelage(folder, "export first --csv link.csv").code, 0);
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.csv"));
+  EXPECT_EQ(folder.read("real.csv"), expected);
+  const Outcome full = pelage(folder, "export first --csv /dev/full");
+  EXPECT_EQ(full.code, 2);
+  EXPECT_NE(full.err.find("/dev/full: cannot be written"), std::string::npos) << full.err;
+  EXPECT_FALSE(fs::is_regular_file("/dev/full"));
+  ASSERT_EQ(std::system(("mkfifo '" + (folder.path() / "pipe").string() + "'").c_str()), 0);
+  std::string piped;
+  std::thread reader([&] { piped = folder.read("pipe"); });
+  EXPECT_EQ(pelage(folder, "export first --csv pipe").code, 0);
+  reader.join();
+  EXPECT_EQ(piped, expected);
+  fs::create_symlink("loop.csv", folder.path() / "loop.csv");
+  EXPECT_EQ(pelage(folder, "export first --csv loop.csv").code, 2);
+}
+
+TEST_F(Results, AxesAreLimitedAndChecked) {
+  const Outcome empty = pelage(folder, "run own.toml --dry-run --axis layers=");
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_NE(empty.err.find("--axis 'layers=' has an empty value"), std::string::npos) << empty.err;
+  const Outcome unknown = pelage(folder, "run own.toml --dry-run --axis zz=1");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_NE(unknown.err.find("own: axis zz: zz: no such key"), std::string::npos) << unknown.err;
+  const Outcome seed = pelage(folder, "run own.toml --dry-run --order-seed -1");
+  EXPECT_EQ(seed.code, 2);
+  EXPECT_NE(seed.err.find("the seed -1 is negative"), std::string::npos) << seed.err;
+  const Outcome many = pelage(folder,
+                              "run own.toml --dry-run --axis dynamics.wind.seed=$(seq -s, 1 1000) --axis "
+                              "wetness.seed=$(seq -s, 1 1000)");
+  EXPECT_EQ(many.code, 2);
+  EXPECT_NE(many.err.find("2000000 combinations of values; the limit is 100000 cases"), std::string::npos)
+      << many.err;
+}
+
+// /dev/full accepts no bytes, like a full disk.
+TEST(FullDisk, ADumpEndsWithOneLine) {
+  const Folder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "full.h5");
+  const Outcome full = pelage(folder,
+                              "render -o a.png --pipeline reference --model torus-24x12 --size 16x16 --set "
+                              "fur.layers=2 --dump full.h5");
+  EXPECT_EQ(full.code, 2) << full.err;
+  EXPECT_NE(full.err.find("cannot be written"), std::string::npos) << full.err;
+  EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
+}
+
+// /proc is not writable, not even for root.
+TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
+  const Folder folder;
+  const Outcome outcome =
+      pelage(folder, "render -o a.png --model torus-24x12 --size 16x16 --set fur.layers=2",
+             "HOME=/proc XDG_CACHE_HOME=/proc/none POCL_CACHE_DIR= TMPDIR='" + folder.path().string() + "'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("/proc/none/pocl/kcache cannot be written"), std::string::npos) << outcome.err;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_EQ(entry.path().string().find("pelage-kernels"), std::string::npos) << entry.path();
+}
+
+TEST_F(Results, NumbersAreNamedAsTheyAreWritten) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\ncurl.radius = [0.05, 0.1]");
+  folder.write("own.toml", text);
+  const Outcome dry = pelage(folder, "run own.toml --dry-run");
+  EXPECT_EQ(dry.code, 0) << dry.err;
+  EXPECT_NE(dry.out.find("torus_24x12-4-0.05-320x240\t"), std::string::npos) << dry.out;
+}
+
+TEST_F(Results, MeshFilesOfOneNameAreToldApartAndLongNamesRefused) {
+  for (const char* place : {"x", "y"}) std::filesystem::create_directory(folder.path() / place);
+  std::string text = experiment("0.1");
+  text.replace(text.find("[\"torus-24x12\"]"), 15, "[\"x/m.obj\", \"y/m.obj\"]");
+  folder.write("own.toml", text);
+  const Outcome dry = pelage(folder, "run own.toml --dry-run");
+  EXPECT_EQ(dry.code, 0) << dry.err;
+  EXPECT_NE(dry.out.find("\tx_m-4-320x240\t"), std::string::npos) << dry.out;
+  EXPECT_NE(dry.out.find("\ty_m-8-320x240\t"), std::string::npos) << dry.out;
+  const Outcome longer = pelage(folder, "run own.toml --dry-run --model " + std::string(240, 'm') + ".obj");
+  EXPECT_EQ(longer.code, 2);
+  EXPECT_NE(longer.err.find("the limit is 200"), std::string::npos) << longer.err;
+}
+
+TEST_F(Results, AKeyOfManyPartsIsRefused) {
+  std::string key = "a";
+  for (int i = 0; i < 50'000; ++i) key += ".a";
+  folder.write("deep.toml", key + " = 1\n");
+  folder.write("table.toml", "[" + key + "]\n");
+  for (const char* command : {"scene deep.toml", "scene table.toml", "list deep.toml"}) {
+    const Outcome deep = pelage(folder, command);
+    EXPECT_EQ(deep.code, 2) << command;
+    EXPECT_NE(deep.err.find(":1: the key has 50001 parts"), std::string::npos) << deep.err;
+  }
+}
+
+}  // namespace
+}  // namespace pelage::cli

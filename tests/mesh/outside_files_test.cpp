@@ -1,0 +1,96 @@
+// Tests mesh files that depend on other files, and marks at the beginning of a text file.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstring>
+
+#include "harness/error.hpp"
+#include "harness/mesh/gltf_files.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The bytes of a buffer with the points of a tetrahedron, 12 floats, followed by its faces, 12 shorts.
+std::string buffer(float size) {
+  const float points[12] = {size, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1};
+  const std::uint16_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+  std::string bytes(reinterpret_cast<const char*>(points), sizeof points);
+  return bytes.append(reinterpret_cast<const char*>(faces), sizeof faces);
+}
+
+std::string gltf(const std::string& uri) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+"buffers":[{"byteLength":72,"uri":")" +
+         uri +
+         R"("}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[-2,-2,-2],"max":[2,2,2]},
+{"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}]})";
+}
+
+std::string refusal(const std::string& file) {
+  try {
+    load_model(file, fresh());
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(OutsideFiles, AreThoseThatTheGltfFileNames) {
+  const TempFolder folder;
+  folder.write("a b.bin", buffer(1));
+  EXPECT_EQ(detail::gltf_files(folder.write("a.gltf", gltf("a%20b.bin"))),
+            std::vector<fs::path>{folder.path() / "a b.bin"});
+  EXPECT_TRUE(
+      detail::gltf_files(folder.write("b.gltf", gltf("data:application/octet-stream;base64,AAAA"))).empty());
+  EXPECT_TRUE(detail::gltf_files(folder.write("c.gltf", "no JSON")).empty());
+  const std::string json = gltf("a%20b.bin");
+  std::string binary = "glTF" + std::string("\2\0\0\0\0\0\0\0", 8);
+  const auto length = std::uint32_t(json.size());
+  binary.append(reinterpret_cast<const char*>(&length), 4).append("JSON").append(json);
+  EXPECT_EQ(detail::gltf_files(folder.write("d.glb", binary)).size(), 1u);
+}
+
+TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
+  const TempFolder folder;
+  fs::create_directory(folder.path() / "inner");
+  folder.write("outside.bin", buffer(1));
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  for (const char* uri :
+       {"/etc/passwd", "../outside.bin", "x/../../outside.bin", "%2e%2e/outside.bin", "file:///etc"}) {
+    const std::string text = refusal(folder.write("inner/a.gltf", gltf(uri)));
+    EXPECT_NE(text.find("give files in the folder of the glTF file"), std::string::npos)
+        << uri << ": " << text;
+  }
+  for (const char* uri : {"pipe", "missing.bin", "inner"}) {
+    const std::string text = refusal(folder.write("a.gltf", gltf(uri)));
+    EXPECT_NE(text.find("which is no regular file"), std::string::npos) << uri << ": " << text;
+  }
+}
+
+// The cache must not return the mesh of an older buffer.
+TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
+  const TempFolder folder;
+  ::setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+  folder.write("a.bin", buffer(1));
+  const std::string file = folder.write("a.gltf", gltf("a.bin"));
+  const std::string before = load_model(file)->hash;
+  EXPECT_EQ(load_model(file)->hash, before);
+  folder.write("a.bin", buffer(2));
+  EXPECT_NE(load_model(file)->hash, before);
+  ::unsetenv("XDG_CACHE_HOME");
+}
+
+TEST(OutsideFiles, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  const TempFolder folder;
+  const std::string obj = "v 1 1 1\nv -1 -1 1\nv -1 1 -1\nv 1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const std::string plain = folder.write("a.obj", obj), marked = folder.write("b.obj", "\xef\xbb\xbf" + obj);
+  EXPECT_EQ(load_model(marked, fresh())->position, load_model(plain, fresh())->position);
+}
+
+}  // namespace
+}  // namespace pelage
