@@ -14,9 +14,9 @@ inline constexpr double picture_psnr = 60.0;
 /// Rounding alone changes a channel by less than one step. A larger difference means that the pixel sampled
 /// another texel or is covered by another triangle.
 inline constexpr double flip = 2.0 / 255.0;
-/// Largest accepted share of flipped pixels among the fur pixels. Comparisons of floats decide which texel of
-/// the wetness mask a pixel samples and which triangles cover the pixel. At borders, rounding can change
-/// these decisions. This happens to about 1 pixel in 10^4.
+/// Largest accepted share of flipped pixels (pixels that differ by more than `flip`) among the fur pixels.
+/// Comparisons of floats decide which texel of the wetness mask a pixel samples and which triangles cover the
+/// pixel. At borders, rounding can change these decisions. This happens to about 1 pixel in 10^4.
 inline constexpr double flip_share = 1e-3;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers filter textures
 /// with different arithmetic. Therefore the 99.9th percentile of the baseline's errors and its share of

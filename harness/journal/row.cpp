@@ -79,7 +79,7 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
-/// Throws InputError for a row that is ok although a check failed, or that has no check.
+/// Throws InputError if the row's status is ok although one of its checks does not hold or there is no check.
 void refuse_contradiction(const Row& row) {
   if (row.status != Status::ok) return;
   if (row.check.empty()) throw InputError("the row is ok, but nothing was checked");

@@ -26,10 +26,10 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
-/// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flips and the number of
-/// flips, the 99.9th percentile of the pixels' differences, the largest difference and its pixel, and the
-/// number of fur pixels. A flip is a pixel that differs from the reference by more than tolerance::flip in
-/// some channel.
+/// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flipped pixels (pixels
+/// that differ by more than 2/255) and their number, the 99.9th percentile of the pixels' differences, the
+/// largest difference and its pixel, and the number of fur pixels. A flip is a pixel that differs from the
+/// reference by more than tolerance::flip in some channel.
 std::string describe(const Agreement& agreement);
 
 }  // namespace pelage::pictures

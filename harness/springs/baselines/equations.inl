@@ -100,8 +100,9 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
           b * s.x * s.z + c * t.x * t.z,     b * s.y * s.z + c * t.y * t.z};
 }
 
-// The equation of backward Euler for one stick without edges: block * dv = load. The unknown dv is the change
-// of the top mass's velocity, `block` is a 3 x 3 matrix, and `load` is the right-hand side.
+// The equation of backward Euler for the top mass of one stick, if no springs connect it to other top masses:
+// block * dv = load. The unknown dv is the change of the mass's velocity, `block` is a 3 x 3 matrix, and `load` is
+// the right-hand side.
 template <class T>
 struct Row {
   Symmetric<T> block;

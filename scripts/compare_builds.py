@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Compares the frame times of two builds of pelage: an old and a new checkout, both built in build/release.
+
+In every round and for every cell (a model and a number of layers of silva2010-table1), three processes draw frames in
+turns of 0.15 s: old, new and old again. The second old process is a control: its ratio to the first one must be 1. The
+order of the processes changes from round to round. scripts/turns.cpp makes them take turns.
+
+  scripts/compare_builds.py OLD NEW -o FOLDER             20 rounds of 6 cells, about 20 minutes
+  scripts/compare_builds.py OLD NEW -o FOLDER --rounds 0  prints the ratios of the rounds that FOLDER contains
+
+Each printed ratio is the median over the rounds, with its 95% interval by order statistics. The ratio of a round is
+(median frame time of the new build) / (geometric mean of the median frame times of both old processes).
+"""
+import argparse
+import json
+import math
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SIDES = ("old", "new", "control")
+TURN_S = 0.15
+PRESET = """
+[preset.turns]
+warm_up_s = 0.0
+least = {frames}
+most = {frames}
+precision = 1.0
+limit_s = 600.0
+axes.reading = ["default"]
+"""
+
+
+def build_shim(folder):
+    shim = folder / "turns.so"
+    subprocess.run(["g++", "-O2", "-std=c++20", "-shared", "-fPIC", "-o", shim,
+                    Path(__file__).with_name("turns.cpp"), "-ldl"], check=True)
+    return shim
+
+
+def run_cell(trees, shim, scratch, order, cell, place):
+    """Runs the three processes of one cell. `place` is the path of their results without the name of the side."""
+    model, layers, size = cell
+    shared = scratch / "shared"
+    shared.write_bytes(bytes(64))
+    running = []
+    for number, side in enumerate(order):
+        tree = trees["new" if side == "new" else "old"]
+        folder = Path(f"{place}-{side}")
+        experiment = scratch / ("new.toml" if side == "new" else "old.toml")
+        command = [tree / "build/release/pelage", "run", experiment, "--preset", "turns", "--axis", f"model={model}",
+                   "--axis", f"layers={layers}", "--axis", f"size={size}", "-o", folder]
+        environment = dict(os.environ, PELAGE_DATA=str(tree), LD_PRELOAD=str(shim), TURN_FILE=str(shared),
+                           TURN_ID=str(number), TURN_COUNT=str(len(order)), TURN_SECONDS=str(TURN_S))
+        with open(f"{folder}.log", "w", encoding="utf-8") as log:
+            running.append(subprocess.Popen(command, env=environment, stdout=log, stderr=log))
+    if any([process.wait() for process in running]):
+        sys.exit(f"compare_builds.py: a process failed; see {place}-*.log")
+
+
+def frame_ms(folder):
+    """Returns the median frame time in ms of the only row in the folder."""
+    rows = [json.loads(line) for file in folder.rglob("*.jsonl") for line in file.read_text().splitlines()]
+    if len(rows) != 1 or rows[0]["status"] != "ok":
+        sys.exit(f"compare_builds.py: {folder}: there must be one row, and it must be ok")
+    return statistics.median(rows[0]["samples"]["frame"]["wall_ms"])
+
+
+def rank_of_interval(n):
+    """Returns the largest r for which the r-th smallest and the r-th largest of n values enclose the median with a
+    probability of at least 95%; 1 if there is no such r."""
+    below, rank = 0.0, 1
+    for r in range(1, n // 2 + 1):
+        below += math.comb(n, r - 1) / 2**n
+        if 2 * below > 0.05:
+            break
+        rank = r
+    return rank
+
+
+def summary(logs):
+    ordered, rank = sorted(logs), rank_of_interval(len(logs))
+    return [math.exp(x) for x in (statistics.median(ordered), ordered[rank - 1], ordered[-rank])]
+
+
+def report(folder, cells):
+    times = {}
+    for path in folder.glob(f"*-{SIDES[1]}"):
+        number, *cell = path.name.split("-")[:-1]
+        group = [folder / "-".join([number, *cell, side]) for side in SIDES]
+        if all(one.is_dir() for one in group):
+            times[int(number), "-".join(cell)] = [math.log(frame_ms(one)) for one in group]
+    names = ["-".join(cell) for cell in cells]
+    rounds = [r for r in sorted({r for r, _ in times}) if all((r, name) in times for name in names)]
+    if not rounds:
+        sys.exit("compare_builds.py: no complete round")
+    print(f"{len(rounds)} rounds; frame time new / old, and control / old")
+    new = {name: [times[r, name][1] - (times[r, name][0] + times[r, name][2]) / 2 for r in rounds] for name in names}
+    control = {name: [times[r, name][2] - times[r, name][0] for r in rounds] for name in names}
+    for values in (new, control):
+        values["geometric mean"] = [statistics.mean(values[name][i] for name in names) for i in range(len(rounds))]
+    for name in [*names, "geometric mean"]:
+        print("{:<20} {:.3f} [{:.3f}, {:.3f}]   {:.3f} [{:.3f}, {:.3f}]".format(
+            name, *summary(new[name]), *summary(control[name])))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old", type=Path, metavar="OLD")
+    parser.add_argument("new", type=Path, metavar="NEW")
+    parser.add_argument("-o", "--output", type=Path, required=True, metavar="FOLDER")
+    parser.add_argument("--rounds", type=int, default=20)
+    parser.add_argument("--frames", type=int, default=12, help="timed frames of each process and cell")
+    parser.add_argument("--models", nargs="+", default=["torus", "bunny", "lion"])
+    parser.add_argument("--layers", nargs="+", default=["16", "64"])
+    parser.add_argument("--size", default="800x600")
+    options = parser.parse_args()
+    trees = {"old": options.old.resolve(), "new": options.new.resolve()}
+    cells = [(model, layers, options.size) for model in options.models for layers in options.layers]
+    options.output.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as scratch_name:
+        scratch = Path(scratch_name)
+        for side, tree in trees.items():
+            text = (tree / "experiments/silva2010-table1.toml").read_text()
+            (scratch / f"{side}.toml").write_text(text + PRESET.format(frames=options.frames))
+        shim = build_shim(scratch) if options.rounds > 0 else None
+        for number in range(options.rounds):
+            order = [SIDES[(number + k) % 3] for k in range(3)]
+            for cell in cells:
+                run_cell(trees, shim, scratch, order, cell, options.output / "-".join([str(number), *cell]))
+    report(options.output, cells)
+
+
+if __name__ == "__main__":
+    main()
