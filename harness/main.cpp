@@ -46,7 +46,7 @@ std::string version() {
 }
 
 int failed(const std::string& what, int code) {
-  // Names of files may contain control characters, which would change the terminal.
+  // Names of files may contain control characters, which a terminal would execute as commands.
   std::string line;
   for (const char c : what) {
     if (c == '\n' || c == '\t')

@@ -1,5 +1,5 @@
-// A limit for the keys of TOML files. toml++ limits the nesting of values but not the number of parts of a
-// dotted key, and a key with thousands of parts overflows the stack.
+// Limits the number of parts of the keys in TOML files. toml++ limits the nesting of values but not the
+// number of parts of a dotted key, and a key with thousands of parts overflows the stack.
 #pragma once
 #include <string>
 #include <string_view>
@@ -11,7 +11,7 @@ namespace pelage {
 inline constexpr int most_key_parts = 32;
 
 /// Throws InputError if a line of the TOML text has a dotted key, or a table name, with more than
-/// most_key_parts parts. `name` is the name of the text in the message.
+/// most_key_parts parts. The message calls the text `name`.
 inline void refuse_deep_keys(std::string_view text, const std::string& name) {
   int line_number = 0;
   while (!text.empty()) {
@@ -26,7 +26,8 @@ inline void refuse_deep_keys(std::string_view text, const std::string& name) {
       } else if (c == '"' || c == '\'') {
         quote = c;
       } else if (c == '=' || c == ',' || c == '#' || c == '{') {
-        break;  // the end of the key; a comma stands in a list of values, which is no key
+        break;  // The key ends here. A line with a comma before any '=' belongs to a list of values and has
+                // no key.
       } else if (c == '.') {
         ++parts;
       }

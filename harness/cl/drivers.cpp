@@ -108,7 +108,7 @@ void need_kernel_cache() {
   std::string folder = (fs::temp_directory_path(failed) / "pelage-kernels-XXXXXX").string();
   if (failed || ::mkdtemp(folder.data()) == nullptr) return;
   ::setenv("POCL_CACHE_DIR", folder.c_str(), 1);
-  fmt::print(stderr, "pelage: {} cannot be written; kernels are compiled into a temporary folder\n",
+  fmt::print(stderr, "pelage: {} cannot be written; PoCL keeps compiled kernels in a temporary folder\n",
              wanted.string());
   static const fs::path temporary = folder;
   std::atexit([] {

@@ -24,13 +24,14 @@ bool may_pin(const std::vector<int>& cores, int online);
 /// The function does nothing if may_pin() is false for the cores that the process may use.
 void pin_threads();
 
-/// Returns the folder in which PoCL keeps compiled kernels: $POCL_CACHE_DIR, else pocl/kcache in
-/// $XDG_CACHE_HOME or in ~/.cache. Empty if none of the variables is set.
+/// Returns the folder in which PoCL keeps compiled kernels: $POCL_CACHE_DIR; if this variable is not set,
+/// $XDG_CACHE_HOME/pocl/kcache; otherwise $HOME/.cache/pocl/kcache. The path is empty if none of these three
+/// variables is set.
 std::filesystem::path kernel_cache();
 
-/// Sets POCL_CACHE_DIR to a new temporary folder if files cannot be written in kernel_cache(), and says so on
-/// stderr. Without a writable folder PoCL reports no device. The temporary folder is deleted when the program
-/// ends.
+/// If files cannot be written in kernel_cache(), sets POCL_CACHE_DIR to a new temporary folder and prints a
+/// message to stderr. Without a writable folder, PoCL reports no device. The temporary folder is deleted when
+/// the program ends.
 void need_kernel_cache();
 
 /// Calls pin_threads() and need_kernel_cache(), and registers NVIDIA's driver. Containers receive this driver

@@ -55,7 +55,8 @@ class Program {
 /// Returns 16 hex digits: the hash of the source files of all these programs.
 std::string hash_of(const std::vector<const Program*>& programs);
 
-/// Returns for each program's file the hash of its source files, as they were when the program was built.
+/// Returns a map from each program's file to the hash of the program's source files, as they were when the
+/// program was built.
 std::map<std::string, std::string> hashes_by_file(const std::vector<const Program*>& programs);
 
 class Event {

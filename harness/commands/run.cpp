@@ -99,8 +99,8 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 }
 
 /// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
-/// Also throws it if `resume` is true and a row was recorded with another preset, or measured other inputs
-/// than its case has now.
+/// Also throws InputError if `resume` is true and a row was recorded with another preset, or the inputs that
+/// a row measured differ from the present inputs of its case.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });

@@ -43,9 +43,9 @@ bool is_named_axis(const std::string& key) {
   return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
 }
 
-/// Returns an axis value for use in a file name. The path of a model file is reduced to its stem, unless
-/// another value of the axis has the same stem. All characters except letters, digits, '.' and '_' are
-/// replaced by '_'.
+/// Returns an axis value as text that may be part of a file name. The path of a model file is reduced to its
+/// stem, unless another value of the axis has the same stem. All characters except letters, digits, '.' and
+/// '_' are replaced by '_'.
 std::string fit_for_a_name(const Axis& axis, const std::string& value) {
   std::string text = value;
   if (axis.key == "model") {

@@ -112,10 +112,10 @@ std::vector<std::filesystem::path> experiment_files();  ///< all shipped experim
 /// exist.
 const Preset& preset_of(const Experiment& experiment, const std::string& name);
 
-/// Largest number of cases of an experiment. It limits the memory for the list of cases.
+/// Largest number of cases of an experiment. This limit bounds the memory of the list of cases.
 inline constexpr int most_cases = 100'000;
 
-/// Largest number of characters in the name of a case.
+/// Largest number of characters in the name of a case. Files are named after the case.
 inline constexpr std::size_t longest_case_name = 200;
 
 /// Returns all cases; the last axis of the file varies fastest. Throws InputError for a variant, reading or

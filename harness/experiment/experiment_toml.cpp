@@ -80,8 +80,8 @@ double number_at(const fs::path& file, const toml::table& table, std::string_vie
   return *value;
 }
 
-/// Adds the axes of a table. TOML takes the key of `curl.radius = [1, 2]` for a table `curl` with the key
-/// `radius`.
+/// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
+/// reads `curl.radius = [1, 2]` as a table `curl` with the key `radius`.
 void find_axes(const fs::path& file, const toml::table& table, const std::string& prefix,
                std::vector<std::pair<toml::source_position, Axis>>& found) {
   for (const auto& [key, node] : table) {

@@ -1,6 +1,6 @@
 // The identity of a row: hashes of everything that determines what the row measured. Rows with equal
-// identities repeat one measurement and may be combined. Rows with different identities are different
-// measurements, even if their cases have the same name.
+// identities repeat the same measurement and may be combined. Rows with different identities come from
+// different measurements, even if their cases have the same name.
 #pragma once
 #include <map>
 #include <string>
@@ -10,23 +10,25 @@
 
 namespace pelage {
 
-/// Part of the identity -> 16 hex digits, a hash of the part's content. The parts are scene, mesh, variant,
-/// tuning, sampling, device and, per OpenCL program that the case ran, "kernel FILE" with the hash of the
-/// file and of all files that it includes. Frames of the OpenGL baseline also have the part "shaders". The
-/// hash of the scene includes the contents of the texture files that the scene names. Rows of schema 1 have
-/// no parts.
+/// Name of a part of the identity -> 16 hex digits, a hash of the part's content. The parts are scene, mesh,
+/// variant, tuning, sampling and device, and one part "kernel FILE" for each OpenCL program that the case
+/// ran. The hash of this part covers FILE and all files that it includes. Rows of the OpenGL baseline also
+/// have the part "shaders". The hash of the scene covers the contents of the texture files and of the mesh
+/// file that the scene names. Rows of schema 1 have no parts.
 using Identity = std::map<std::string, std::string>;
 
-/// Prefix of the parts that are OpenCL programs, and the part with the shaders of the OpenGL baseline.
+/// Prefix of the names of the parts for OpenCL programs, and name of the part for the OpenGL baseline's
+/// shaders.
 inline constexpr const char *kernel_part = "kernel ", *shader_part = "shaders";
 
-/// Adds one part per program: the hash of its sources as they were when the program was built.
+/// Adds one part per program: the hash of the program's source files, as they were when it was built.
 void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs);
 
-/// Returns the names of the parts that differ, sorted. A part that only one identity has differs.
+/// Returns the names of the parts that differ, sorted. If only one identity has a part, this part differs.
 std::vector<std::string> differing_parts(const Identity& a, const Identity& b);
 
-/// Returns one text per differing part: "scene was 0123..., is 4567...". An absent part is "absent".
+/// Returns one text per differing part: "scene was 0123..., is 4567...". For a missing part, the text
+/// contains "absent" instead of a hash.
 std::vector<std::string> differences(const Identity& was, const Identity& is);
 
 /// Returns 16 hex digits, a hash of all parts; "" if there are no parts.

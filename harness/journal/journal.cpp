@@ -60,9 +60,12 @@ Contents parse(const fs::path& file, std::string_view text) {
     ++line_number;
     try {
       result.rows.push_back(row_from_line(text.substr(result.good, end - result.good)));
+    } catch (const NewerSchema& error) {
+      throw InputError(fmt::format("{}:{}: {}", file.string(), line_number, error.what()));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}:{}: damaged: {}; delete this line, then --resume runs its case again",
-                                   file.string(), line_number, error.what()));
+      throw InputError(
+          fmt::format("{}:{}: damaged: {}; if you delete this line, --resume runs its case again",
+                      file.string(), line_number, error.what()));
     }
     const std::string key = row_key(result.rows.back());
     if (result.keys.contains(key))

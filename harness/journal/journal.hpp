@@ -35,8 +35,9 @@ class Journal {
   enum class Mode { fresh, resume };
 
   /// Opens or creates `file` (and its folder), takes the lock and reads the existing rows. Throws InputError
-  /// if the file cannot be written, another process writes it, a line is damaged, two lines have the same
-  /// key and the first of them is not an error, or the last line is truncated and `mode` is fresh.
+  /// if the file cannot be written, if another process is writing it, if a line is damaged, if two rows have
+  /// the same key and the status of the earlier row is not error, or if the last line is truncated and `mode`
+  /// is fresh.
   Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
   ~Journal();
   Journal(Journal&& other) noexcept;
@@ -53,8 +54,8 @@ class Journal {
   const std::filesystem::path& file() const { return file_; }
 
   /// Appends a row, syncs the file to the disk and returns. Throws InputError if holds() is true for the
-  /// row's key, for a full disk or an I/O error. After such an error the file ends with the last row of a
-  /// successful call.
+  /// row's key, if the disk is full, or if an I/O error occurs. After such an error the file ends with the
+  /// last row of a successful call.
   void append(const Row& row);
 
  private:

@@ -11,7 +11,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a text that is unique among the rows that pelage writes, except rows of failed cases, which run again.
+/// Returns a text that identifies the measurement of a row: the run, the device and the row's key. Two rows
+/// with the same text should be copies of one row.
 std::string measurement_of(const Row& row) {
   return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
 }
@@ -44,10 +45,11 @@ std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
         }
         FoundRow& first = rows[entry->second];
         if (to_line(first.row) != to_line(row))
-          throw InputError(fmt::format(
-              "{} and {}: their rows of case {} have the same run and differ; one of the files was changed, so "
-              "give only the original",
-              first.journal.string(), journal.string(), row.case_name));
+          throw InputError(
+              fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows "
+                          "differ. One of the "
+                          "files was changed; give only the original",
+                          first.journal.string(), journal.string(), row.case_name));
         first.copies.push_back(journal);
       }
   }

@@ -17,9 +17,9 @@ struct FoundRow {
 
 /// Returns all rows of the given journals (*.jsonl), and of all journals at any depth in the given folders.
 /// The journals of a folder are sorted by path. Throws InputError for a missing path, a folder without a
-/// journal, or a damaged journal. A row that is contained in several journals is returned once, with the first
-/// journal. Also throws InputError for two rows that claim to be the same measurement (equal run, case, variant,
-/// device and repeat) but differ.
+/// journal, or a damaged journal. If several journals contain a row, the row is returned once:
+/// `journal` is the first of these journals, and `copies` are the others. Also throws InputError if two rows
+/// have the same run, experiment, case, variant, device, repeat and overrides, but are not equal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
 /// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains

@@ -7,8 +7,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "harness/error.hpp"
-
 namespace pelage {
 namespace {
 
@@ -92,8 +90,8 @@ void refuse_contradiction(const Row& row) {
 Row row_from_json(const Json& json) {
   const int schema = json.at("schema").get<int>();
   if (schema < 1 || schema > kRowSchema)
-    throw InputError(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
-                                 schema, kRowSchema));
+    throw NewerSchema(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
+                                  schema, kRowSchema));
   Row row;
   row.schema = schema;
   json.at("run_id").get_to(row.run_id);

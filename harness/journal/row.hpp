@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/compare/check.hpp"
+#include "harness/error.hpp"
 #include "harness/journal/identity.hpp"
 
 namespace pelage {
@@ -70,6 +71,11 @@ std::string row_key(const Row& row);
 /// Returns the row as one line without a line feed. The last field, "crc", is the CRC-32 of the text before
 /// it.
 std::string to_line(const Row& row);
+
+/// Thrown for a row with a schema that only a newer version of pelage reads.
+struct NewerSchema : InputError {
+  using InputError::InputError;
+};
 
 /// Reads a line that to_line() wrote. Throws InputError for a wrong checksum, invalid JSON, a missing field,
 /// a field of the wrong type, or another schema.

@@ -19,7 +19,8 @@ constexpr std::string_view nothing_kept = "\npelage: interrupted; nothing was re
 
 [[noreturn]] void end(int signal) {
   if (note) {
-    const std::string_view text = ::access(place->c_str(), F_OK) == 0 ? std::string_view(*note) : nothing_kept;
+    const std::string_view text =
+        ::access(place->c_str(), F_OK) == 0 ? std::string_view(*note) : nothing_kept;
     const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
     static_cast<void>(written);
   }
@@ -34,9 +35,10 @@ void handle(int signal) {
 }  // namespace
 
 void end_on_interrupt(const std::string& folder) {
-  // The texts are never freed, because the handler may run during exit.
+  // `place` and `note` are never freed, because the signal handler may still run while the program exits.
   place = new std::string(folder);
-  note = new std::string("\npelage: interrupted; finished cases are kept; continue with --resume " + folder + "\n");
+  note = new std::string("\npelage: interrupted; finished cases are kept; continue with --resume " + folder +
+                         "\n");
   struct sigaction action = {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;

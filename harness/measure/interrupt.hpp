@@ -5,8 +5,9 @@
 
 namespace pelage {
 
-/// Installs a handler: SIGINT and SIGTERM print a message to stderr and end the process. The message explains
-/// how to resume the run in `folder`, if this folder exists at that time. Call it once per process.
+/// Installs a signal handler. On SIGINT or SIGTERM, the handler prints a message to stderr and ends the
+/// process. If `folder` exists when the signal arrives, the message explains how to resume the run in
+/// `folder`. Call this function once per process.
 void end_on_interrupt(const std::string& folder);
 
 /// Defers SIGINT and SIGTERM while at least one object of this class exists. If a signal arrives meanwhile,

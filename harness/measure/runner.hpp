@@ -14,8 +14,8 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  /// Returns the identity of a case except the parts that describe() adds. May throw InputError. If empty,
-  /// rows get only the parts of describe().
+  /// Returns the identity of a case without the parts that describe() adds. May throw InputError. If this
+  /// function is empty, a row gets only the parts that describe() adds.
   std::function<Identity(const Case&)> identity;
   /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
   /// most the remaining time of the run divided by the number of remaining cases, including this case.

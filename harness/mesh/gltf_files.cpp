@@ -25,7 +25,7 @@ std::string json_text(std::string bytes) {
   return bytes.substr(header + chunk, length);
 }
 
-/// Replaces %20 and the like by the character with this code.
+/// Replaces each percent-encoded byte, such as %20, by the byte with this code.
 std::string decoded(const std::string& uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -57,13 +57,15 @@ std::vector<fs::path> gltf_files(const fs::path& file) {
       if (uri.starts_with("data:")) continue;
       const fs::path path = fs::path(uri).lexically_normal();
       if (path.is_absolute() || path.empty() || *path.begin() == ".." || uri.find("://") != std::string::npos)
-        throw InputError(fmt::format("{}: the file names '{}'; give files in the folder of the glTF file",
-                                     file.string(), uri));
+        throw InputError(
+            fmt::format("{}: this glTF file refers to '{}'; it may refer only to files in its own folder",
+                        file.string(), uri));
       files.push_back(file.parent_path() / path);
       std::error_code error;
       if (!fs::is_regular_file(files.back(), error))
         throw InputError(
-            fmt::format("{}: the file names '{}', which is no regular file", file.string(), uri));
+            fmt::format("{}: this glTF file refers to '{}', which does not exist or is not a regular file",
+                        file.string(), uri));
     }
   }
   return files;

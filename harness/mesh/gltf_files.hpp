@@ -1,13 +1,14 @@
-// The files that a glTF file names.
+// Finds the files to which a glTF file refers.
 #pragma once
 #include <filesystem>
 #include <vector>
 
 namespace pelage::detail {
 
-/// Returns the files with the buffers and pictures of a glTF file (.gltf or .glb), in the order of the file;
-/// data URIs are left out. Returns no file if the text is not JSON, because the importer reports this error.
-/// Throws InputError if a URI is absolute, leads out of the folder of `file`, or names no regular file.
+/// Returns the paths of the files to which a glTF file (.gltf or .glb) refers: first the buffers, then the
+/// pictures, each in the order in which the glTF file lists them. Data URIs are left out. If the text of the
+/// glTF file is not JSON, the list is empty, because the importer reports this error. Throws InputError if a
+/// URI is absolute, leads out of the folder of `file`, or does not refer to a regular file.
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
 
 }  // namespace pelage::detail

@@ -60,7 +60,7 @@ std::uint64_t address_space() {
   if (!sanitized) {
     ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
-    // setrlimit() fails if the user has set a lower limit, which then stays in force.
+    // setrlimit() fails if the user has set a lower limit. The user's limit then stays in force.
     if (::setrlimit(RLIMIT_AS, &space) != 0 && ::getrlimit(RLIMIT_AS, &space_of_user) == 0) by_user = true;
     const rlimit no_core{0, 0};
     ::setrlimit(RLIMIT_CORE, &no_core);
@@ -71,7 +71,7 @@ std::uint64_t address_space() {
     send(pipe, Kind::input_error, error.what());
   } catch (const std::bad_alloc&) {
     send(pipe, Kind::error,
-         by_user ? fmt::format("needs more memory than the limit of this shell, {} MiB (ulimit -v)",
+         by_user ? fmt::format("needs more memory than the limit that the shell sets: {} MiB (ulimit -v)",
                                space_of_user.rlim_cur >> 20)
                  : fmt::format("needs more than {} MiB of memory", limits.memory >> 20));
   } catch (const std::exception& error) {

@@ -13,7 +13,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t most_polygons = 10'000'000;
-// Some editors write these bytes at the beginning of a text file in UTF-8.
+// Some editors write these bytes at the beginning of a UTF-8 text file.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 std::string ending(const std::filesystem::path& file) {
@@ -87,10 +87,10 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
   const bool has_uv = with_uv && (format == "obj" || format == "ply");
   if (by_cgal && !has_uv) return parse_soup(std::move(bytes), format, file.string());
   if (by_cgal && bytes.starts_with(byte_order_mark))
-    throw InputError(
-        fmt::format("{}: begins with a byte-order mark, which is read only without a UV map; save the "
-                    "file as UTF-8 without it",
-                    file.string()));
+    throw InputError(fmt::format(
+        "{}: the file begins with a byte-order mark; pelage cannot read a UV map from such a file; save "
+        "the file as UTF-8 without the mark",
+        file.string()));
   if (by_cgal) detail::check_text(bytes, format, file.string());
   if (!by_cgal && format != "3ds") detail::gltf_files(file);
   Soup soup = detail::read_by_assimp(file);

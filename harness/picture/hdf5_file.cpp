@@ -53,8 +53,8 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, std::string name)
     : path_(path), name_(std::move(name)) {
   // Turns off HDF5's error messages on stderr, because pelage throws exceptions.
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  // The file is built in memory, and close() writes it. If the disk is full, HDF5 cannot close a file on
-  // disk, and the program crashes when it ends.
+  // HDF5 builds the file in memory, and close() writes it to the disk. If HDF5 wrote to a full disk itself,
+  // it could not close the file, and the program would crash when it ends.
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, name_);
   H5Pset_fapl_core(access, std::size_t(1) << 20, 0);
   file_ = H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);

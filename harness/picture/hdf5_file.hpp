@@ -10,8 +10,8 @@ namespace pelage {
 
 class Hdf5File {
  public:
-  /// Prepares a file in memory, which close() writes to `path`. `name` is the name of the file in error
-  /// messages. Throws InputError if there is no memory for it.
+  /// Creates an HDF5 file in memory; close() writes it to `path`. `name` is the name of the file in error
+  /// messages. Throws InputError if there is not enough memory for the file.
   Hdf5File(const std::filesystem::path& path, std::string name);
   ~Hdf5File();
   Hdf5File(Hdf5File&& other) noexcept;
@@ -31,8 +31,8 @@ class Hdf5File {
   /// Writes a string attribute of the file.
   void note(const std::string& name, const std::string& text);
 
-  /// Creates or replaces the file on disk. Throws InputError if it cannot be written. Without this call
-  /// nothing is written.
+  /// Creates or replaces the file on disk. Throws InputError if the file cannot be written. If close() is not
+  /// called, no file is written.
   void close();
 
  private:

@@ -108,8 +108,10 @@ CoatTexture from_picture(const std::filesystem::path& path) {
   const Picture picture = read_picture(path);
   for (const glm::vec4& p : picture.pixel)
     if (!(std::isfinite(p.x + p.y + p.z) && p.x >= 0 && p.y >= 0 && p.z >= 0))
-      throw InputError(fmt::format(
-          "{}: a pixel is negative, infinite or not a number; give colours of at least 0", path.string()));
+      throw InputError(
+          fmt::format("{}: a pixel has a colour value that is negative, infinite or not a number; colour "
+                      "values must be finite and at least 0",
+                      path.string()));
   CoatTexture out;
   out.size = std::min(std::max(picture.width, picture.height), 4096);
   for (int j = 0; j < out.size; ++j)

@@ -40,7 +40,7 @@ Cell cell_of(const FoundRow& found) {
   return cell;
 }
 
-/// The names of a cell. Several cells may have the same names.
+/// Returns the names of a cell. Cells with the same names may have different identities.
 auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }

@@ -33,7 +33,7 @@ struct Cell {
 };
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
-/// which they first occur in the rows. Only rows with equal identities are combined.
+/// which they first occur in the rows. Rows are combined only if their identities are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
 /// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the

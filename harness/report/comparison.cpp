@@ -40,15 +40,15 @@ Verdict verdict_of(const Cell& a, const Cell& b, double change, double threshold
   return change > 0 ? Verdict::slower : Verdict::faster;
 }
 
-/// Throws InputError if the set contains two cells that nothing but their inputs distinguishes.
+/// Throws InputError if the set contains two cells that differ only in their identity.
 void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
   std::map<std::pair<std::string, std::string>, const Cell*> known;
   for (const Cell& cell : cells) {
     const auto [place, added] = known.try_emplace({common_name(cell, by), value_of(cell, by)}, &cell);
     if (added) continue;
     throw InputError(fmt::format(
-        "{}: one set of results contains two measurements of this case with other inputs ({}); compare each "
-        "with the other set separately",
+        "{}: one set of results contains two measurements of this case with different inputs ({}); compare "
+        "each measurement with the other set separately",
         place->first.first, fmt::join(differing_parts(place->second->identity, cell.identity), ", ")));
   }
 }

@@ -72,8 +72,8 @@ void each_list(
   }
 }
 
-/// Returns whether a spreadsheet could take the text for a formula: it begins with =, +, -, @ or a control
-/// character and is not a number.
+/// Returns whether a spreadsheet could take the text for a formula. This is so if the text begins with =, +,
+/// -, @, a tab or a carriage return, and is not a number.
 bool is_formula(const std::string& text) {
   if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
   double number = 0;

@@ -10,7 +10,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a text that is equal for the rows whose measurements have the same names.
+/// Returns a text of the row's experiment, case, variant, device, host and overrides (its names). Rows with
+/// the same names have the same text.
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
                                  row.provenance.value("host", std::string()));
@@ -18,10 +19,10 @@ std::string names_of(const Row& row) {
   return text;
 }
 
-/// The identity of each case of a set, by the case's names.
+/// Text of a case's names (names_of()) -> identity of the case.
 using Identities = std::map<std::string, Identity>;
 
-/// Returns whether `rows` has a case that `set` contains with another identity.
+/// Returns whether the identity of a case in `rows` differs from the identity that `set` has for this case.
 bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
   return std::any_of(rows.begin(), rows.end(), [&](const FoundRow& found) {
     const auto place = set.find(names_of(found.row));
@@ -29,7 +30,8 @@ bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
   });
 }
 
-/// Divides the rows of one journal so that each part has one identity per case. Usually there is one part.
+/// Divides the rows of one journal into parts. Each case of a part has only one identity. Usually, the result
+/// is one part.
 std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal) {
   std::vector<std::vector<FoundRow>> parts;
   std::vector<Identities> identities;
@@ -46,7 +48,8 @@ std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal
   return parts;
 }
 
-/// Returns the rows by journal; the journals have the order in which they first occur.
+/// Returns one list of rows per journal. The lists are in the order in which the journals first occur in
+/// `rows`.
 std::vector<std::vector<FoundRow>> journals_of(const std::vector<FoundRow>& rows) {
   std::vector<std::vector<FoundRow>> journals;
   std::map<std::filesystem::path, std::size_t> index;

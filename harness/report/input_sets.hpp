@@ -1,4 +1,4 @@
-// Separates rows that measured different inputs under the same names.
+// Separates rows that have the same names but measured different inputs.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,15 +10,16 @@ namespace pelage {
 /// Rows in which every case has only one identity, so that all rows of a case may be combined.
 struct InputSet {
   std::vector<FoundRow> rows;
-  /// The parts of the identity in which the rows differ from the rows of the first set with the same names,
-  /// such as "mesh, scene"; "identity incomplete" if rows of schema 1 are among them. "" for the first set.
+  /// The parts of the identity, such as "mesh, scene", in which rows of this set differ from rows that have
+  /// the same names and are in the first set. If one of two such rows has schema 1, the text contains
+  /// "identity incomplete". Empty for the first set.
   std::string differs;
 };
 
-/// Divides the rows into sets. The rows of one journal stay together, and each journal is added to the first
-/// set that contains none of its cases (experiment, case, variant, device, host and overrides) with another
-/// identity. If a journal itself contains a case with two identities, it is divided first. The order of the
-/// rows is kept. There is at least one set.
+/// Divides the rows into sets. The rows of one journal stay together. Each journal is added to the first
+/// set in which no case of the journal has another identity. A case is given by its names: experiment, case,
+/// variant, device, host and overrides. If a journal contains two identities of the same case, the journal is
+/// divided first. Within a set, the rows of a journal keep their order. The result has at least one set.
 std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

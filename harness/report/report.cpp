@@ -200,8 +200,8 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
   const auto copied =
       std::count_if(rows.begin(), rows.end(), [](const FoundRow& f) { return !f.copies.empty(); });
   if (copied > 0)
-    report.notes.push_back(
-        fmt::format("{} of {} rows are in several journals; each is counted once", copied, rows.size()));
+    report.notes.push_back(fmt::format(
+        "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
 }
 
 }  // namespace
@@ -213,16 +213,17 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
   std::vector<std::string> apart;
   for (std::size_t i = 1; i < sets.size(); ++i)
     apart.push_back(fmt::format(
-        "{} of {} rows measured other inputs under the same names ({}); their report is inputs-{}/index.html",
+        "{} of {} rows have the names of other rows but measured different inputs ({}); their report is "
+        "inputs-{}/index.html",
         sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
   for (std::size_t i = 0; i < sets.size(); ++i)
     reports.push_back(
         write_report(sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
                      i == 0 ? apart
-                            : std::vector<std::string>{
-                                  fmt::format("these rows measured other inputs ({}) than the rows with the "
-                                              "same names in the report of the folder above",
-                                              sets[i].differs)}));
+                            : std::vector<std::string>{fmt::format(
+                                  "the inputs of these rows ({}) differ from the inputs of the rows with "
+                                  "the same names in the report of the parent folder",
+                                  sets[i].differs)}));
   return reports;
 }
 

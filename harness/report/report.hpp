@@ -47,8 +47,9 @@ struct Report {
 /// Sets the titles of tables of shipped experiments. Tables of the user's own experiment files get no title.
 void add_titles(std::vector<PaperTable>& tables);
 
-/// Writes one report per set of inputs (input_sets()): the report of the first set into `folder`, the others
-/// into its folders inputs-2, inputs-3 and so on. Returns them in this order. Throws like write_report().
+/// Writes one report per set of rows (input_sets()): the report of the first set into `folder`, the other
+/// reports into the folders inputs-2, inputs-3 and so on in `folder`. Returns the reports in this order.
+/// Throws like write_report().
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                                   const ModelNote& note);
 

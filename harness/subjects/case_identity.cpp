@@ -23,7 +23,8 @@ std::string text_of(const std::map<std::string, int>& tuning) {
   return text;
 }
 
-/// Returns the text with the shortest decimal form of every number, so that equal limits have equal texts.
+/// Returns the limits as text. Every number has its shortest decimal form, so that equal limits have equal
+/// texts.
 std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
 }
@@ -47,7 +48,8 @@ Identity present_identity(Identity planned, const Identity& recorded) {
     if (!part.starts_with(prefix)) continue;
     try {
       planned[part] = cl::hash_of(cl::sources_of(part.substr(prefix.size())));
-    } catch (const InputError&) {  // The file is missing, so the identity gets no part and differs.
+    } catch (const InputError&) {  // The program's file is missing: its part stays absent, so the identities
+                                   // differ.
     }
   }
   return planned;
@@ -58,16 +60,16 @@ void refuse_other_inputs(const std::string& file, const std::vector<KeptRow>& ke
   for (const auto& [row, which] : kept) {
     if (row->identity.empty())
       throw InputError(
-          fmt::format("{}: the row of {} was written by an older version and does not record what was "
-                      "measured; give a new "
-                      "folder with -o",
+          fmt::format("{}: an older version of pelage wrote the row of {}; the row does not record the "
+                      "inputs of the measurement; give a new folder with -o",
                       file, row->case_name));
     const Identity now = present_identity(identity(*which), row->identity);
     if (const std::vector<std::string> texts = differences(row->identity, now); !texts.empty())
-      throw InputError(fmt::format(
-          "{}: the recorded row of {} measured something else: {}; restore it, or give a new folder "
-          "with -o",
-          file, row->case_name, fmt::join(texts, "; ")));
+      throw InputError(
+          fmt::format("{}: the recorded row of {} measured something else: {}; restore the recorded inputs, "
+                      "or give a new "
+                      "folder with -o",
+                      file, row->case_name, fmt::join(texts, "; ")));
   }
 }
 

@@ -4,12 +4,13 @@
 
 namespace pelage {
 
-/// Returns the parts scene, mesh, variant, tuning, sampling and device. Loads the mesh of the scene, and
-/// prepares it if the cache does not contain it. Throws InputError if the scene or the mesh is not valid.
+/// Returns the parts scene, mesh, variant, tuning, sampling and device. Loads the mesh of the scene. If
+/// the cache does not contain the mesh, prepares it. Throws InputError if the scene or the mesh is not valid.
 Identity case_identity(SubjectContext& context, const Case& which, const SamplingLimits& limits);
 
 /// Returns the identity that the case would get now: `planned` and the present hashes of the programs and
-/// shaders that `recorded` contains. A program whose file is missing gets no part.
+/// shaders that `recorded` contains. If the file of a program is missing, the identity has no part for this
+/// program.
 Identity present_identity(Identity planned, const Identity& recorded);
 
 /// A row of a journal and the case that would be run now under the same key.
@@ -18,9 +19,10 @@ struct KeptRow {
   const Case* which;
 };
 
-/// Throws InputError if a row measured other inputs than its case has now, or has no identity because an
-/// older version wrote it. `file` is the journal's path. The message names it, the case and the parts that
-/// differ. `identity` returns the identity of a case without programs.
+/// Throws InputError if the inputs that a row measured differ from the present inputs of its case, or if a
+/// row has no identity because an older version of pelage wrote it. `file` is the path of the journal. The
+/// message names the journal, the case and the parts that differ. `identity` returns the identity of a case
+/// without the parts for programs and shaders.
 void refuse_other_inputs(const std::string& file, const std::vector<KeptRow>& kept,
                          const std::function<Identity(const Case&)>& identity);
 

@@ -1,5 +1,5 @@
-// Tests commands on the results of a user's own experiment: what --resume refuses, how reports keep
-// measurements of other inputs apart, and where results can be written.
+// Tests commands on the results of a user's own experiment: which changes --resume refuses, how reports
+// separate measurements of different inputs, and where results can be written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,7 +55,7 @@ TEST_F(Results, ResumeRefusesOtherLimitsOfSampling) {
   EXPECT_NE(edited.err.find("sampling was "), std::string::npos) << edited.err;
 }
 
-// A change to a kernel file that the rows did not use changes nothing.
+// --resume accepts a change to a kernel file that no measurement used.
 TEST_F(Results, ResumeRefusesAnEditedKernelOnlyIfItRan) {
   namespace fs = std::filesystem;
   fs::copy(PELAGE_SOURCE_DIR "/kernels", folder.path() / "mine", fs::copy_options::recursive);
@@ -73,7 +73,7 @@ TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
   ASSERT_EQ(pelage(folder, "run own.toml -o second").code, 0);
   const Outcome report = pelage(folder, "report first second -o page");
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_NE(report.err.find("2 of 4 rows measured other inputs under the same names (scene)"),
+  EXPECT_NE(report.err.find("2 of 4 rows have the names of other rows but measured different inputs (scene)"),
             std::string::npos)
       << report.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/index.html"));
@@ -83,7 +83,7 @@ TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
     std::filesystem::rename(folder.path() / one, folder.path() / "both" / one);
   const Outcome mixed = pelage(folder, "compare both both");
   EXPECT_EQ(mixed.code, 2);
-  EXPECT_NE(mixed.err.find("other inputs (scene)"), std::string::npos) << mixed.err;
+  EXPECT_NE(mixed.err.find("different inputs (scene)"), std::string::npos) << mixed.err;
 }
 
 TEST_F(Results, ACopyCountsOnce) {
@@ -148,7 +148,7 @@ TEST(FullDisk, ADumpEndsWithOneLine) {
   EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
 }
 
-// /proc is not writable, not even for root.
+// Nobody can create files in /proc, not even root.
 TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
   const Folder folder;
   const Outcome outcome =

@@ -1,4 +1,5 @@
-// Tests the identity of rows: what differs, what is refused on --resume, and which rows count once.
+// Tests the identity of rows: which parts differ, which rows are refused, which cases run again, and which
+// rows count once.
 #include "harness/journal/identity.hpp"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,17 @@ TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
   EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("its check flips"), std::string::npos);
   row.check.clear();
   EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("nothing was checked"), std::string::npos);
+}
+
+// The message must not advise the user to delete a good row that a newer version wrote.
+TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
+  const Folder folder;
+  Row row = sample_row("a");
+  row.schema = 3;
+  write_text(folder.path / "j.jsonl", to_line(row) + "\n");
+  const std::string text = refusal([&] { read_journal(folder.path / "j.jsonl"); });
+  EXPECT_NE(text.find("j.jsonl:1: the row has schema 3"), std::string::npos) << text;
+  EXPECT_EQ(text.find("delete"), std::string::npos) << text;
 }
 
 TEST(Journal, AFailedCaseRunsAgain) {

@@ -1,4 +1,4 @@
-// Tests mesh files that depend on other files, and marks at the beginning of a text file.
+// Tests mesh files that refer to other files, and mesh files that begin with a byte-order mark.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bytes of a buffer with the points of a tetrahedron, 12 floats, followed by its faces, 12 shorts.
+/// Returns the bytes of a glTF buffer: the points of a tetrahedron (12 floats), then its faces (12 16-bit
+/// integers).
 std::string buffer(float size) {
   const float points[12] = {size, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1};
   const std::uint16_t faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
@@ -63,16 +64,17 @@ TEST(OutsideFiles, OfAGltfFileStandInItsFolderAndAreRegular) {
   for (const char* uri :
        {"/etc/passwd", "../outside.bin", "x/../../outside.bin", "%2e%2e/outside.bin", "file:///etc"}) {
     const std::string text = refusal(folder.write("inner/a.gltf", gltf(uri)));
-    EXPECT_NE(text.find("give files in the folder of the glTF file"), std::string::npos)
+    EXPECT_NE(text.find("it may refer only to files in its own folder"), std::string::npos)
         << uri << ": " << text;
   }
   for (const char* uri : {"pipe", "missing.bin", "inner"}) {
     const std::string text = refusal(folder.write("a.gltf", gltf(uri)));
-    EXPECT_NE(text.find("which is no regular file"), std::string::npos) << uri << ": " << text;
+    EXPECT_NE(text.find("which does not exist or is not a regular file"), std::string::npos)
+        << uri << ": " << text;
   }
 }
 
-// The cache must not return the mesh of an older buffer.
+// After a buffer file has changed, the cache must not return the old mesh.
 TEST(OutsideFiles, AnEditedBufferGivesAnotherMesh) {
   const TempFolder folder;
   ::setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);

@@ -60,7 +60,7 @@ TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
     compare_cells(cells_of(rows), clean, false, CompareBy(""), 0.05);
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("other inputs (scene)"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("different inputs (scene)"), std::string::npos) << error.what();
   }
 }
 

@@ -125,7 +125,7 @@ TEST(PaperTable, AsLatex) {
 
 TEST(Csv, Quotes) {
   EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
-  // A spreadsheet must not run a text as a formula; numbers stay numbers.
+  // An apostrophe prevents a spreadsheet from taking a text for a formula. Numbers get no apostrophe.
   EXPECT_EQ(csv_line({"=1+1", "@x", "-a", "-1.5e-3", "+2", "-"}), "'=1+1,'@x,'-a,-1.5e-3,+2,'-\n");
 }
 

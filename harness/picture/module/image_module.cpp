@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 // file whose header gives a higher ratio is damaged.
 constexpr std::uintmax_t densest_codec = 4096;
 
-// Greatest number of pixels that is read, 8192 x 8192. A pixel takes 32 bytes while it is read.
+// Largest number of pixels of a picture that pelage reads: 8192 x 8192. Reading takes 32 bytes of memory per
+// pixel.
 constexpr std::uint64_t most_pixels_read = std::uint64_t(1) << 26;
 
 /// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
@@ -69,8 +70,8 @@ Picture read(const fs::path& file, const std::string& kind) {
                                  file.string(), spec.width, spec.height));
   }
   if (std::uint64_t(spec.width) * std::uint64_t(spec.height) > most_pixels_read) {
-    throw InputError(fmt::format("{}: {} x {} pixels; pelage reads at most {} pixels", file.string(),
-                                 spec.width, spec.height, most_pixels_read));
+    throw InputError(fmt::format("{}: {} x {} pixels; pelage reads pictures of at most {} pixels",
+                                 file.string(), spec.width, spec.height, most_pixels_read));
   }
   require_end(file, kind);
   const auto pixels = static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);

@@ -60,7 +60,7 @@ class Study : public Subject {
   }
   cl::Queue queue_;
   Setting setting_;
-  Identity programs_;  // the programs that ran; add_programs() adds them
+  Identity programs_;  // the parts of the programs that ran; the studies add them with add_programs()
 };
 
 class ErrorStudy : public Study {
