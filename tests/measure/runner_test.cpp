@@ -138,9 +138,9 @@ TEST(Runner, ADeviceFailureIsARowAndTheOthersGoOn) {
 TEST(Runner, BadInputOfACaseIsARowWithAnError) {
   const Folder folder;
   Journal journal(folder.path / "j.jsonl", Journal::Mode::fresh);
-  const RunSummary summary =
-      run_cases(fake_plan(1), [](const Case&) -> std::unique_ptr<Subject> { throw InputError("cow.off: empty"); },
-                journal);
+  const RunSummary summary = run_cases(
+      fake_plan(1), [](const Case&) -> std::unique_ptr<Subject> { throw InputError("cow.off: empty"); },
+      journal);
   EXPECT_EQ(summary.not_ok, 1u);
   const auto rows = read_journal(journal.file());
   ASSERT_EQ(rows.size(), 1u);
