@@ -34,8 +34,8 @@ void declare(CLI::App& command, RunOptions& options);
 void check_options(RunOptions& options);
 
 /// Runs this program in options.repeat new processes, one after another. Each process has its own
-/// --repeat-index. Returns 0 if all processes returned 0. Otherwise returns the first exit code that is
-/// not 0. After an exit code of 2 or more, the function starts no further process.
+/// --repeat-index. Returns the first exit code that is not 0, or 0 if every process ended with 0. After an
+/// exit code of 2 or more, the function starts no further process.
 int run_repeats(const RunOptions& options, const std::filesystem::path& folder);
 
 }  // namespace pelage

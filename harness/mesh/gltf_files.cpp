@@ -46,6 +46,8 @@ std::string decoded(const std::string& uri) {
 }  // namespace
 
 std::vector<fs::path> gltf_files(const fs::path& file) {
+  const std::string ending = ending_of(file);
+  if (ending != "gltf" && ending != "glb") return {};
   const auto json = nlohmann::json::parse(json_text(read_bytes(file, largest_mesh_file)), nullptr, false);
   std::vector<fs::path> files;
   if (!json.is_object()) return files;

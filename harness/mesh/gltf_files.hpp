@@ -9,6 +9,7 @@ namespace pelage::detail {
 /// pictures, each in the order in which the glTF file lists them. Data URIs are left out. If the text of the
 /// glTF file is not JSON, the list is empty, because the importer reports this error. Throws InputError if a
 /// URI is absolute, leads out of the folder of `file`, or does not refer to a regular file.
+/// Returns no paths for a file with another extension than .gltf and .glb.
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
 
 }  // namespace pelage::detail

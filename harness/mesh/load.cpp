@@ -2,7 +2,6 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
@@ -211,12 +210,6 @@ void need_source(const Source& source) {
                                  source.kind == "cgal" ? "libcgal-demo" : "glmark2-data"));
 }
 
-bool is_gltf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".gltf" || ending == ".glb";
-}
-
 std::string key_of(const Model& model, const Source& source, const MeshOptions& options) {
   Hash hash;
   hash.number(recipe)
@@ -230,7 +223,7 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
     hash.number(procedural_recipe);
   else
     hash.text(read_bytes(source.file(), largest_mesh_file));
-  if (source.kind == "file" && is_gltf(source.file()))
+  if (source.kind == "file")
     for (const std::filesystem::path& part : detail::gltf_files(source.file()))
       hash.text(read_bytes(part, largest_mesh_file));
   return hash.hex();

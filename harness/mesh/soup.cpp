@@ -16,19 +16,19 @@ constexpr std::size_t most_polygons = 10'000'000;
 // Some editors write these bytes at the beginning of a UTF-8 text file.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
-std::string ending(const std::filesystem::path& file) {
+bool finite(const glm::dvec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+}  // namespace
+
+std::string ending_of(const std::filesystem::path& file) {
   std::string text = file.extension().string();
   if (!text.empty()) text.erase(0, 1);
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return text;
 }
-
-bool finite(const glm::dvec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-}  // namespace
 
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit) {
   std::error_code error;
@@ -77,7 +77,7 @@ Soup parse_soup(std::string bytes, std::string_view format, const std::string& n
 }
 
 Soup read_soup(const std::filesystem::path& file, bool with_uv) {
-  const std::string format = ending(file);
+  const std::string format = ending_of(file);
   const bool by_cgal = format == "obj" || format == "off" || format == "ply" || format == "stl";
   const bool by_assimp = format == "3ds" || format == "gltf" || format == "glb";
   if (!by_cgal && !by_assimp)
@@ -92,7 +92,7 @@ Soup read_soup(const std::filesystem::path& file, bool with_uv) {
         "the file as UTF-8 without the mark",
         file.string()));
   if (by_cgal) detail::check_text(bytes, format, file.string());
-  if (!by_cgal && format != "3ds") detail::gltf_files(file);
+  detail::gltf_files(file);
   Soup soup = detail::read_by_assimp(file);
   check_soup(soup, file.string());
   return soup;

@@ -31,6 +31,9 @@ Soup parse_soup(std::string bytes, std::string_view format, const std::string& n
 /// Throws InputError if the soup is empty, or contains a number that is not finite or an index out of range.
 void check_soup(const Soup& soup, const std::string& name);
 
+/// Returns the extension of the file in lower case, without the dot.
+std::string ending_of(const std::filesystem::path& file);
+
 /// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
 

@@ -50,8 +50,8 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
 /// Computes the UV map of every plan and returns the surface with the map of the lowest cost.
 Surface unfold_best(const Surface& surface, const std::vector<TriedPlan>& plans, const std::string& name);
 
-/// Computes the UV map of the surface with the cut plan that has the lowest cost. If `unfold` throws
-/// InputError for a plan, the plan with the next higher cost is tried. Returns the surface with its UV map.
+/// Tries the cut plans in the order of increasing cost until `unfold` computes a UV map without throwing
+/// InputError. Returns the surface with this map.
 Surface unfold_first(const Surface& surface, std::vector<TriedPlan> plans, const std::string& name,
                      const Unfold& unfold);
 

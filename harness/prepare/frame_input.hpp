@@ -97,9 +97,9 @@ struct FrameInput {
   FurTexture fur;
   CoatTexture coat;
   std::vector<Droplet> droplets;
-  /// For each of the wetness.size^2 texels of the wetness mask, the surface point whose UV is the texel's
-  /// centre, in units of R (the mesh radius). A texel outside all charts has the surface point of the texel
-  /// inside a chart that is nearest in UV.
+  /// For each of the wetness.size^2 texels of the wetness mask, the position of the surface point whose UV is
+  /// the texel's centre, in units of R (the mesh radius). If a texel is outside all charts, it gets the
+  /// position of the texel that is nearest in UV and inside a chart.
   std::vector<glm::vec3> mask_surface;
   glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
   Camera camera;

@@ -40,8 +40,8 @@ using ModelNote = std::function<std::string(const std::string& model)>;
 
 /// Returns one table for each combination of experiment, device, host, variant and reading (a set of scene
 /// settings, such as an interpretation of the paper). The function omits cells that the user changed with
-/// --set, --axis or --model. It omits cells without one of the axes model, layers and size. It also omits
-/// cells that another kind of table shows (such as RivalTable).
+/// --set, --axis or --model. It also omits a cell if its experiment lacks the axis model,
+/// layers or size, or if another kind of table (such as RivalTable) contains the cell.
 std::vector<PaperTable> paper_tables(const std::vector<Cell>& cells, const ModelNote& note);
 
 /// Returns the table as text for a terminal, with a legend.

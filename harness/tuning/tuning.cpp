@@ -6,11 +6,14 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
+#include "harness/toml_depth.hpp"
 
 namespace pelage {
 namespace {
@@ -39,7 +42,11 @@ void check_name(const fs::path& file, const toml::node& node, const std::string&
 
 toml::table parsed(const fs::path& file) {
   try {
-    return toml::parse_file(file.string());
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    refuse_deep_keys(text, file.string());
+    return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));

@@ -17,8 +17,8 @@ double degrees(glm::vec3 a, glm::vec3 b) {
   return std::acos(std::clamp(double(glm::dot(a, b)), -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-/// Returns the greatest angle, over all edges of the mesh, between the vectors frame.u at the two ends of the
-/// edge. frame.u is the first axis of the curl's tangent frame. The unit is degrees.
+/// Compares the vectors frame.u at the two ends of every edge of the mesh, and returns the largest angle
+/// between them in degrees. frame.u is the first axis of the curl's tangent frame.
 double worst_edge(const Skin& skin, const CurlFrame& frame) {
   double worst = 0;
   for (const glm::uvec3& t : skin.triangle)

@@ -148,11 +148,11 @@ class Painter {
 
   /// Samples the fur texture for a fragment with the texture coordinates `where`. If k = scene.fur.substeps
   /// is 1, it takes one sample. If k is above 1, it takes k samples between the fragment's layer and the
-  /// layer below. The view ray meets another strand at the layer below. shift() returns the vector from the
-  /// root of the fragment's strand to the root of this other strand, in UV. clump.delta_d is the clump's
-  /// displacement at the fragment's layer minus the clump's displacement at the layer below, in UV. From the
-  /// fragment's layer to the layer below, the texture coordinates therefore change by
-  /// shift() - clump.delta_d.
+  /// layer below. The strand that the view ray meets at the layer below is not the strand of the fragment.
+  /// shift() returns the vector from the root of the fragment's strand to the root of that strand, in UV.
+  /// clump.delta_d is the clump's displacement at the fragment's layer minus the clump's displacement at the
+  /// layer below, in UV. From the fragment's layer to the layer below, the texture coordinates therefore
+  /// change by shift() - clump.delta_d.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {

@@ -73,8 +73,8 @@ TEST(SpringStageTips, AreWhatTheRasterStageReads) {
   const std::vector<float> values = tips.read(stages.queue);
   const Picture drawn = stages.drawn_with(tips);
   const std::uint64_t count = stages.raster.count(stages.queue);
-  // A buffer with equal tips gives the same picture and the same number of fragments. A buffer in which all
-  // tips are 0 gives another picture and another number of fragments.
+  // If the stage draws from another buffer with the same tips, the picture and the number of fragments stay
+  // the same. If it draws from a buffer that contains only zeros, both change.
   const cl::Buffer<float> copy(stages.queue, std::span<const float>(values));
   EXPECT_TRUE(stages.drawn_with(copy).pixel == drawn.pixel);
   EXPECT_EQ(stages.raster.count(stages.queue), count);
