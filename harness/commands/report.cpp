@@ -5,6 +5,7 @@
 
 #include "harness/commands/report.hpp"
 #include "harness/mesh/models.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
@@ -15,10 +16,7 @@ struct ReportOptions {
 };
 
 void print(const Report& written) {
-  for (const PaperTable& table : written.tables) fmt::print("{}\n", text_of(table));
-  for (const TopologyTable& table : written.topologies) fmt::print("{}\n", text_of(table));
-  for (const RivalTable& table : written.rivals) fmt::print("{}\n", text_of(table));
-  for (const WayTable& table : written.ways) fmt::print("{}\n", text_of(table));
+  for (const Section& section : written.sections) fmt::print("{}\n", text_of(section.table));
   fmt::print("{}", text_of(written.claims));
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "harness/experiment/view.hpp"
 #include "harness/journal/row.hpp"
 #include "harness/scene/scene.hpp"
 
@@ -70,6 +71,7 @@ struct Experiment {
   std::map<std::string, Preset> presets;
   std::vector<Published> published;
   std::map<std::string, double> require;  ///< metric -> least value that every case must reach
+  View view;                              ///< the keys of [report]
 };
 
 struct Case {

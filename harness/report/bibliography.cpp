@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <optional>
 #include <set>
 
 #include "harness/experiment/experiment.hpp"
@@ -45,24 +44,7 @@ const std::map<std::string, std::string>& papers() {
   return entries;
 }
 
-/// Returns the shipped experiment `name`, or nothing if there is none.
-std::optional<Experiment> shipped(const std::string& name) {
-  for (const auto& file : experiment_files())
-    if (file.stem() == name) return read_experiment(file);
-  return {};
-}
-
 }  // namespace
-
-void add_titles(std::vector<PaperTable>& tables) {
-  for (PaperTable& table : tables) {
-    const auto experiment = shipped(table.experiment);
-    if (!experiment) continue;
-    table.title = experiment->title;
-    table.source = fmt::format("{} of {}", experiment->table, experiment->paper);
-    table.hardware = experiment->hardware;
-  }
-}
 
 std::string bibliography_of(const std::vector<FoundRow>& rows) {
   const BuildInfo& build = build_info();
@@ -74,7 +56,7 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
   std::set<std::string> experiments, keys;
   for (const FoundRow& found : rows) experiments.insert(found.row.experiment);
   for (const std::string& name : experiments)
-    if (const auto experiment = shipped(name)) keys.insert(experiment->paper);
+    if (const auto experiment = shipped_experiment(name)) keys.insert(experiment->paper);
   for (const std::string& key : keys)
     if (const auto found = papers().find(key); found != papers().end()) text += "\n" + found->second;
   return text;

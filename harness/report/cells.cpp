@@ -37,6 +37,8 @@ Cell cell_of(const FoundRow& found) {
   cell.identity = row.identity;
   cell.metrics = row.metrics;
   cell.image = image_of(found);
+  cell.renderer = text(row, "opengl_renderer");
+  if (const auto view = row.provenance.find("view"); view != row.provenance.end()) cell.view = *view;
   return cell;
 }
 
@@ -54,8 +56,28 @@ void add(Cell& cell, const Row& row) {
   if (std::vector<double> times = frame_ms(row); !times.empty()) cell.processes.push_back(std::move(times));
 }
 
-void summarize(Cell& cell) {
-  if (cell.status != Status::ok || cell.processes.empty()) return;
+/// Samples of all combined rows: phase -> times in ms.
+struct Samples {
+  std::map<std::string, std::vector<double>> event, wall;
+  std::vector<double> cpu;
+  void add(const Row& row) {
+    for (const auto& [phase, samples] : row.samples) {
+      event[phase].insert(event[phase].end(), samples.event_ms.begin(), samples.event_ms.end());
+      wall[phase].insert(wall[phase].end(), samples.wall_ms.begin(), samples.wall_ms.end());
+      if (phase == "frame") cpu.insert(cpu.end(), samples.cpu_ms.begin(), samples.cpu_ms.end());
+    }
+  }
+};
+
+void summarize(Cell& cell, const Samples& samples) {
+  if (cell.status != Status::ok) return;
+  for (const auto& [phase, wall] : samples.wall) {
+    const std::vector<double>& event = samples.event.at(phase);
+    const std::vector<double>& times = event.empty() ? wall : event;
+    if (phase != "frame" && !times.empty()) cell.phase_ms[phase] = median(times);
+  }
+  if (!samples.cpu.empty()) cell.cpu_ms = median(samples.cpu);
+  if (cell.processes.empty()) return;
   std::vector<double> pooled;
   for (const auto& process : cell.processes) pooled.insert(pooled.end(), process.begin(), process.end());
   cell.median_ms = median(pooled);
@@ -80,17 +102,29 @@ std::optional<Metric> Cell::paper_fps() const {
   return found->second;
 }
 
+std::string changes_of(const Cell& cell) {
+  std::string text;
+  for (const auto& [key, value] : cell.overrides)
+    text += fmt::format("{}{}={}", text.empty() ? "" : "; ", key, value);
+  return text;
+}
+
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
+  std::vector<Samples> samples;  // one per cell
   for (const FoundRow& found : rows) {
     Cell cell = cell_of(found);
     auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
       return names(c) == names(cell) && c.identity == cell.identity;
     });
-    if (place == cells.end()) place = cells.insert(place, std::move(cell));
+    if (place == cells.end()) {
+      place = cells.insert(place, std::move(cell));
+      samples.emplace_back();
+    }
     add(*place, found.row);
+    samples[std::size_t(place - cells.begin())].add(found.row);
   }
-  for (Cell& cell : cells) summarize(cell);
+  for (std::size_t i = 0; i < cells.size(); ++i) summarize(cells[i], samples[i]);
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return std::tie(a.experiment, a.device, a.host) < std::tie(b.experiment, b.device, b.host);
   });

@@ -19,7 +19,13 @@ struct Cell {
   std::string reason;
   std::map<std::string, Metric> metrics;       ///< metrics of the first of the combined rows
   std::vector<std::vector<double>> processes;  ///< wall times of frames in ms; one list per process
-  double median_ms = 0;                        ///< median of all samples of all processes; 0 without samples
+  /// Phase other than "frame" -> median of all its samples, in ms: of the event times, or of the wall times
+  /// if the phase has no event times.
+  std::map<std::string, double> phase_ms;
+  std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
+  std::string renderer;          ///< renderer of the OpenGL baseline; "" if the rows did not run it
+  nlohmann::json view;           ///< the keys of [report] of the experiment's file; null in old rows
+  double median_ms = 0;          ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
   bool converged = true;        ///< true if every row reached the precision that the preset requires
@@ -31,6 +37,9 @@ struct Cell {
   std::optional<Metric> paper_fps() const;
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
+
+/// Returns the settings that the user changed: "fur.length=0.1; size=800x600". Returns "" without changes.
+std::string changes_of(const Cell& cell);
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
 /// which they first occur in the rows. Rows are combined only if their identities are equal.

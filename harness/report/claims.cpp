@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "harness/measure/statistics.hpp"
-#include "harness/report/csv.hpp"
 #include "harness/scene/spring_kinds.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {

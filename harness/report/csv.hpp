@@ -1,4 +1,4 @@
-// Tables as comma-separated values (RFC 4180, but lines end with a line feed only).
+// The rows of results as comma-separated values (RFC 4180, but lines end with a line feed only).
 #pragma once
 #include <string>
 #include <vector>
@@ -6,10 +6,6 @@
 #include "harness/journal/results_folder.hpp"
 
 namespace pelage {
-
-/// Returns one line, including its line feed. Fields that contain a comma, a quote or a line break are
-/// quoted.
-std::string csv_line(const std::vector<std::string>& fields);
 
 /// Returns CSV with one line per row of results, phase and clock ("wall", "event" or "cpu"). A line contains
 /// the case, the number of samples, and their median and its 95% interval in ms. A row that is not ok has one

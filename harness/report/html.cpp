@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "harness/report/report.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
@@ -29,7 +30,6 @@ thead tr:first-child th { border-top: 2px solid var(--text); }
 thead tr:last-child th { border-bottom: 1px solid var(--text); }
 tbody tr:last-child td { border-bottom: 2px solid var(--text); }
 thead th { font-weight: 600; } thead th.group { text-align: center; }
-tbody td:nth-child(3n), thead tr:last-child th:nth-child(3n) { padding-left: 2.2rem; }
 th:first-child { min-width: 7.5rem; } td.ours, td.bad { min-width: 7rem; }
 td.ours { font-weight: 600; } td.bad { color: #b3261e; font-weight: 400; }
 .grid { display: grid; grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); gap: 1rem; }
@@ -37,29 +37,6 @@ figure { margin: 0; } figure img, figure svg { max-width: 100%; height: auto; di
 .grid img { width: 100%; border-radius: 6px; } figcaption { font-size: .87rem; margin-top: .3rem; }
 ol.notes { list-style: none; padding: 0; font-size: .87rem; color: var(--soft); }
 )";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// Returns the SVG drawing without its XML prologue, which is not allowed inside an HTML page.
 std::string svg_of(const std::filesystem::path& file) {
@@ -69,72 +46,13 @@ std::string svg_of(const std::filesystem::path& file) {
   return start == std::string::npos ? std::string{} : text.substr(start);
 }
 
-std::string cells_html(const std::optional<Cell>& cell) {
-  if (!cell) return "<td>–</td><td>–</td><td>–</td>";
-  const CellText text = cell_text(*cell);
-  const std::string title = cell->status == Status::ok
-                                ? fmt::format("{:.3f} ms, 95% interval {:.3f} to {:.3f} ms", cell->median_ms,
-                                              cell->interval_ms.low, cell->interval_ms.high)
-                                : cell->reason;
-  return fmt::format("<td class=\"{}\" title=\"{}\">{}</td><td>{}</td><td>{}</td>",
-                     cell->status == Status::ok ? "ours" : "bad", escaped(title), escaped(text.ours),
-                     escaped(text.paper), escaped(text.ratio));
-}
-
-std::string table_html(const PaperTable& table) {
-  std::string html;
-  for (const PaperTable::Block& block : table.blocks) {
-    html += fmt::format("<div class=\"wide\"><table>\n<thead><tr><th>{} layers</th><th></th>",
-                        escaped(block.layers));
-    for (const std::string& size : table.sizes)
-      html += fmt::format("<th class=\"group\" colspan=\"3\">{}</th>", escaped(size));
-    html += "</tr>\n<tr><th>Model</th><th>Triangles</th>";
-    for (std::size_t i = 0; i < table.sizes.size(); ++i) html += "<th>ours</th><th>paper</th><th>ratio</th>";
-    html += "</tr></thead>\n<tbody>\n";
-    for (const PaperTable::Row& row : block.rows) {
-      html += fmt::format("<tr><td>{}{}</td><td>{}</td>", escaped(row.model),
-                          row.note.empty() ? "" : "<sup>" + row.note + "</sup>", row.triangles);
-      for (const auto& cell : row.cells) html += cells_html(cell);
-      html += "</tr>\n";
-    }
-    html += "</tbody></table></div>\n";
-  }
-  html += fmt::format(
-      "<p class=\"soft\">{}Frames per second: 1000 divided by the median wall time of a warm frame in ms, "
-      "first enqueue to finish. Ratio: ours divided by the paper's. * marks a median whose 95% interval is "
-      "wider than the preset requires. Point at a figure for its time.</p>\n<ol class=\"notes\">",
-      table.hardware.empty() ? std::string{}
-                             : fmt::format("The paper's frame rates are from {}, measured on {}. ",
-                                           escaped(table.source), escaped(table.hardware)));
-  for (const std::string& note : table.footnotes)
-    html += fmt::format("<li><sup>{}</sup> {}</li>", escaped(note.substr(0, 1)), escaped(note.substr(2)));
-  return html + "</ol>\n";
-}
-
-std::string heading(const PaperTable& table) {
-  return (table.title.empty() ? table.experiment : table.title) +
-         (table.reading == "default" ? "" : ", " + table.reading + " reading");
-}
-
 std::string failures_html(const Report& report) {
   std::string items;
   for (const Cell& c : report.cells)
     if (c.status != Status::ok)
-      items += fmt::format("<li>{} {}: {}: {}</li>\n", escaped(c.experiment), escaped(c.case_name),
-                           to_text(c.status), escaped(c.reason));
+      items += fmt::format("<li>{} {}: {}: {}</li>\n", html_text(c.experiment), html_text(c.case_name),
+                           to_text(c.status), html_text(c.reason));
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
-}
-
-/// Returns the HTML of the tables. Each table has a heading and a link to its CSV file.
-template <class Table>
-std::string sections(const char* title, const std::vector<Table>& tables,
-                     const std::vector<std::string>& stems) {
-  std::string html;
-  for (std::size_t i = 0; i < tables.size(); ++i)
-    html += fmt::format(
-        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a href=\"tables/{}.csv\">CSV</a></p>\n{}",
-        title, escaped(tables[i].experiment), escaped(tables[i].device), stems[i], html_of(tables[i]));
-  return html;
 }
 
 }  // namespace
@@ -151,25 +69,15 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
       "<a href=\"tables/all-phases.csv\">all phases as CSV</a>.</p>\n",
       report.cells.size(), ok);
   for (const std::string& note : report.notes)
-    body += fmt::format("<p class=\"soft\">{}</p>\n", escaped(note));
-  for (std::size_t i = 0; i < report.tables.size(); ++i) {
-    const std::string& stem = report.table_stems[i];
+    body += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
+  for (const Section& section : report.sections) {
+    const Table& table = section.table;
     body += fmt::format(
-        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; {} &middot; {} &middot; <a "
-        "href=\"tables/{}.csv\">CSV</a> "
-        "&middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n",
-        escaped(heading(report.tables[i])), escaped(report.tables[i].experiment),
-        escaped(report.tables[i].device), escaped(report.tables[i].variant), stem, stem);
-    body += table_html(report.tables[i]);
+        "<h2>{}</h2>\n<p class=\"soft\">{} &middot; <a href=\"tables/{}.csv\">CSV</a> &middot; "
+        "<a href=\"tables/{}.tex\">LaTeX</a></p>\n",
+        html_text(table.title), html_text(table.subtitle), table.stem, table.stem);
+    body += html_of(table);
   }
-  for (std::size_t i = 0; i < report.topologies.size(); ++i)
-    body += fmt::format(
-        "<h2>Cost of each topology</h2>\n<p class=\"soft\">{} &middot; {} &middot; <a "
-        "href=\"tables/{}.csv\">CSV</a> &middot; <a href=\"tables/{}.tex\">LaTeX</a></p>\n{}",
-        escaped(report.topologies[i].experiment), escaped(report.topologies[i].device),
-        report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
-  body += sections("Comparison with the paper's own pipeline", report.rivals, report.rival_stems);
-  body += sections("Variants that draw the same picture", report.ways, report.way_stems);
   body += html_of(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);
@@ -178,15 +86,15 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         "<h2>{}</h2>\n<figure class=\"plot\">{}<figcaption><a href=\"plots/{}.svg\">SVG</a> &middot; "
         "<a href=\"plots/{}.pdf\">PDF</a> &middot; <a href=\"plots/{}.csv\">data</a> &middot; "
         "<a href=\"plots/{}.py\">program</a></figcaption></figure>\n",
-        escaped(plot.title), svg_of(folder / "plots" / (plot.stem + ".svg")), plot.stem, plot.stem, plot.stem,
-        plot.stem);
+        html_text(plot.title), svg_of(folder / "plots" / (plot.stem + ".svg")), plot.stem, plot.stem,
+        plot.stem, plot.stem);
   if (!report.pictures.empty()) {
     body += "<h2>Pictures of the timed frames</h2>\n<div class=\"grid\">\n";
     for (const ReportPicture& picture : report.pictures)
       body += fmt::format(
           "<figure><a href=\"images/{}\"><img src=\"images/{}\" alt=\"{}\" loading=\"lazy\"></a>"
           "<figcaption>{}</figcaption></figure>\n",
-          picture.file, picture.file, escaped(picture.title), escaped(picture.title));
+          picture.file, picture.file, html_text(picture.title), html_text(picture.title));
     body += "</div>\n";
   }
   return fmt::format(

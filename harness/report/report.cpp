@@ -10,10 +10,12 @@
 #include "harness/atomic_file.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/input_sets.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/scaling.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {
@@ -32,22 +34,6 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-}
-
-std::string title_of(const PaperTable& table, bool several_devices) {
-  std::string title = table.experiment;
-  if (table.reading != "default") title += ", " + table.reading + " reading";
-  if (several_devices) title += ", " + table.device;
-  return title;
-}
-
-void write_tables(Report& report, const fs::path& folder, bool several_devices) {
-  for (const PaperTable& table : report.tables) {
-    const std::string stem = file_stem_of(table, several_devices);
-    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
-    write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
-    report.table_stems.push_back(stem);
-  }
 }
 
 /// Writes plots/STEM.csv and draws plots/STEM.svg and .pdf with plots/PROGRAM.py. If this fails, adds the
@@ -69,52 +55,21 @@ void draw(Report& report, const fs::path& folder, const std::string& program, co
     report.notes.push_back(problem);
 }
 
-void draw_plots(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder,
-                bool several_devices) {
-  for (std::size_t i = 0; i < report.tables.size(); ++i)
-    draw(report, folder, "frame_time", report.table_stems[i] + "-frame-time", csv_of(report.tables[i]),
-         "Frame time against triangles: " + title_of(report.tables[i], several_devices));
-  for (std::size_t i = 0; i < report.topologies.size(); ++i)
-    draw(report, folder, "topologies", report.topology_stems[i] + "-cost", csv_of(report.topologies[i]),
-         "Cost of each topology: " + report.topology_stems[i]);
-  for (std::size_t i = 0; i < report.rivals.size(); ++i)
-    draw(report, folder, "rivals", report.rival_stems[i], csv_of(report.rivals[i]),
-         "Speed relative to the paper's pipeline: " + report.rivals[i].experiment);
+/// Writes the tables of the sections and draws their plots.
+void write_sections(Report& report, const fs::path& folder) {
+  for (const Section& section : report.sections) {
+    write_file(folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
+    write_file(folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
+    for (const PlotSpec& plot : section.plots) {
+      write_file(folder / "plots" / (plot.stem + ".json"), json_of(plot));
+      draw(report, folder, "plot", plot.stem, csv_of(section.table), plot.title);
+    }
+  }
+}
+
+void draw_springs(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
   for (const SpringsChart& chart : springs_charts(rows))
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
-}
-
-/// Returns the name, without extension, of a table's files in tables/. If the report has several devices, the
-/// name contains the device and the host.
-template <class Table>
-std::string stem_of(const Table& table, const char* suffix, bool several_devices) {
-  return file_name_of(table.experiment + suffix +
-                      (several_devices ? "-" + table.device + "-" + table.host : std::string()));
-}
-
-void write_topologies(Report& report, const fs::path& folder, bool several_devices) {
-  for (const TopologyTable& table : report.topologies) {
-    const std::string stem = stem_of(table, "", several_devices);
-    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
-    write_file(folder / "tables" / (stem + ".tex"), latex_of(table));
-    report.topology_stems.push_back(stem);
-  }
-}
-
-void write_rivals(Report& report, const fs::path& folder, bool several_devices) {
-  for (const RivalTable& table : report.rivals) {
-    const std::string stem = stem_of(table, "-ratio", several_devices);
-    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
-    report.rival_stems.push_back(stem);
-  }
-}
-
-void write_ways(Report& report, const fs::path& folder, bool several_devices) {
-  for (const WayTable& table : report.ways) {
-    const std::string stem = stem_of(table, "", several_devices);
-    write_file(folder / "tables" / (stem + ".csv"), csv_of(table));
-    report.way_stems.push_back(stem);
-  }
 }
 
 /// Writes tables/layers.csv: the frame time with all layers divided by the frame times with half and with a
@@ -151,31 +106,30 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Copies one picture for each combination of experiment, model and value of the axis "reading". Among the
-/// pictures with the largest number of layers, it copies the picture with the smallest width.
+/// Copies one picture for each combination of experiment, changes on the command line, model and value of the
+/// axis "reading". Among the pictures with the largest number of layers, it copies the picture with the
+/// smallest width.
 void copy_pictures(Report& report, const fs::path& folder) {
-  std::map<std::tuple<std::string, std::string, std::string>, const Cell*> best;
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {
     return std::pair(-std::atof(c.axis("layers").c_str()), std::atof(c.axis("size").c_str()));
   };
   for (const Cell& c : report.cells) {
-    if (c.status != Status::ok || !c.overrides.empty() || !fs::is_regular_file(c.image)) continue;
-    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model")}];
+    if (c.status != Status::ok || !fs::is_regular_file(c.image)) continue;
+    const Cell*& chosen = best[{c.experiment, c.reading(), c.axis("model"), changes_of(c)}];
     if (!chosen || rank(c) < rank(*chosen)) chosen = &c;
   }
   for (const auto& [key, cell] : best) {
-    const auto& [experiment, reading, model] = key;
-    const std::string file = file_name_of(
-        fmt::format("{}-{}{}.png", experiment, model, reading == "default" ? "" : "-" + reading));
+    const auto& [experiment, reading, model, changes] = key;
+    const std::string file = file_name_of(fmt::format("{}-{}{}{}.png", experiment, model,
+                                                      reading == "default" ? "" : "-" + reading,
+                                                      changes.empty() ? "" : "-" + changes));
     std::error_code error;
     fs::copy_file(cell->image, folder / "images" / file, fs::copy_options::overwrite_existing, error);
     if (error)
       report.notes.push_back(fmt::format("images/{}: {}", file, error.message()));
     else
-      report.pictures.push_back(
-          {fmt::format("{}{}, {} layers, {}", model, reading == "default" ? "" : " (" + reading + " reading)",
-                       cell->axis("layers"), cell->axis("size")),
-           file});
+      report.pictures.push_back({name_of(*cell) + (changes.empty() ? "" : "; changed: " + changes), file});
   }
 }
 
@@ -202,6 +156,20 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
   if (copied > 0)
     report.notes.push_back(fmt::format(
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
+}
+
+/// Returns the number of devices.
+std::size_t devices_of(const std::vector<Cell>& cells) {
+  std::set<std::string> devices;
+  for (const Cell& c : cells) devices.insert(c.device);
+  return devices.size();
+}
+
+/// Returns the number of combinations of a device and a host.
+std::size_t hosts_of(const std::vector<Cell>& cells) {
+  std::set<std::pair<std::string, std::string>> hosts;
+  for (const Cell& c : cells) hosts.emplace(c.device, c.host);
+  return hosts.size();
 }
 
 }  // namespace
@@ -235,23 +203,16 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   note_copies(report, rows);
   note_load(report, rows);
   report.cells = cells_of(rows);
-  report.tables = paper_tables(report.cells, note);
-  report.topologies = topology_tables(rows);
-  report.rivals = rival_tables(rows);
-  report.ways = way_tables(report.cells);
-  add_titles(report.tables);
-  std::set<std::pair<std::string, std::string>> devices;
-  for (const Cell& c : report.cells) devices.emplace(c.device, c.host);
-  write_tables(report, folder, devices.size() > 1);
-  write_topologies(report, folder, devices.size() > 1);
-  write_rivals(report, folder, devices.size() > 1);
-  write_ways(report, folder, devices.size() > 1);
+  Sources sources{note, devices_of(report.cells) > 1, hosts_of(report.cells) > devices_of(report.cells),
+                  &report.notes};
+  report.sections = sections_of(report.cells, sources);
+  write_sections(report, folder);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
   if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
   report.claims = claims_of(rows);
   if (!report.claims.empty()) write_file(folder / "tables" / "claims.csv", csv_of(report.claims));
-  draw_plots(report, rows, folder, devices.size() > 1);
+  draw_springs(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);
   copy_pictures(report, folder);

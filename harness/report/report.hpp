@@ -6,16 +6,14 @@
 #include <vector>
 
 #include "harness/report/claims.hpp"
-#include "harness/report/paper_table.hpp"
-#include "harness/report/rival_table.hpp"
+#include "harness/report/sections.hpp"
 #include "harness/report/springs.hpp"
-#include "harness/report/topology_table.hpp"
-#include "harness/report/way_table.hpp"
 
 namespace pelage {
 
 struct ReportPlot {
-  std::string title, stem;  ///< the files are plots/<stem>.svg, .pdf, .csv and .py
+  std::string title,
+      stem;  ///< the files are plots/<stem>.svg, .pdf, .csv and .py; those of sections also have .json
 };
 
 struct ReportPicture {
@@ -24,18 +22,7 @@ struct ReportPicture {
 
 struct Report {
   std::vector<Cell> cells;
-  std::vector<PaperTable> tables;
-  /// For each of `tables`, the name of its files in tables/ without the extensions .csv and .tex.
-  std::vector<std::string> table_stems;
-  std::vector<TopologyTable> topologies;
-  /// For each of `topologies`, the name of its files in tables/ without the extensions .csv and .tex.
-  std::vector<std::string> topology_stems;
-  std::vector<RivalTable> rivals;
-  /// For each of `rivals`, the name of its file in tables/ without the extension .csv.
-  std::vector<std::string> rival_stems;
-  std::vector<WayTable> ways;
-  /// For each of `ways`, the name of its file in tables/ without the extension .csv.
-  std::vector<std::string> way_stems;
+  std::vector<Section> sections;    ///< tables/STEM.csv and .tex, and the plots of each
   std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv unless this list is empty
   std::vector<Claim> claims;        ///< written to tables/claims.csv unless this list is empty
   std::vector<ReportPlot> plots;
@@ -43,9 +30,6 @@ struct Report {
   std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py
   std::vector<std::string> notes;  ///< warnings, and missing parts of the report with the reasons
 };
-
-/// Sets the titles of tables of shipped experiments. Tables of the user's own experiment files get no title.
-void add_titles(std::vector<PaperTable>& tables);
 
 /// Writes one report per set of rows (input_sets()): the report of the first set into `folder`, the other
 /// reports into the folders inputs-2, inputs-3 and so on in `folder`. Returns the reports in this order.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "harness/report/csv.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {

@@ -9,8 +9,9 @@
 
 namespace pelage {
 
-/// Returns the cells of the experiment "scaling". It omits cells with overrides (changes on the command
-/// line). It also omits cells without a time, a triangle count, a number of layers or a picture size.
+/// Returns the cells of experiments whose file has the key report.program = "scaling", if they have a time, a
+/// triangle count, a number of layers and a picture size. If cells have different changes on the command line
+/// (--set, --axis, --model), the function returns only those with the most common changes.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
 /// Returns CSV with one line per cell; plots/scaling.py also reads it.

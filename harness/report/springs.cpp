@@ -8,7 +8,7 @@
 
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/statistics.hpp"
-#include "harness/report/csv.hpp"
+#include "harness/table/render.hpp"
 
 namespace pelage {
 namespace {

@@ -47,88 +47,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-TEST(PaperTable, HasThePapersShape) {
-  const auto tables = paper_tables(cells_of(table1_rows()), note);
-  ASSERT_EQ(tables.size(), 1u);
-  const PaperTable& t = tables[0];
-  EXPECT_EQ(t.sizes, (std::vector<std::string>{"800x600", "1680x1050"}));
-  ASSERT_EQ(t.blocks.size(), 2u);
-  EXPECT_EQ(t.blocks[0].layers, "16");
-  ASSERT_EQ(t.blocks[1].rows.size(), 8u);
-  EXPECT_EQ(t.blocks[0].rows.front().model, "torus");
-  EXPECT_EQ(t.blocks[0].rows.front().triangles, "9360");
-  EXPECT_EQ(t.blocks[0].rows.back().model, "lion");
-  EXPECT_EQ(t.footnotes, std::vector<std::string>{"a hippo: stand-in: a pig & 100% so"});
-  EXPECT_EQ(t.blocks[0].rows[2].note, "a");
-}
-
-TEST(PaperTable, AsText) {
-  const std::string text = text_of(paper_tables(cells_of(table1_rows()), note).at(0));
-  // The synthetic frame time is (triangles + pixels) * layers / 1e6 ms = (9360 + 480000) * 16 / 1e6 ms. It
-  // corresponds to 127.7 fps, which is 0.478 times the paper's 267 fps.
-  EXPECT_NE(text.find("torus             9360           128      267    0.478"), std::string::npos) << text;
-  EXPECT_NE(text.find("< 1"), std::string::npos);
-  EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);
-  for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 110u) << line;
-}
-
-TEST(PaperTable, AFailedCellShowsItsStatusAndNoTime) {
-  auto rows = table1_rows();
-  rows[0].row.status = Status::failed_check;
-  const auto table = paper_tables(cells_of(rows), note).at(0);
-  EXPECT_NE(text_of(table).find("failed-check"), std::string::npos);
-  EXPECT_NE(csv_of(table).find("failed-check,,,,,,,"), std::string::npos) << csv_of(table);
-}
-
-TEST(PaperTable, EveryTimeOfTheCsvLiesWithinItsInterval) {
-  std::vector<std::vector<std::string>> lines;
-  for (const std::string& line : lines_of(csv_of(paper_tables(cells_of(table1_rows()), note).at(0)))) {
-    std::istringstream stream(line);
-    std::vector<std::string>& cells = lines.emplace_back();
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  }
-  ASSERT_EQ(lines.size(), 33u);
-  const auto column = [&](const std::string& name) {
-    const auto found = std::find(lines[0].begin(), lines[0].end(), name);
-    EXPECT_NE(found, lines[0].end()) << name;
-    return std::size_t(found - lines[0].begin());
-  };
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    const auto number = [&](const std::string& name) { return std::stod(lines[i].at(column(name))); };
-    EXPECT_LT(number("ours_fps_low"), number("ours_fps")) << i;
-    EXPECT_LT(number("ours_fps"), number("ours_fps_high")) << i;
-    EXPECT_LT(number("median_ms_low"), number("median_ms")) << i;
-    EXPECT_LT(number("median_ms"), number("median_ms_high")) << i;
-    EXPECT_NEAR(number("ours_fps") * number("median_ms"), 1000, 0.01) << i;
-  }
-}
-
-TEST(PaperTable, OverriddenRowsStayOut) {
-  auto rows = table1_rows();
-  for (FoundRow& row : rows) row.row.overrides["fur.length"] = "0.1";
-  EXPECT_TRUE(paper_tables(cells_of(rows), note).empty());
-}
-
-TEST(PaperTable, AsLatex) {
-  const std::string tex = latex_of(paper_tables(cells_of(table1_rows()), note).at(0));
-  for (const char* part : {"\\toprule", "\\midrule", "\\bottomrule", "$800 \\times 600$", "hippo\\tnote{a}",
-                           "a pig \\& 100\\% so", "$<$ 1"})
-    EXPECT_NE(tex.find(part), std::string::npos) << part;
-  EXPECT_EQ(std::count(tex.begin(), tex.end(), '{'), std::count(tex.begin(), tex.end(), '}'));
-  // Each row has 8 columns: 2 for the model, and 3 for each of 2 sizes.
-  for (const std::string& line : lines_of(tex)) {
-    if (!line.starts_with("torus")) continue;
-    EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
-  }
-  EXPECT_EQ(latex_text("a_b<c&d%"), "a\\_b$<$c\\&d\\%");
-}
-
-TEST(Csv, Quotes) {
-  EXPECT_EQ(csv_line({"a", "b,c", "d\"e", "f\ng"}), "a,\"b,c\",\"d\"\"e\",\"f\ng\"\n");
-  // An apostrophe prevents a spreadsheet from taking a text for a formula. Numbers get no apostrophe.
-  EXPECT_EQ(csv_line({"=1+1", "@x", "-a", "-1.5e-3", "+2", "-"}), "'=1+1,'@x,'-a,-1.5e-3,+2,'-\n");
-}
-
 /// Python's csv module reads the files. All lines of a file must have the same number of columns. The numbers
 /// in a file must be equal to the numbers in `rows`.
 TEST(Csv, PythonReadsIt) {
@@ -171,10 +89,10 @@ TEST(Report, WritesEverythingItPromises) {
 
   const fs::path out = folder.path / "deep" / "report";
   const Report report = write_report(rows, out, note);
-  for (const char* file :
-       {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex", "tables/all-phases.csv",
-        "references.bib", "provenance.txt", "index.html", "images/silva2010-table1-torus.png",
-        "plots/silva2010-table1-frame-time.csv", "plots/silva2010-table1-frame-time.py"})
+  for (const char* file : {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex",
+                           "tables/all-phases.csv", "references.bib", "provenance.txt", "index.html",
+                           "images/silva2010-table1-torus.png", "plots/silva2010-table1-frame-time.csv",
+                           "plots/silva2010-table1-frame-time.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
   EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);

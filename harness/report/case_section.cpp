@@ -1,0 +1,135 @@
+// The section of any experiment.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "harness/report/case_table.hpp"
+#include "harness/report/sections.hpp"
+
+namespace pelage {
+namespace {
+
+/// A key column becomes groups of columns if it has at most this number of values.
+constexpr std::size_t most_groups = 5;
+
+/// An experiment with at least this number of variants, and few cases of each, is about the variants: its
+/// table has a row per variant, the fastest variant first.
+constexpr std::size_t fewest_variants = 4;
+
+std::size_t count_of(const Table& table, const std::string& name) {
+  std::set<std::string> values;
+  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, name))].data);
+  return values.size();
+}
+
+/// Returns the names of the list that are columns of the table.
+std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(result),
+               [&](const auto& name) { return column_of(table, name) >= 0; });
+  return result;
+}
+
+bool timed(const Cell& c) {
+  return c.status == Status::ok && c.median_ms > 0;
+}
+
+/// Returns each variant's frame time divided by that of the fastest variant: the geometric mean over the
+/// cases in which the variant has a time.
+std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
+  std::map<std::string, double> fastest;  // name of the other axes' values -> ms
+  for (const Cell& c : cells)
+    if (timed(c)) {
+      double& least = fastest.emplace(name_of(c), c.median_ms).first->second;
+      least = std::min(least, c.median_ms);
+    }
+  std::map<std::string, std::vector<double>> ratios;
+  for (const Cell& c : cells)
+    if (timed(c)) ratios[c.variant].push_back(c.median_ms / fastest.at(name_of(c)));
+  std::map<std::string, double> means;
+  for (const auto& [variant, list] : ratios) means[variant] = geometric_mean(list);
+  return means;
+}
+
+/// Arranges an experiment that compares variants. All other key columns that vary become groups.
+Section of_variants(std::vector<Cell> cells) {
+  const auto means = by_fastest(cells);
+  const auto mean = [&](const Cell& c) -> std::optional<double> {
+    const auto found = means.find(c.variant);
+    return found == means.end() ? std::nullopt : std::optional(found->second);
+  };
+  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
+    return std::tuple(!mean(a), mean(a).value_or(0), a.variant) <
+           std::tuple(!mean(b), mean(b).value_or(0), b.variant);
+  });
+  auto columns = case_columns(cells);
+  columns.push_back({{"by_fastest", "times"}, [&](const Cell& c) {
+                       Value value = number_value(mean(c));
+                       if (mean(c)) value.shown = fmt::format("{:.2f}", *mean(c));
+                       return value;
+                     }});
+  Section section{table_of(cells, columns), {}};
+  section.table.layout = {{}, {"variant", "by_fastest"}, {}, {"median_ms"}};
+  for (const std::string& key : varying_keys(section.table, cells))
+    if (key != "variant") section.table.layout.groups.push_back(key);
+  section.table.remarks = {
+      "times: frame time of the variant divided by the frame time of the fastest variant with a correct "
+      "picture, "
+      "geometric mean over the cases."};
+  return section;
+}
+
+/// Arranges any other experiment: a row per case, and groups of columns for the last key column that varies
+/// if it has few values.
+Section of_cases(const std::vector<Cell>& cells, const View& view) {
+  Section section{table_of(cells, case_columns(cells)), {}};
+  Layout& layout = section.table.layout;
+  layout.blocks = present(section.table, view.blocks);
+  layout.groups = present(section.table, view.columns);
+  layout.values = present(section.table, view.values);
+  const std::vector<std::string> keys = varying_keys(section.table, cells);
+  if (layout.groups.empty() && keys.size() >= 2 && count_of(section.table, keys.back()) <= most_groups &&
+      std::find(layout.blocks.begin(), layout.blocks.end(), keys.back()) == layout.blocks.end())
+    layout.groups = {keys.back()};
+  if (layout.values.empty()) layout.values = {"median_ms"};
+  add_varying_keys(section.table, cells);
+  if (const auto model = std::find(layout.rows.begin(), layout.rows.end(), "model");
+      model != layout.rows.end() && column_of(section.table, "triangles") >= 0)
+    layout.rows.insert(model + 1, "triangles");
+  if (layout.rows.empty()) layout.rows = present(section.table, {"model"});
+  if (layout.rows.empty()) layout.rows = {"variant"};
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                   const Sources& sources) {
+  const View view = view_of(cells);
+  std::set<std::string> variants, others;
+  for (const Cell& c : cells) {
+    variants.insert(c.variant);
+    others.insert(name_of(c));
+  }
+  const bool about_variants =
+      view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
+  Section section = about_variants ? of_variants(cells) : of_cases(cells, view);
+  Table& table = section.table;
+  table.title = title_of(cells.front().experiment);
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem;
+  for (const std::string& name : table.layout.values) show_interval(table, name);
+  add_footnotes(table, sources.note);
+  if (std::find(table.layout.values.begin(), table.layout.values.end(), "median_ms") !=
+      table.layout.values.end())
+    table.remarks.insert(table.remarks.begin(),
+                         "Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
+  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return timed(c) && !c.converged; }))
+    table.remarks.emplace_back(star_remark);
+  section.plots = plots_of(table, cells, view, *sources.notes);
+  return {std::move(section)};
+}
+
+}  // namespace pelage

@@ -1,0 +1,258 @@
+#include "harness/report/case_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "harness/experiment/experiment.hpp"
+#include "harness/scene/scene_keys.hpp"
+
+namespace pelage {
+namespace {
+
+bool timed(const Cell& c) {
+  return c.status == Status::ok && c.median_ms > 0;
+}
+
+/// Returns the rank of an axis among the columns: what is drawn comes first, then how, then how large.
+int rank(const std::string& axis) {
+  if (axis == "model") return 0;
+  if (axis == "layers") return 2;
+  if (axis == "size") return 3;
+  return 1;
+}
+
+std::vector<std::string> axes_of(const std::vector<Cell>& cells) {
+  std::set<std::string> names;
+  for (const Cell& c : cells)
+    for (const auto& [axis, value] : c.axes)
+      if (axis != "variant") names.insert(axis);
+  std::vector<std::string> sorted(names.begin(), names.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return sorted;
+}
+
+Column axis_column(const std::string& axis) {
+  if (axis == "layers") return {axis, axis, "{} layers"};
+  if (axis == "model" || axis == "size" || axis == "reading") return {axis, axis};
+  // The order of a scene key's choices is that of the documents, such as from sticks to separable prisms.
+  Column column{axis, axis, axis + " {}"};
+  Scene scene;
+  for (const Key& key : scene_keys(scene))
+    if (key.name == axis && !key.choices.empty()) {
+      column.order.assign(key.choices.begin(), key.choices.end());
+      column.label = "{}";
+    }
+  return column;
+}
+
+/// A column with a number that only cells with a time have. Cells without a time show their status.
+CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
+                       bool starred) {
+  return {{name, heading}, [=](const Cell& c) {
+            if (!timed(c)) {
+              const auto status = std::string(to_text(c.status == Status::ok ? Status::error : c.status));
+              return Value{"", starred ? status : "-", c.reason, "", true};
+            }
+            Value value = number_value(number(c));
+            if (!starred) return value;
+            if (!c.converged) value.shown += "*";
+            value.hint = fmt::format("{:.4g} ms, 95% interval {:.4g} to {:.4g} ms", c.median_ms,
+                                     c.interval_ms.low, c.interval_ms.high);
+            return value;
+          }};
+}
+
+void add_phases(std::vector<CellColumn>& columns, const std::vector<Cell>& cells) {
+  std::set<std::string> phases;
+  for (const Cell& c : cells)
+    for (const auto& [phase, ms] : c.phase_ms) phases.insert(phase);
+  for (const std::string& phase : phases)
+    columns.push_back({{phase + "_ms", phase + ", ms"}, [phase](const Cell& c) {
+                         const auto found = c.phase_ms.find(phase);
+                         return number_value(found == c.phase_ms.end() ? std::nullopt
+                                                                       : std::optional(found->second));
+                       }});
+}
+
+void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cells) {
+  std::map<std::string, std::string> units;  // metric -> unit
+  std::set<std::string> with_interval, taken;
+  for (const Cell& c : cells)
+    for (const auto& [name, metric] : c.metrics) {
+      if (name == "triangles") continue;  // case_columns() has this column for failed cells too
+      units[name] = metric.unit;
+      if (metric.low || metric.high) with_interval.insert(name);
+    }
+  for (const CellColumn& c : columns) taken.insert(c.column.name);
+  for (const auto& [metric, unit] : units) {
+    const auto add = [&, name = metric](const std::string& suffix,
+                                        std::optional<double> (*part)(const Metric&)) {
+      const std::string column = (taken.contains(name + suffix) ? "metric." : "") + name + suffix;
+      const std::string heading = name + suffix + (unit.empty() || unit == name ? "" : ", " + unit);
+      columns.push_back({{column, heading}, [name, part](const Cell& c) {
+                           const auto found = c.metrics.find(name);
+                           if (c.status != Status::ok || found == c.metrics.end()) return number_value({});
+                           const std::optional<double> number = part(found->second);
+                           return number && *number == double(std::int64_t(*number)) ? count_value(number)
+                                                                                     : number_value(number);
+                         }});
+    };
+    add("", [](const Metric& m) { return std::optional(m.value); });
+    if (!with_interval.contains(metric)) continue;
+    add("_low", [](const Metric& m) { return m.low; });
+    add("_high", [](const Metric& m) { return m.high; });
+  }
+}
+
+/// Returns whether the column is an axis or the variant.
+bool is_key(const std::string& column, const std::vector<Cell>& cells) {
+  return column == "variant" ||
+         std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(column); });
+}
+
+}  // namespace
+
+std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
+  std::vector<CellColumn> columns;
+  const auto triangles = triangles_by_model(cells);
+  const bool counted =
+      std::any_of(triangles.begin(), triangles.end(), [](const auto& t) { return t.second > 0; });
+  for (const std::string& axis : axes_of(cells)) {
+    columns.push_back({axis_column(axis), [axis](const Cell& c) { return text_value(c.axis(axis)); }});
+    if (axis == "model" && counted)
+      columns.push_back({{"triangles", "triangles"}, [triangles](const Cell& c) {
+                           const double count = triangles.at(c.axis("model"));
+                           return count_value(count > 0 ? std::optional(count) : std::nullopt);
+                         }});
+  }
+  const auto text = [&](const char* name, std::string (*of)(const Cell&)) {
+    columns.push_back({{name, name}, [of](const Cell& c) { return text_value(of(c)); }});
+  };
+  text("variant", [](const Cell& c) { return c.variant; });
+  text("experiment", [](const Cell& c) { return c.experiment; });
+  text("device", [](const Cell& c) { return c.device; });
+  text("host", [](const Cell& c) { return c.host; });
+  text("changed", [](const Cell& c) { return changes_of(c); });
+  text("status", [](const Cell& c) { return std::string(to_text(c.status)); });
+  columns.push_back(time_column(
+      "fps", "fps", [](const Cell& c) { return c.fps(); }, true));
+  columns.push_back(time_column(
+      "fps_low", "low", [](const Cell& c) { return 1000 / c.interval_ms.high; }, false));
+  columns.push_back(time_column(
+      "fps_high", "high", [](const Cell& c) { return 1000 / c.interval_ms.low; }, false));
+  columns.push_back(time_column(
+      "median_ms", "frame, ms", [](const Cell& c) { return c.median_ms; }, true));
+  columns.push_back(time_column(
+      "median_ms_low", "low", [](const Cell& c) { return c.interval_ms.low; }, false));
+  columns.push_back(time_column(
+      "median_ms_high", "high", [](const Cell& c) { return c.interval_ms.high; }, false));
+  columns.push_back({{"cpu_ms", "CPU time, ms"},
+                     [](const Cell& c) { return number_value(timed(c) ? c.cpu_ms : std::nullopt); }});
+  columns.push_back({{"samples", "samples"}, [](const Cell& c) {
+                       std::size_t count = 0;
+                       for (const auto& process : c.processes) count += process.size();
+                       return text_value(std::to_string(count));
+                     }});
+  columns.push_back({{"processes", "processes"},
+                     [](const Cell& c) { return text_value(std::to_string(c.processes.size())); }});
+  columns.push_back(
+      {{"converged", "converged"}, [](const Cell& c) { return text_value(c.converged ? "1" : "0"); }});
+  add_phases(columns, cells);
+  add_metrics(columns, cells);
+  return columns;
+}
+
+Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& columns) {
+  Table table;
+  for (const CellColumn& c : columns) table.columns.push_back(c.column);
+  for (const Cell& cell : cells) {
+    std::vector<Value>& line = table.lines.emplace_back();
+    for (const CellColumn& c : columns) line.push_back(c.value(cell));
+  }
+  return table;
+}
+
+std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell>& cells) {
+  std::vector<std::string> names;
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    if (is_key(table.columns[c].name, cells) &&
+        std::any_of(table.lines.begin(), table.lines.end(),
+                    [&](const auto& line) { return line[c].data != table.lines.front()[c].data; }))
+      names.push_back(table.columns[c].name);
+  return names;
+}
+
+void add_varying_keys(Table& table, const std::vector<Cell>& cells) {
+  Layout& layout = table.layout;
+  for (const std::string& name : varying_keys(table, cells)) {
+    const auto has = [&](const std::vector<std::string>& list) {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    if (!has(layout.blocks) && !has(layout.rows) && !has(layout.groups)) layout.rows.push_back(name);
+  }
+}
+
+void show_interval(Table& table, const std::string& name) {
+  const int value = column_of(table, name), low = column_of(table, name + "_low"),
+            high = column_of(table, name + "_high");
+  if (value < 0 || low < 0 || high < 0) return;
+  for (auto& line : table.lines)
+    if (Value& v = line[std::size_t(value)]; !v.data.empty() && !line[std::size_t(low)].data.empty())
+      v.shown += fmt::format(" [{}, {}]", line[std::size_t(low)].shown, line[std::size_t(high)].shown);
+}
+
+std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
+  const Cell& any = cells.front();
+  const auto shared = [&](auto&& of) {
+    return std::all_of(cells.begin(), cells.end(), [&](const Cell& c) { return of(c) == of(any); });
+  };
+  std::string text = fmt::format("{} on {}", any.experiment, any.device);
+  if (several_hosts) text += ", host " + any.host;
+  if (any.variant != default_variant && shared([](const Cell& c) { return c.variant; }))
+    text += ", variant " + any.variant;
+  if (!any.overrides.empty()) text += "; changed: " + changes_of(any);
+  return text;
+}
+
+void sort_cells(std::vector<Cell>& cells) {
+  const auto triangles = triangles_by_model(cells);
+  std::vector<Column> axes;
+  for (const std::string& axis : axes_of(cells)) axes.push_back(axis_column(axis));
+  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
+    const double more = triangles.at(a.axis("model")) - triangles.at(b.axis("model"));
+    if (more != 0) return more < 0;
+    for (const Column& axis : axes)
+      if (const std::string left = a.axis(axis.name), right = b.axis(axis.name); left != right)
+        return precedes(axis, left, right);
+    return a.variant < b.variant;
+  });
+}
+
+std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells) {
+  std::map<std::string, double> counts;
+  for (const Cell& c : cells) {
+    double& count = counts[c.axis("model")];
+    if (const auto found = c.metrics.find("triangles"); found != c.metrics.end())
+      count = std::max(count, found->second.value);
+  }
+  return counts;
+}
+
+std::string name_of(const Cell& cell) {
+  std::vector<std::pair<std::string, std::string>> axes(cell.axes.begin(), cell.axes.end());
+  std::stable_sort(axes.begin(), axes.end(),
+                   [](const auto& a, const auto& b) { return rank(a.first) < rank(b.first); });
+  std::string text;
+  for (const auto& [axis, value] : axes) {
+    if (axis == "variant" || (axis == "reading" && value == "default")) continue;
+    text += text.empty() ? "" : ", ";
+    text += axis == "layers" ? value + " layers" : value;
+  }
+  return text.empty() ? cell.case_name : text;
+}
+
+}  // namespace pelage

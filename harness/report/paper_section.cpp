@@ -1,0 +1,123 @@
+// The section of cells whose frame rate a paper prints: our numbers beside the paper's, in the shape of the
+// paper's table.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "harness/journal/provenance.hpp"
+#include "harness/report/case_table.hpp"
+#include "harness/report/sections.hpp"
+
+namespace pelage {
+namespace {
+
+/// Returns the limit of the paper's frame time that follows from a limit of its frame rate, in ms.
+std::optional<double> ms_of(std::optional<double> fps) {
+  return fps && *fps > 0 ? std::optional(1000 / *fps) : std::nullopt;
+}
+
+/// A column with a number that follows from the paper's frame rate.
+CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
+  return {{name, name}, [number](const Cell& c) {
+            const auto paper = c.paper_fps();
+            return number_value(paper ? number(*paper) : std::nullopt);
+          }};
+}
+
+/// A column with a number that follows from our frame rate divided by the paper's.
+CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
+  return {{name, name}, [number](const Cell& c) {
+            const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+            return number_value(ratio ? number(*ratio) : std::nullopt);
+          }};
+}
+
+std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
+  std::vector<CellColumn> columns = case_columns(cells);
+  // The metric paper_fps and its limits get columns of their own below.
+  std::erase_if(columns, [](const CellColumn& c) { return c.column.name.starts_with("paper_fps"); });
+  for (CellColumn& c : columns)
+    if (c.column.name == "fps") c.column.heading = "ours";
+  columns.push_back({{"paper_relation", "paper_relation"},
+                     [](const Cell& c) { return text_value(c.paper_fps().value_or(Metric{}).relation); }});
+  columns.push_back({{"paper_fps", "paper"}, [](const Cell& c) {
+                       const auto paper = c.paper_fps();
+                       if (!paper) return number_value({});
+                       return Value{fmt::format("{:g}", paper->value), published_text(*paper)};
+                     }});
+  columns.push_back(of_paper("paper_fps_low", [](const Metric& m) { return m.low; }));
+  columns.push_back(of_paper("paper_fps_high", [](const Metric& m) { return m.high; }));
+  columns.push_back(of_paper("paper_ms", [](const Metric& m) { return ms_of(m.value); }));
+  columns.push_back(of_paper("paper_ms_low", [](const Metric& m) { return ms_of(m.high); }));
+  columns.push_back(of_paper("paper_ms_high", [](const Metric& m) { return ms_of(m.low); }));
+  columns.push_back({{"ratio", "ratio"}, [](const Cell& c) {
+                       const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
+                       if (!ratio) return number_value({});
+                       Value value = number_value(ratio->value);
+                       value.data = ratio->relation + value.data;
+                       value.shown = ratio->relation + (ratio->relation.empty() ? "" : " ") + value.shown;
+                       return value;
+                     }});
+  columns.push_back(of_ratio("ratio_low", [](const Ratio& r) { return r.low; }));
+  columns.push_back(of_ratio("ratio_high", [](const Ratio& r) { return r.high; }));
+  return columns;
+}
+
+Section section_of(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
+  sort_cells(cells);  // by triangles, like the papers' tables
+  const Cell& any = cells.front();
+  auto columns = paper_columns(cells);
+  const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});
+  Section section{table_of(cells, columns), {}};
+  Table& table = section.table;
+  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
+  table.title = experiment.title.empty() ? any.experiment : experiment.title;
+  if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem;
+  if (any.reading() != "default") table.stem += "-" + any.reading();
+  if (any.variant != default_variant) table.stem += "-" + file_name_of(any.variant);
+  if (has("layers")) table.layout.blocks = {"layers"};
+  if (has("model")) table.layout.rows = {"model"};
+  if (has("triangles")) table.layout.rows.emplace_back("triangles");
+  if (has("size")) table.layout.groups = {"size"};
+  table.layout.values = {"fps", "paper_fps", "ratio"};
+  add_varying_keys(table, cells);
+  add_footnotes(table, sources.note);
+  table.remarks = {
+      "Frames per second: 1000 divided by the median wall time of a warm frame in ms, from the first command "
+      "to the "
+      "end of the last one.",
+      "Ratio: ours divided by the paper's."};
+  if (!experiment.hardware.empty())
+    table.remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
+                                        experiment.table.empty() ? "the paper" : experiment.table,
+                                        experiment.hardware));
+  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return c.median_ms > 0 && !c.converged; }))
+    table.remarks.emplace_back(star_remark);
+  View view = view_of(cells);
+  if (view.x.empty() && has("triangles")) {
+    view.x = "triangles";
+    if (view.panels.empty() && has("layers")) view.panels = {"layers"};
+    view.x_scale = view.y_scale = "log";
+  }
+  section.plots = plots_of(table, cells, view, *sources.notes);
+  for (PlotSpec& plot : section.plots)
+    if (plot.y == "median_ms") plot.published = "paper_ms", plot.published_label = "paper";
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> paper_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                    const Sources& sources) {
+  std::map<std::pair<std::string, std::string>, std::vector<Cell>> groups;
+  for (const Cell& c : cells) groups[{c.reading(), c.variant}].push_back(c);
+  std::vector<Section> sections;
+  sections.reserve(groups.size());
+  for (const auto& [key, group] : groups) sections.push_back(section_of(group, stem, sources));
+  return sections;
+}
+
+}  // namespace pelage

@@ -1,0 +1,176 @@
+#include "harness/report/plot_spec.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/journal/provenance.hpp"
+#include "harness/report/case_table.hpp"
+
+namespace pelage {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::set<std::string> values_of(const Table& table, const std::string& column) {
+  std::set<std::string> values;
+  for (const auto& line : table.lines) values.insert(line[std::size_t(column_of(table, column))].data);
+  return values;
+}
+
+bool is_numeric(const Table& table, const std::string& column) {
+  const auto values = values_of(table, column);
+  return std::all_of(values.begin(), values.end(),
+                     [](const std::string& v) { return v.empty() || number_of(v).has_value(); });
+}
+
+/// Largest number of series that readers can tell apart by colour, and of panels on a page.
+constexpr std::size_t most_series = 7, most_panels = 12;
+
+/// Returns the number of combinations of the columns' values.
+std::size_t combinations(const Table& table, const Names& columns) {
+  std::set<Names> found;
+  for (const auto& line : table.lines) {
+    Names values;
+    for (const std::string& column : columns)
+      values.push_back(line[std::size_t(column_of(table, column))].data);
+    found.insert(std::move(values));
+  }
+  return found.size();
+}
+
+/// Removes and returns the name with the most values; "" if there are no names.
+std::string take_largest(const Table& table, Names& names) {
+  const auto most = std::max_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
+    return values_of(table, a).size() < values_of(table, b).size();
+  });
+  if (most == names.end()) return {};
+  std::string name = *most;
+  names.erase(most);
+  return name;
+}
+
+/// Returns "log" if the numbers are positive and the largest one is at least 20 times the smallest one.
+std::string scale_of(const Table& table, const std::string& column) {
+  double least = 0, most = 0;
+  for (const std::string& text : values_of(table, column)) {
+    const auto number = number_of(text);
+    if (text.empty()) continue;
+    if (!number || *number <= 0) return "linear";
+    least = least == 0 ? *number : std::min(least, *number);
+    most = std::max(most, *number);
+  }
+  return least > 0 && most >= 20 * least ? "log" : "linear";
+}
+
+/// Keeps the names of columns. Adds a note for every other name.
+Names known(const Table& table, const Names& names, const char* key, std::vector<std::string>& notes) {
+  Names result;
+  for (const std::string& name : names)
+    if (column_of(table, name) >= 0)
+      result.push_back(name);
+    else
+      notes.push_back(fmt::format("{}: {} names \"{}\", which is no column of tables/{}.csv", table.subtitle,
+                                  key, name, table.stem));
+  return result;
+}
+
+void erase_from(Names& names, const Names& taken) {
+  std::erase_if(names,
+                [&](const auto& n) { return std::find(taken.begin(), taken.end(), n) != taken.end(); });
+}
+
+/// Chooses x, series and panels from the view, and from the key columns that vary.
+void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, const View& view,
+           std::vector<std::string>& notes) {
+  Names keys = varying_keys(table, cells);
+  plot.series = known(table, view.series, "series", notes);
+  plot.panels = known(table, view.panels, "panels", notes);
+  erase_from(keys, plot.series);
+  erase_from(keys, plot.panels);
+  if (const Names x = known(table, view.x.empty() ? Names{} : Names{view.x}, "x", notes); !x.empty()) {
+    plot.x = x[0];
+    // The number of triangles follows from the model.
+    if (plot.x == "triangles") erase_from(keys, {"model"});
+    erase_from(keys, x);
+  } else {
+    Names numeric, words;
+    for (const std::string& key : keys) (is_numeric(table, key) ? numeric : words).push_back(key);
+    Names rest = numeric;
+    plot.x = take_largest(table, rest);
+    // Two numbers make poor lines if there are many of them.
+    const bool poor =
+        !plot.x.empty() && values_of(table, plot.x).size() < 3 && combinations(table, words) > most_series;
+    if (plot.x.empty() || poor) {
+      rest = numeric;
+      plot.x = take_largest(table, words);
+    } else if (plot.panels.empty() && !rest.empty()) {
+      plot.panels = {take_largest(table, rest)};
+    }
+    if (plot.x.empty()) plot.x = column_of(table, "model") >= 0 ? "model" : "variant";
+    keys = words;
+    keys.insert(keys.end(), rest.begin(), rest.end());
+    // Too many series: the keys with the fewest values become panels.
+    while (view.panels.empty() && view.series.empty() && keys.size() > 1 &&
+           combinations(table, keys) > most_series) {
+      const auto fewest = std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+        return values_of(table, a).size() < values_of(table, b).size();
+      });
+      Names more = plot.panels;
+      more.push_back(*fewest);
+      if (combinations(table, more) > most_panels) break;
+      plot.panels = more;
+      keys.erase(fewest);
+    }
+  }
+  plot.series.insert(plot.series.end(), keys.begin(), keys.end());
+}
+
+}  // namespace
+
+std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cells, const View& view,
+                               std::vector<std::string>& notes) {
+  PlotSpec first;
+  place(first, table, cells, view, notes);
+  first.note = cells.empty() ? "" : cells.front().device;
+  for (const Column& column : table.columns) {
+    if (!column.order.empty()) first.order[column.name] = column.order;
+    if (column.label != "{}") first.labels[column.name] = column.label;
+  }
+  const auto heading = [&](const std::string& name) {
+    return table.columns[std::size_t(column_of(table, name))].heading;
+  };
+  first.x_label = first.x == "size" ? "pixels" : heading(first.x);
+  first.x_scale = view.x_scale.empty() ? scale_of(table, first.x) : view.x_scale;
+  std::vector<PlotSpec> plots;
+  for (const std::string& y : known(table, view.y.empty() ? Names{"median_ms"} : view.y, "y", notes)) {
+    const auto numbers = std::count_if(table.lines.begin(), table.lines.end(), [&](const auto& line) {
+      return number_of(line[std::size_t(column_of(table, y))].data).has_value();
+    });
+    if (numbers < 2) continue;
+    PlotSpec plot = first;
+    plot.y = y;
+    plot.y_label = y == "median_ms" ? "frame time, ms" : heading(y);
+    plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
+    if (column_of(table, y + "_low") >= 0) plot.low = y + "_low", plot.high = y + "_high";
+    plot.title = fmt::format("{} against {}: {}", plot.y_label, plot.x_label, table.subtitle);
+    plot.stem = fmt::format("{}-{}", table.stem, y == "median_ms" ? "frame-time" : file_name_of(y));
+    plots.push_back(std::move(plot));
+  }
+  return plots;
+}
+
+std::string json_of(const PlotSpec& plot) {
+  nlohmann::ordered_json json{{"title", plot.title},     {"note", plot.note},       {"x", plot.x},
+                              {"x_label", plot.x_label}, {"x_scale", plot.x_scale}, {"y", plot.y},
+                              {"y_label", plot.y_label}, {"y_scale", plot.y_scale}, {"low", plot.low},
+                              {"high", plot.high},       {"series", plot.series},   {"panels", plot.panels},
+                              {"order", plot.order},     {"labels", plot.labels}};
+  if (!plot.published.empty())
+    json["published"] = {{"column", plot.published}, {"label", plot.published_label}};
+  if (plot.guide) json["guide"] = *plot.guide;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace pelage

@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+"""Draws the plot that a description names: a number of each line of a table against an axis of the experiment.
+
+usage: plot.py TABLE.csv OUT.svg [OUT.pdf ...]
+
+TABLE.csv is the table, and TABLE.json beside it the description, that a report stores next to this program. The program
+needs only matplotlib. If all values of x are numbers (a picture size counts as its number of pixels), it draws lines,
+else points. The bars are the 95% intervals.
+"""
+import csv
+import itertools
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # one more than colours: 56 different series
+MOST_COLUMNS = 4  # panels side by side
+MOST_LEGEND = 24  # series in the legend
+
+
+def number(text):
+    """The number that the text denotes, the number of pixels of a picture size, or None."""
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        size = re.fullmatch(r"(\d+)x(\d+)", text or "")
+        return float(size[1]) * float(size[2]) if size else None
+    return value if math.isfinite(value) else None
+
+
+def natural(text):
+    value = number(text)
+    if value is not None:
+        return (0, value, [])
+    return (1, 0.0, [(0, int(p), "") if p.isdigit() else (1, 0, p) for p in re.split(r"(\d+)", text) if p])
+
+
+class Keys:
+    """The order and the labels of the values of the table's columns."""
+
+    def __init__(self, description):
+        self.order, self.labels = description["order"], description["labels"]
+
+    def place(self, column, value):
+        order = self.order.get(column, [])
+        return (order.index(value) if value in order else len(order), natural(value))
+
+    def combinations(self, rows, columns):
+        found = {tuple(r[c] for c in columns) for r in rows}
+        return sorted(found, key=lambda values: [self.place(c, v) for c, v in zip(columns, values)])
+
+    def text(self, columns, values):
+        parts = [self.labels.get(c, "{}").replace("{}", re.sub(r"^(\d+)x(\d+)$", "\\1 × \\2", v))
+                 for c, v in zip(columns, values) if not (c == "reading" and v == "default")]
+        return ", ".join(p for p in parts if p)
+
+
+def bars(rows, value, low, high):
+    """The lengths of the error bars below and above the values; None without intervals."""
+    if not low:
+        return None
+    below = [max(0.0, v - (number(r[low]) if number(r[low]) is not None else v)) for v, r in zip(value, rows)]
+    above = [max(0.0, (number(r[high]) if number(r[high]) is not None else v) - v) for v, r in zip(value, rows)]
+    return [below, above]
+
+
+def draw_published(axis, rows, x_of, published, style):
+    """Draws the numbers of the paper. A number without an upper limit is a lower limit: it is drawn as an arrow."""
+    column = published["column"]
+    have = [r for r in rows if number(r[column]) is not None]
+    known = [r for r in have if number(r[column + "_high"]) is not None or number(r[column + "_low"]) is None]
+    handle = None
+    if known:
+        y = [number(r[column]) for r in known]
+        handle = axis.errorbar([x_of(r) for r in known], y, yerr=bars(known, y, column + "_low", column + "_high"),
+                               markerfacecolor="white", linewidth=0.9, linestyle="--", **style)
+    for r in have:
+        if r not in known:
+            x, y = x_of(r), number(r[column])
+            axis.annotate("", (x, y * 2), (x, y),
+                          arrowprops={"arrowstyle": "->", "color": style["color"], "linestyle": "--"})
+            axis.plot(x, y, linestyle="none", markerfacecolor="white",
+                      **{k: v for k, v in style.items() if k != "capsize"})
+            axis.plot(x, y * 2.2, alpha=0)  # the limits of the axis include the arrow
+    return handle
+
+
+def draw_panel(axis, rows, series, categories, keys, d):
+    """Draws the series of one panel. Returns the handles of the legend by label."""
+    handles = {}
+    for i, values in enumerate(series):
+        colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
+        style = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
+        mine = [r for r in rows if tuple(r[c] for c in d["series"]) == values]
+        if categories:
+            shift = 0.7 / max(1, len(series)) * (i - (len(series) - 1) / 2)
+
+            def x_of(r, shift=shift):
+                return categories.index(r[d["x"]]) + shift
+        else:
+            mine = sorted((r for r in mine if number(r[d["x"]]) is not None), key=lambda r: number(r[d["x"]]))
+
+            def x_of(r):
+                return number(r[d["x"]])
+        have = [r for r in mine if number(r[d["y"]]) is not None]
+        y = [number(r[d["y"]]) for r in have]
+        label = keys.text(d["series"], values)
+        ours = ", ".join(p for p in ("ours" if "published" in d else "", label) if p)
+        if have:
+            # Points with the same x, such as models with the same number of triangles, are not joined.
+            joined = not categories and len({x_of(r) for r in have}) == len(have)
+            handles[ours] = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
+                                           linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **style)
+        if "published" in d:
+            handle = draw_published(axis, mine, x_of, d["published"], style)
+            if handle:
+                name = d["published"]["label"]
+                handles[f"{name}, {label}" if label else name] = handle
+    return handles
+
+
+def decorate(axis, title, categories, d):
+    axis.set_yscale(d["y_scale"])
+    if categories:
+        axis.set_xticks(range(len(categories)), categories, rotation=30 if len(categories) > 4 else 0,
+                        ha="right" if len(categories) > 4 else "center")
+        axis.set_xlim(-0.6, len(categories) - 0.4)
+    else:
+        axis.set_xscale(d["x_scale"])
+    if "guide" in d:
+        axis.axhline(d["guide"], color="0.4", linewidth=0.8)
+    axis.set_title(title, fontsize=9)
+    axis.grid(True, which="major", color="0.85", linewidth=0.6)
+    axis.grid(True, which="minor", color="0.93", linewidth=0.4)
+    axis.set_axisbelow(True)
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+
+
+def plain_ticks(axis):
+    """Writes the ticks of a logarithmic scale as plain numbers if the scale spans less than three decades."""
+    for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
+                                 (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
+        if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
+            continue
+        steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
+        ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
+        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+        ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
+
+
+def main(table, outputs):
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    d = json.loads(Path(table).with_suffix(".json").read_text(encoding="utf-8"))
+    keys = Keys(d)
+    panels = keys.combinations(rows, d["panels"]) or [()]
+    series = keys.combinations(rows, d["series"]) or [()]
+    numeric = all(number(r[d["x"]]) is not None for r in rows if r[d["x"]])
+    in_order = list(dict.fromkeys(r[d["x"]] for r in rows))
+    categories = [] if numeric else sorted(in_order, key=lambda v: (keys.place(d["x"], v)[0], in_order.index(v)))
+
+    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
+    across = min(MOST_COLUMNS, len(panels))
+    down = math.ceil(len(panels) / across)
+    width = max(3.0, 0.45 * len(categories) * max(1, len(series) / 4) + 1) if categories else 3.2
+    figure, axes = plt.subplots(down, across, figsize=(min(width, 7) * across + 0.8, 3.0 * down + 0.6), sharex=not categories,
+                                sharey=True, squeeze=False, constrained_layout=True)
+    handles = {}
+    for axis, values in itertools.zip_longest(axes.flat, panels):
+        if values is None:
+            axis.set_visible(False)
+            continue
+        mine = [r for r in rows if tuple(r[c] for c in d["panels"]) == values]
+        for label, handle in draw_panel(axis, mine, series, categories, keys, d).items():
+            handles.setdefault(label, handle)
+        decorate(axis, keys.text(d["panels"], values), categories, d)
+    plain_ticks(axes[0][0])
+    for i, row in enumerate(axes):
+        row[0].set_ylabel(d["y_label"])
+        for j, axis in enumerate(row):
+            if not categories and (i + 1) * across + j >= len(panels):
+                axis.set_xlabel(d["x_label"])
+                axis.tick_params(labelbottom=True)
+    if any(handles):
+        shown = dict(itertools.islice(handles.items(), MOST_LEGEND))
+        figure.legend(shown.values(), shown.keys(), loc="upper center", bbox_to_anchor=(0.5, 0.0),
+                      ncol=min(len(shown), 2 * across, 4), frameon=False)
+    if d["note"]:
+        figure.suptitle(d["note"], fontsize=8, color="0.35")
+    for output in outputs:
+        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
+        figure.savefig(output, bbox_inches="tight", metadata=meta, dpi=150)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])

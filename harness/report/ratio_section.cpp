@@ -1,0 +1,134 @@
+// The section of an experiment that draws each frame with the paper's own pipeline (the OpenGL baseline) and
+// with ours.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "harness/report/case_table.hpp"
+#include "harness/report/sections.hpp"
+
+namespace pelage {
+namespace {
+
+std::optional<double> ratio_of_pipelines(const Cell& c) {
+  const auto found = c.metrics.find("opengl_ratio");
+  return c.status == Status::ok && found != c.metrics.end() ? std::optional(found->second.value)
+                                                            : std::nullopt;
+}
+
+/// Returns the name of the cell without the value of the axis "reading".
+std::string place_of(Cell cell) {
+  cell.axes.erase("reading");
+  return name_of(cell);
+}
+
+/// Returns one sentence per reading: the geometric mean and the least of the ratios.
+std::vector<std::string> means_of(const std::vector<Cell>& cells) {
+  std::map<std::string, std::vector<const Cell*>> readings;
+  for (const Cell& c : cells) readings[c.reading()].push_back(&c);
+  std::vector<std::string> sentences;
+  for (const auto& [reading, members] : readings) {
+    std::vector<double> ratios;
+    const Cell* least = nullptr;
+    for (const Cell* c : members) {
+      const auto ratio = ratio_of_pipelines(*c);
+      if (!ratio) continue;
+      ratios.push_back(*ratio);
+      if (!least || *ratio < *ratio_of_pipelines(*least)) least = c;
+    }
+    const std::string name = reading == "default" ? "" : reading + ": ";
+    sentences.push_back(least
+                            ? fmt::format("{}geometric mean {:.2f} over {} of {} cells, least {:.2f} ({}).",
+                                          name, geometric_mean(ratios), ratios.size(), members.size(),
+                                          *ratio_of_pipelines(*least), place_of(*least))
+                            : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.",
+                                          name, members.size()));
+  }
+  return sentences;
+}
+
+/// Returns the cost of curls and clumps: the frame times with the reading "default" divided by those with the
+/// reading "plain", which has neither. Returns "" if no case has both.
+std::string overhead_of(const std::vector<Cell>& cells) {
+  std::vector<double> ours, opengl;
+  for (const Cell& coat : cells)
+    for (const Cell& plain : cells) {
+      if (coat.reading() != "default" || plain.reading() != "plain" || place_of(coat) != place_of(plain) ||
+          coat.variant != plain.variant)
+        continue;
+      const auto a = coat.phase_ms.find("opengl"), b = plain.phase_ms.find("opengl");
+      if (!ratio_of_pipelines(coat) || !ratio_of_pipelines(plain) || a == coat.phase_ms.end() ||
+          b == plain.phase_ms.end())
+        continue;
+      ours.push_back(coat.median_ms / plain.median_ms);
+      opengl.push_back(a->second / b->second);
+    }
+  if (ours.empty()) return {};
+  return fmt::format(
+      "Frames with curls and clumps take {:.2f} times the time of plain shells in OpenCL, and {:.2f} times "
+      "in OpenGL "
+      "(geometric means of {} cells).",
+      geometric_mean(ours), geometric_mean(opengl), ours.size());
+}
+
+}  // namespace
+
+std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::string& stem,
+                                    const Sources& sources) {
+  std::vector<Cell> cells = given;
+  sort_cells(cells);
+  auto columns = case_columns(cells);
+  for (CellColumn& c : columns)
+    if (c.column.name == "opengl_ratio")
+      c = {{"opengl_ratio", "ratio"}, [](const Cell& cell) {
+             const auto ratio = ratio_of_pipelines(cell);
+             if (!ratio) return Value{"", std::string(to_text(cell.status)), cell.reason, "", true};
+             const Metric& m = cell.metrics.at("opengl_ratio");
+             return Value{fmt::format("{:.6g}", *ratio),
+                          fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, cell.converged ? "" : "*",
+                                      m.low.value_or(0), m.high.value_or(0))};
+           }};
+  Section section{table_of(cells, columns), {}};
+  Table& table = section.table;
+  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
+  table.title = title_of(cells.front().experiment);
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem + "-ratio";
+  if (has("reading")) table.layout.blocks = {"reading"};
+  for (const char* name : {"model", "triangles"})
+    if (has(name)) table.layout.rows.emplace_back(name);
+  for (const char* name : {"layers", "size"})
+    if (has(name)) table.layout.groups.emplace_back(name);
+  table.layout.values = {"opengl_ratio"};
+  add_varying_keys(table, cells);
+  add_footnotes(table, sources.note);
+  const auto renderer =
+      std::find_if(cells.begin(), cells.end(), [](const Cell& c) { return !c.renderer.empty(); });
+  table.remarks = {
+      fmt::format("Time of the paper's pipeline ({}) divided by ours, for the same picture in the same "
+                  "round: median over the "
+                  "rounds, and its 95% interval.",
+                  renderer == cells.end() ? "OpenGL" : renderer->renderer)};
+  for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
+  if (std::string sentence = overhead_of(cells); !sentence.empty())
+    table.remarks.push_back(std::move(sentence));
+  View view = view_of(cells);
+  if (view == View{}) {
+    view = {.x = has("model") ? "model" : "", .y = {"opengl_ratio"}, .y_scale = "log"};
+    if (has("reading")) view.panels = {"reading"};
+  }
+  section.plots = plots_of(table, cells, view, *sources.notes);
+  for (PlotSpec& plot : section.plots)
+    if (plot.y == "opengl_ratio") {
+      plot.guide = 1;
+      plot.y_label = "times as fast as the paper's pipeline";
+      plot.stem = table.stem;
+      plot.title = "Speed relative to the paper's pipeline: " + table.subtitle;
+      if (renderer != cells.end())
+        plot.note += " against " + renderer->renderer.substr(0, renderer->renderer.find(" ("));
+    }
+  return {std::move(section)};
+}
+
+}  // namespace pelage

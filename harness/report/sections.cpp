@@ -1,0 +1,111 @@
+#include "harness/report/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "harness/error.hpp"
+#include "harness/journal/provenance.hpp"
+
+namespace pelage {
+namespace {
+
+bool any_metric(const std::vector<Cell>& cells, const char* metric) {
+  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.metrics.contains(metric); });
+}
+
+bool any_axis(const std::vector<Cell>& cells, const char* axis) {
+  return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
+}
+
+std::string stem_of(const Cell& cell, const std::string& changes, const Sources& sources) {
+  std::string stem = cell.experiment;
+  if (sources.several_devices) stem += "-" + cell.device;
+  if (sources.several_hosts) stem += "-" + cell.host;
+  if (!changes.empty()) stem += "-" + changes;
+  return file_name_of(stem);
+}
+
+std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string& stem,
+                              const Sources& sources) {
+  if (any_metric(cells, "opengl_ratio")) return ratio_sections(cells, stem, sources);
+  if (any_metric(cells, "paper_fps")) return paper_sections(cells, stem, sources);
+  if (any_axis(cells, "dynamics.topology") && any_axis(cells, "layers"))
+    return topology_sections(cells, stem, sources);
+  return case_sections(cells, stem, sources);
+}
+
+/// Gives every file name once: the second section with the name x gets the name x-2.
+void separate(std::vector<Section>& sections) {
+  std::map<std::string, int> uses;
+  for (Section& section : sections) {
+    const std::string stem = section.table.stem;
+    const int use = ++uses[stem];
+    if (use == 1) continue;
+    section.table.stem = fmt::format("{}-{}", stem, use);
+    for (PlotSpec& plot : section.plots) plot.stem = fmt::format("{}-{}", plot.stem, use);
+  }
+}
+
+}  // namespace
+
+std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& sources) {
+  std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<Cell>> groups;
+  for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c)}].push_back(c);
+  std::vector<Section> sections;
+  for (const auto& [key, group] : groups)
+    for (Section& section : of_group(group, stem_of(group.front(), std::get<3>(key), sources), sources))
+      sections.push_back(std::move(section));
+  separate(sections);
+  return sections;
+}
+
+std::optional<Experiment> shipped_experiment(const std::string& name) {
+  try {
+    return read_experiment(experiment_file(name));
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::string title_of(const std::string& experiment) {
+  const auto found = shipped_experiment(experiment);
+  return found && !found->title.empty() ? found->title : experiment;
+}
+
+void add_footnotes(Table& table, const ModelNote& note) {
+  const int model = column_of(table, "model");
+  if (model < 0 || !note) return;
+  std::map<std::string, std::string> marks;
+  for (auto& line : table.lines) {
+    Value& value = line[std::size_t(model)];
+    const std::string text = note(value.data);
+    if (text.empty()) continue;
+    const auto [mark, added] = marks.emplace(value.data, "");
+    if (added) {
+      // a to z, then aa, ab, ...
+      for (std::size_t n = marks.size(); n > 0; n = (n - 1) / 26)
+        mark->second.insert(mark->second.begin(), char('a' + (n - 1) % 26));
+      table.footnotes.push_back(fmt::format("{} {}: {}", mark->second, value.data, text));
+    }
+    value.mark = mark->second;
+  }
+}
+
+double geometric_mean(const std::vector<double>& numbers) {
+  double sum = 0;
+  for (const double number : numbers) sum += std::log(number);
+  return numbers.empty() ? 0 : std::exp(sum / double(numbers.size()));
+}
+
+View view_of(const std::vector<Cell>& cells) {
+  for (auto c = cells.rbegin(); c != cells.rend(); ++c)
+    if (!c->view.is_null()) return view_from_json(c->view);
+  const auto found = shipped_experiment(cells.front().experiment);
+  return found ? found->view : View{};
+}
+
+}  // namespace pelage

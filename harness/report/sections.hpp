@@ -1,0 +1,73 @@
+// The sections of a report: a table of the cases of one experiment on one device, and its plots. Every cell
+// is in a section.
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/experiment/experiment.hpp"
+#include "harness/report/cells.hpp"
+#include "harness/report/plot_spec.hpp"
+#include "harness/table/table.hpp"
+
+namespace pelage {
+
+struct Section {
+  Table table;
+  std::vector<PlotSpec> plots;
+};
+
+/// A function that returns the footnote of a model, or "" if the model has no footnote.
+using ModelNote = std::function<std::string(const std::string& model)>;
+
+/// What all sections of a report share.
+struct Sources {
+  ModelNote note;
+  bool several_devices = false,
+       several_hosts = false;                 ///< then the names of files name the device, and the host
+  std::vector<std::string>* notes = nullptr;  ///< gets a line for each plot that cannot be made as described
+};
+
+/// Returns the sections of all cells, at least one for each experiment, device and host. Cells that the user
+/// changed with
+/// --set, --axis or --model are in sections of their own, whose subtitles name the changes.
+std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& sources);
+
+/// Each of the following functions makes the sections of cells of one experiment, device and host, with the
+/// same changes. `stem` begins the names of the files.
+
+/// Any experiment: a row per case, and a plot of the frame time.
+std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                   const Sources& sources);
+/// Cells with a frame rate printed in a paper: one table per reading and variant, in the shape of the papers'
+/// tables, with our frame rate, the paper's and their ratio.
+std::vector<Section> paper_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                    const Sources& sources);
+/// Cells with the metric opengl_ratio: the time of the paper's own pipeline (OpenGL) divided by ours, and the
+/// geometric means of the ratios.
+std::vector<Section> ratio_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                    const Sources& sources);
+/// Cells that differ in dynamics.topology: the frame and simulation time of each topology, and a table of
+/// their shares.
+std::vector<Section> topology_sections(const std::vector<Cell>& cells, const std::string& stem,
+                                       const Sources& sources);
+
+/// Returns the experiment of this name that pelage ships; no value if there is none, or if its file cannot be
+/// read.
+std::optional<Experiment> shipped_experiment(const std::string& name);
+
+/// Returns the title of a shipped experiment. For any other experiment, returns the name.
+std::string title_of(const std::string& experiment);
+
+/// Marks the models that have a footnote, and adds the footnotes.
+void add_footnotes(Table& table, const ModelNote& note);
+
+/// Returns the geometric mean; 0 for an empty list.
+double geometric_mean(const std::vector<double>& numbers);
+
+/// Returns the view of the rows; if they have none (rows of earlier versions), that of the shipped experiment
+/// of this name.
+View view_of(const std::vector<Cell>& cells);
+
+}  // namespace pelage

@@ -1,0 +1,139 @@
+// The section of an experiment that compares mass-spring topologies.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "harness/report/case_table.hpp"
+#include "harness/report/sections.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr const char* axis = "dynamics.topology";
+
+bool timed(const Cell& c) {
+  return c.status == Status::ok && c.median_ms > 0;
+}
+
+std::string place_of(Cell cell) {
+  cell.axes.erase(axis);
+  return name_of(cell) + "\n" + cell.variant;
+}
+
+/// Returns the topologies that occur, in the order of the scene key's choices.
+std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
+  std::vector<std::string> names;
+  for (const std::string& name : table.columns[std::size_t(column_of(table, axis))].order)
+    if (std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axis(axis) == name; }))
+      names.push_back(name);
+  return names;
+}
+
+/// Returns the cell of the first topology with the same values of the other axes; null if there is none with
+/// a time.
+const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
+  const std::string place = place_of(like);
+  const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
+    return c.axis(axis) == first && timed(c) && place_of(c) == place;
+  });
+  return found == cells.end() ? nullptr : &*found;
+}
+
+std::optional<double> simulate_ms(const Cell& c) {
+  const auto found = c.phase_ms.find("simulate");
+  return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// A table with one line per topology: its frame time divided by that of the first topology, and the
+/// simulation's share of the frame time.
+Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
+  Table table;
+  table.title = "Simulation's share of the frame time";
+  table.columns = {{"topology", "topology"},
+                   {"by_first", "frame, times " + (topologies.empty() ? std::string() : topologies.front())},
+                   {"cases", "cases"},
+                   {"share_median", "share, median"},
+                   {"share_most", "share, most"},
+                   {"most_case", "case with the most"}};
+  table.layout = {{}, {"topology"}, {}, {"by_first", "cases", "share_median", "share_most", "most_case"}};
+  const auto percent = [](double share) {
+    return Value{fmt::format("{:.6g}", share), fmt::format("{:.2g}%", 100 * share)};
+  };
+  for (const std::string& topology : topologies) {
+    std::vector<double> ratios, shares;
+    std::string worst;
+    double most = 0;
+    for (const Cell& c : cells) {
+      if (c.axis(axis) != topology || !timed(c)) continue;
+      if (const Cell* first = first_of(cells, c, topologies.front()))
+        ratios.push_back(c.median_ms / first->median_ms);
+      if (!simulate_ms(c)) continue;
+      shares.push_back(*simulate_ms(c) / c.median_ms);
+      if (shares.back() >= most) most = shares.back(), worst = place_of(c).substr(0, place_of(c).find('\n'));
+    }
+    table.lines.push_back(
+        {text_value(topology),
+         number_value(ratios.empty() ? std::nullopt : std::optional(geometric_mean(ratios))),
+         count_value(double(ratios.size())), shares.empty() ? number_value({}) : percent(median(shares)),
+         shares.empty() ? number_value({}) : percent(most), text_value(worst)});
+  }
+  table.remarks = {
+      "Frame: geometric mean over the cases of the frame time divided by that of the first topology."};
+  return table;
+}
+
+}  // namespace
+
+std::vector<Section> topology_sections(const std::vector<Cell>& given, const std::string& stem,
+                                       const Sources& sources) {
+  std::vector<Cell> cells = given;
+  sort_cells(cells);
+  auto columns = case_columns(cells);
+  const std::vector<std::string> topologies = topologies_of(cells, table_of({}, columns));
+  columns.push_back({{"ratio", "ratio"}, [&](const Cell& c) {
+                       const Cell* first =
+                           topologies.empty() ? nullptr : first_of(cells, c, topologies.front());
+                       return number_value(first && timed(c) ? std::optional(c.median_ms / first->median_ms)
+                                                             : std::nullopt);
+                     }});
+  for (CellColumn& c : columns) {
+    if (c.column.name == "median_ms") c.column.heading = "frame";
+    if (c.column.name == "simulate_ms") c.column.heading = "simulate";
+  }
+  Section section{table_of(cells, columns), {}};
+  Table& table = section.table;
+  const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
+  table.title = title_of(cells.front().experiment);
+  table.subtitle = subtitle_of(cells, sources.several_hosts);
+  table.stem = stem;
+  for (const char* name : {"layers", "size"})
+    if (has(name)) table.layout.blocks.emplace_back(name);
+  for (const char* name : {"model", "triangles"})
+    if (has(name)) table.layout.rows.emplace_back(name);
+  table.layout.groups = {axis};
+  table.layout.values = {"median_ms"};
+  if (has("simulate_ms")) table.layout.values.emplace_back("simulate_ms");
+  add_varying_keys(table, cells);
+  add_footnotes(table, sources.note);
+  table.remarks = {
+      "frame: median wall time of a warm frame; simulate: median time of its simulation by the device's "
+      "timer; both in "
+      "ms."};
+  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return timed(c) && !c.converged; }))
+    table.remarks.emplace_back(star_remark);
+  View view = view_of(cells);
+  if (view == View{} && has("triangles")) {
+    view = {.x = "triangles", .y = {"median_ms"}, .series = {axis}, .x_scale = "log", .y_scale = "log"};
+    if (has("simulate_ms")) view.y.emplace_back("simulate_ms");
+    for (const char* name : {"layers", "size"})
+      if (has(name)) view.panels.emplace_back(name);
+  }
+  section.plots = plots_of(table, cells, view, *sources.notes);
+  Section shares{shares_of(cells, topologies), {}};
+  shares.table.subtitle = table.subtitle;
+  shares.table.stem = stem + "-shares";
+  return {std::move(section), std::move(shares)};
+}
+
+}  // namespace pelage

@@ -1,0 +1,49 @@
+// Tables as comma-separated values.
+#include <charconv>
+
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+/// Returns whether a spreadsheet could take the text for a formula. This is so if the text begins with =, +,
+/// -, @, a tab or a carriage return, and is not a number.
+bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text.front()) == std::string_view::npos) return false;
+  double number = 0;
+  const char* first = text.data() + (text.front() == '+' ? 1 : 0);
+  const auto [end, code] = std::from_chars(first, text.data() + text.size(), number);
+  return code != std::errc{} || end != text.data() + text.size();
+}
+
+}  // namespace
+
+std::string csv_line(const std::vector<std::string>& fields) {
+  std::string line;
+  for (const std::string& given : fields) {
+    if (&given != &fields.front()) line += ',';
+    const std::string field = is_formula(given) ? "'" + given : given;
+    if (field.find_first_of(",\"\r\n") == std::string::npos) {
+      line += field;
+      continue;
+    }
+    line += '"';
+    for (const char c : field) line += c == '"' ? std::string("\"\"") : std::string(1, c);
+    line += '"';
+  }
+  return line + "\n";
+}
+
+std::string csv_of(const Table& table) {
+  std::vector<std::string> fields;
+  for (const Column& column : table.columns) fields.push_back(column.name);
+  std::string text = csv_line(fields);
+  for (const auto& line : table.lines) {
+    fields.clear();
+    for (const Value& value : line) fields.push_back(value.data);
+    text += csv_line(fields);
+  }
+  return text;
+}
+
+}  // namespace pelage

@@ -1,0 +1,96 @@
+// Tables in HTML.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/table/pivot.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+std::string cell_of(const std::optional<Value>& value) {
+  if (!value) return "<td>–</td>";
+  return fmt::format("<td{}{}>{}{}</td>", value->failed ? " class=\"bad\"" : "",
+                     value->hint.empty() ? "" : fmt::format(" title=\"{}\"", html_text(value->hint)),
+                     html_text(value->shown),
+                     value->mark.empty() ? "" : fmt::format("<sup>{}</sup>", html_text(value->mark)));
+}
+
+std::string head_of(const Pivot& pivot, const Pivot::Block& block) {
+  const bool grouped = pivot.groups.size() != 1 || !pivot.groups[0].empty();
+  std::string text = "<thead>";
+  if (grouped || !block.label.empty()) {
+    text += fmt::format("<tr><th colspan=\"{}\">{}</th>", std::max<std::size_t>(1, pivot.keys.size()),
+                        html_text(joined(block.label)));
+    for (const auto& group : pivot.groups)
+      text += fmt::format("<th class=\"group\" colspan=\"{}\">{}</th>", pivot.values.size(),
+                          html_text(joined(group)));
+    text += "</tr>\n";
+  }
+  text += "<tr>";
+  for (const Column& key : pivot.keys) text += fmt::format("<th>{}</th>", html_text(key.heading));
+  for (std::size_t g = 0; g < pivot.groups.size(); ++g)
+    for (const Column& value : pivot.values) text += fmt::format("<th>{}</th>", html_text(value.heading));
+  return text + "</tr></thead>\n";
+}
+
+}  // namespace
+
+std::string html_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string html_of(const Table& table) {
+  const Pivot pivot = pivot_of(table);
+  std::string text;
+  for (const Pivot::Block& block : pivot.blocks) {
+    text += "<div class=\"wide\"><table>\n" + head_of(pivot, block) + "<tbody>\n";
+    for (const Pivot::Row& row : block.rows) {
+      text += "<tr>";
+      for (const Value& key : row.keys) text += cell_of(key);
+      for (const auto& cell : row.cells) text += cell_of(cell);
+      text += "</tr>\n";
+    }
+    text += "</tbody></table></div>\n";
+  }
+  if (!table.remarks.empty()) {
+    text += "<p class=\"soft\">";
+    for (const std::string& remark : table.remarks) {
+      if (&remark != &table.remarks.front()) text += ' ';
+      text += html_text(remark);
+    }
+    text += "</p>\n";
+  }
+  if (!table.footnotes.empty()) {
+    text += "<ol class=\"notes\">";
+    for (const std::string& note : table.footnotes) {
+      const std::size_t space = std::min(note.find(' '), note.size());
+      text += fmt::format("<li><sup>{}</sup>{}</li>", html_text(note.substr(0, space)),
+                          html_text(note.substr(space)));
+    }
+    text += "</ol>\n";
+  }
+  return text;
+}
+
+}  // namespace pelage

@@ -1,0 +1,94 @@
+// Tables in LaTeX.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/table/pivot.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+/// Returns the label of a block or of a group of columns. A picture size such as "800x600" gets a
+/// multiplication sign.
+std::string label_text(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    const std::size_t x = part.find('x');
+    const bool size = x != std::string::npos && number_of(part);
+    text += (text.empty() ? "" : ", ") +
+            (size ? fmt::format("${} \\times {}$", part.substr(0, x), part.substr(x + 1)) : latex_text(part));
+  }
+  return text;
+}
+
+std::string shown(const Value& value) {
+  return latex_text(value.shown) +
+         (value.mark.empty() ? "" : fmt::format("\\tnote{{{}}}", latex_text(value.mark)));
+}
+
+std::string block_of(const Pivot& pivot, const Pivot::Block& block) {
+  const std::size_t keys = pivot.keys.size(), count = pivot.values.size();
+  const bool grouped = pivot.groups.size() != 1 || !pivot.groups[0].empty();
+  std::string text;
+  if (grouped || !block.label.empty()) {
+    text += fmt::format("\\multicolumn{{{}}}{{l}}{{{}}}", keys, label_text(block.label));
+    for (const auto& group : pivot.groups)
+      text += fmt::format(" & \\multicolumn{{{}}}{{c}}{{{}}}", count, label_text(group));
+    text += " \\\\\n";
+    for (std::size_t g = 0; g < pivot.groups.size() && count > 1; ++g)
+      text += fmt::format("\\cmidrule(lr){{{}-{}}} ", keys + 1 + g * count, keys + (g + 1) * count);
+    if (count > 1) text += "\n";
+  }
+  for (std::size_t k = 0; k < keys; ++k) text += (k > 0 ? " & " : "") + latex_text(pivot.keys[k].heading);
+  for (std::size_t g = 0; g < pivot.groups.size(); ++g)
+    for (const Column& value : pivot.values) text += " & " + latex_text(value.heading);
+  text += " \\\\\n\\midrule\n";
+  for (const Pivot::Row& row : block.rows) {
+    for (std::size_t k = 0; k < keys; ++k) text += (k > 0 ? " & " : "") + shown(row.keys[k]);
+    for (const auto& cell : row.cells) text += " & " + (cell ? shown(*cell) : "-");
+    text += " \\\\\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string latex_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos)
+      result += std::string("\\") + c;
+    else if (c == '\\')
+      result += "\\textbackslash{}";
+    else if (c == '~')
+      result += "\\textasciitilde{}";
+    else if (c == '^')
+      result += "\\textasciicircum{}";
+    else if (c == '<' || c == '>')
+      result += fmt::format("${}$", c);
+    else
+      result += c;
+  }
+  return result;
+}
+
+std::string latex_of(const Table& table) {
+  const Pivot pivot = pivot_of(table);
+  std::string columns(pivot.keys.size() + pivot.groups.size() * pivot.values.size(), 'r');
+  std::replace(columns.begin(), columns.begin() + std::min<std::ptrdiff_t>(1, std::ssize(columns)), 'r', 'l');
+  std::string text = "% needs \\usepackage{booktabs,threeparttable}\n\\begin{threeparttable}\n" +
+                     fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", columns);
+  for (const Pivot::Block& block : pivot.blocks)
+    text += (&block == &pivot.blocks.front() ? "" : "\\midrule\n") + block_of(pivot, block);
+  text += "\\bottomrule\n\\end{tabular}\n\\begin{tablenotes}\\footnotesize\n";
+  if (!table.subtitle.empty()) text += fmt::format("\\item {}\n", latex_text(table.subtitle));
+  for (const std::string& remark : table.remarks) text += fmt::format("\\item {}\n", latex_text(remark));
+  for (const std::string& note : table.footnotes) {
+    const std::size_t space = std::min(note.find(' '), note.size());
+    text += fmt::format("\\item[{}]{}\n", latex_text(note.substr(0, space)), latex_text(note.substr(space)));
+  }
+  return text + "\\end{tablenotes}\n\\end{threeparttable}\n";
+}
+
+}  // namespace pelage

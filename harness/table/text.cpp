@@ -1,0 +1,131 @@
+// Tables as text for a terminal.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/table/pivot.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+using Widths = std::vector<std::size_t>;
+
+constexpr std::size_t between_values = 1, between_groups = 3;
+
+std::string left(const std::string& text, std::size_t width) {
+  return fmt::format("{:<{}}", text, width);
+}
+
+std::string right(const std::string& text, std::size_t width) {
+  return fmt::format("{:>{}}", text, width);
+}
+
+std::string shown(const std::optional<Value>& value) {
+  if (!value) return "-";
+  return value->mark.empty() ? value->shown : value->shown + " " + value->mark;
+}
+
+/// Returns whether the values' headings need a line of their own, below the groups' headings.
+bool two_heads(const Pivot& pivot) {
+  return pivot.groups.size() != 1 || !pivot.groups[0].empty() ? pivot.values.size() > 1 : true;
+}
+
+/// Returns the width of each column: the key columns, then the columns of each group.
+Widths widths_of(const Pivot& pivot) {
+  Widths widths;
+  for (std::size_t k = 0; k < pivot.keys.size(); ++k) {
+    std::size_t width = pivot.keys[k].heading.size();
+    for (const Pivot::Block& block : pivot.blocks) {
+      if (k == 0) width = std::max(width, joined(block.label).size());
+      for (const Pivot::Row& row : block.rows) width = std::max(width, shown(row.keys[k]).size());
+    }
+    widths.push_back(width);
+  }
+  for (std::size_t g = 0; g < pivot.groups.size(); ++g) {
+    std::size_t sum = 0;
+    for (std::size_t v = 0; v < pivot.values.size(); ++v) {
+      std::size_t width = two_heads(pivot) ? pivot.values[v].heading.size() : 0;
+      for (const Pivot::Block& block : pivot.blocks)
+        for (const Pivot::Row& row : block.rows)
+          width = std::max(width, shown(row.cells[g * pivot.values.size() + v]).size());
+      widths.push_back(width);
+      sum += width + (v > 0 ? between_values : 0);
+    }
+    if (const std::size_t need = joined(pivot.groups[g]).size(); need > sum && !pivot.values.empty())
+      widths.back() += need - sum;
+  }
+  return widths;
+}
+
+/// Returns the key columns of a line: the first one is left-aligned, the others are right-aligned.
+std::string keys_line(const std::vector<std::string>& texts, const Widths& widths) {
+  std::string line;
+  for (std::size_t k = 0; k < texts.size(); ++k)
+    line += k == 0 ? left(texts[k], widths[k]) : "  " + right(texts[k], widths[k]);
+  return line;
+}
+
+std::string trimmed(std::string line) {
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string head_of(const Pivot& pivot, const Pivot::Block& block, const Widths& widths) {
+  const std::size_t count = pivot.values.size();
+  std::vector<std::string> names;
+  for (const Column& key : pivot.keys) names.push_back(key.heading);
+  std::string groups, values;
+  for (std::size_t g = 0; g < pivot.groups.size(); ++g) {
+    std::size_t sum = 0;
+    std::string line;
+    for (std::size_t v = 0; v < count; ++v) {
+      const std::size_t width = widths[pivot.keys.size() + g * count + v];
+      line +=
+          std::string(v == 0 ? between_groups : between_values, ' ') + right(pivot.values[v].heading, width);
+      sum += width + (v > 0 ? between_values : 0);
+    }
+    const std::string label = joined(pivot.groups[g]);
+    groups += std::string(between_groups, ' ') +
+              (count > 1 ? fmt::format("{:^{}}", label, sum) : right(label, sum));
+    values += line;
+  }
+  const std::string label = joined(block.label);
+  if (!two_heads(pivot)) {
+    if (!label.empty()) names[0] = label;
+    return trimmed(keys_line(names, widths) + groups);
+  }
+  const bool any_group = pivot.groups.size() != 1 || !pivot.groups[0].empty();
+  std::vector<std::string> above(names.size());
+  if (!above.empty()) above[0] = label;
+  std::string text;
+  if (any_group || !label.empty()) text += trimmed(keys_line(above, widths) + (any_group ? groups : ""));
+  return text + trimmed(keys_line(names, widths) + values);
+}
+
+}  // namespace
+
+std::string text_of(const Table& table) {
+  const Pivot pivot = pivot_of(table);
+  const Widths widths = widths_of(pivot);
+  std::string text = table.title + (table.subtitle.empty() ? "" : ": " + table.subtitle) + "\n";
+  for (const Pivot::Block& block : pivot.blocks) {
+    text += '\n';
+    text += head_of(pivot, block, widths);
+    for (const Pivot::Row& row : block.rows) {
+      std::vector<std::string> keys;
+      for (const Value& key : row.keys) keys.push_back(shown(key));
+      std::string line = keys_line(keys, widths);
+      for (std::size_t i = 0; i < row.cells.size(); ++i)
+        line += std::string(i % pivot.values.size() == 0 ? between_groups : between_values, ' ') +
+                right(shown(row.cells[i]), widths[row.keys.size() + i]);
+      text += trimmed(std::move(line));
+    }
+  }
+  text += "\n";
+  for (const std::string& remark : table.remarks) text += remark + "\n";
+  for (const std::string& note : table.footnotes) text += note + "\n";
+  return text;
+}
+
+}  // namespace pelage

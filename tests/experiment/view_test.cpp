@@ -1,0 +1,74 @@
+// Tests the table [report] of experiment files: how the report shows the rows of the experiment.
+#include "harness/experiment/view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+View view_of(const std::string& report) {
+  const test::Folder folder;
+  test::write_text(folder.path / "e.toml",
+                   "name = \"own\"\n[axes]\nmodel = [\"torus\"]\n[preset.quick]\nleast = 2\n" + report);
+  return read_experiment(folder.path / "e.toml").view;
+}
+
+std::string refusal_of(const std::string& report) {
+  try {
+    view_of(report);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(View, ReadsTheTable) {
+  const View view = view_of(
+      "[report]\nx = \"layers\"\ny = [\"median_ms\", \"error_rms\"]\nseries = \"model\"\npanels = "
+      "[\"size\"]\n"
+      "scale = [\"linear\", \"log\"]\nblocks = \"reading\"\ncolumns = \"size\"\nvalues = \"fps\"\nprogram = "
+      "\"scaling\"\n");
+  EXPECT_EQ(view, (View{.blocks = {"reading"},
+                        .columns = {"size"},
+                        .values = {"fps"},
+                        .x = "layers",
+                        .y = {"median_ms", "error_rms"},
+                        .series = {"model"},
+                        .panels = {"size"},
+                        .x_scale = "linear",
+                        .y_scale = "log",
+                        .program = "scaling"}));
+  EXPECT_EQ(view_of(""), View{});
+  EXPECT_EQ(view_of("[report]\nscale = \"log\"\n").x_scale, "log");
+  EXPECT_EQ(view_of("[report]\nscale = \"log\"\n").y_scale, "log");
+}
+
+TEST(View, RowsStoreIt) {
+  const View view{.blocks = {"reading"}, .x = "layers", .y = {"fps"}, .y_scale = "log"};
+  EXPECT_EQ(view_from_json(to_json(view)), view);
+  EXPECT_TRUE(to_json(View{}).empty());
+  // Rows come from anywhere: what is not a view is no view.
+  for (const char* text :
+       {"null", "3", "[1]", "{\"x\": 3, \"y\": \"fps\", \"series\": [1, {}], \"other\": []}"})
+    EXPECT_EQ(view_from_json(nlohmann::json::parse(text)), View{}) << text;
+}
+
+TEST(View, BadTablesAreRefusedWithTheirLine) {
+  for (const auto& [text, part] :
+       {std::pair("[report]\nz = \"layers\"\n",
+                  "e.toml:7: unknown key report.z (known: blocks, columns, panels, program"),
+        {"[report]\nx = 3\n", "e.toml:7: x must be a string"},
+        {"[report]\ny = []\n", "e.toml:7: report.y must be a string or a list of strings"},
+        {"[report]\nseries = [1]\n", "e.toml:7: report.series must be a string or a list of strings"},
+        {"[report]\nscale = \"cubic\"\n", "e.toml:7: report.scale must be \"linear\" or \"log\""}})
+    EXPECT_NE(refusal_of(text).find(part), std::string::npos) << text << "\n" << refusal_of(text);
+}
+
+}  // namespace
+}  // namespace pelage

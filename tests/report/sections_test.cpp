@@ -1,0 +1,394 @@
+// Tests the sections of a report: their tables have every case, and the plots' descriptions name the right
+// columns. The rows have synthetic times.
+#include "harness/report/sections.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "harness/report/report.hpp"
+#include "harness/table/pivot.hpp"
+#include "harness/table/render.hpp"
+#include "tests/report/rows.hpp"
+
+namespace pelage {
+namespace {
+
+std::vector<Section> sections(const std::vector<FoundRow>& rows, std::vector<std::string>* notes = nullptr) {
+  std::vector<std::string> own;
+  const auto note = [](const std::string& model) {
+    return std::string(model == "hippo" ? "stand-in: a pig & 100% so" : "");
+  };
+  return sections_of(cells_of(rows), {note, false, false, notes ? notes : &own});
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+const Value& value(const Table& table, std::size_t line, const char* column) {
+  return table.lines.at(line).at(std::size_t(column_of(table, column)));
+}
+
+double number(const Table& table, std::size_t line, const char* column) {
+  return std::stod(value(table, line, column).data);
+}
+
+/// Returns the first line whose columns have the values.
+std::size_t line_with(const Table& table, const std::vector<std::pair<const char*, const char*>>& values) {
+  for (std::size_t i = 0; i < table.lines.size(); ++i)
+    if (std::all_of(values.begin(), values.end(),
+                    [&](const auto& v) { return value(table, i, v.first).data == v.second; }))
+      return i;
+  ADD_FAILURE() << "no such line";
+  return 0;
+}
+
+/// Returns one row per combination of the axes' values, with the median 10 ms, 20 ms, ... in this order.
+std::vector<FoundRow> own_rows(const std::vector<Axis>& axes) {
+  std::vector<FoundRow> rows(1);
+  for (const Axis& axis : axes) {
+    std::vector<FoundRow> more;
+    for (const FoundRow& row : rows)
+      for (const std::string& v : axis.values) {
+        more.push_back(row);
+        more.back().row.axes[axis.key] = v;
+        more.back().row.case_name += "-" + v;
+      }
+    rows = more;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Row& row = rows[i].row;
+    row.run_id = "run";
+    row.experiment = "own";
+    row.variant = row.axes.contains("variant") ? row.axes["variant"] : "shells/tile";
+    row.device = "test device";
+    row.samples["frame"].wall_ms.assign(11, 10.0 * double(i + 1));
+    row.provenance = {{"host", "h"}, {"converged", true}};
+    rows[i].journal = "results/own/test_device@h.jsonl";
+  }
+  return rows;
+}
+
+TEST(PaperSection, HasThePapersShape) {
+  const auto all = sections(test::table1_rows());
+  ASSERT_EQ(all.size(), 1u);
+  const Table& t = all[0].table;
+  const Pivot pivot = pivot_of(t);
+  ASSERT_EQ(pivot.groups.size(), 2u);
+  EXPECT_EQ(pivot.groups[0], std::vector<std::string>{"800x600"});
+  ASSERT_EQ(pivot.blocks.size(), 2u);
+  EXPECT_EQ(pivot.blocks[0].label, std::vector<std::string>{"16 layers"});
+  ASSERT_EQ(pivot.blocks[1].rows.size(), 8u);
+  EXPECT_EQ(pivot.blocks[0].rows.front().keys[0].data, "torus");
+  EXPECT_EQ(pivot.blocks[0].rows.front().keys[1].data, "9360");
+  EXPECT_EQ(pivot.blocks[0].rows.back().keys[0].data, "lion");
+  EXPECT_EQ(t.footnotes, std::vector<std::string>{"a hippo: stand-in: a pig & 100% so"});
+  EXPECT_EQ(pivot.blocks[0].rows[2].keys[0].mark, "a");
+  EXPECT_EQ(t.stem, "silva2010-table1");
+}
+
+TEST(PaperSection, AsText) {
+  const std::string text = text_of(sections(test::table1_rows()).at(0).table);
+  // The synthetic frame time is (triangles + pixels) * layers / 1e6 ms = (9360 + 480000) * 16 / 1e6 ms. It
+  // corresponds to 127.7 fps, which is 0.478 times the paper's 267 fps.
+  EXPECT_NE(text.find("9360    128   267  0.478"), std::string::npos) << text;
+  EXPECT_NE(text.find("< 1"), std::string::npos);
+  EXPECT_NE(text.find("a hippo: stand-in"), std::string::npos);
+  EXPECT_NE(text.find("Table 1, measured on Intel Quad Core 3 GHz"), std::string::npos) << text;
+}
+
+TEST(PaperSection, AFailedCellShowsItsStatusAndNoTime) {
+  auto rows = test::table1_rows();
+  rows[0].row.status = Status::failed_check;
+  rows[0].row.metrics.erase("triangles");
+  const Table table = sections(rows).at(0).table;
+  EXPECT_NE(text_of(table).find("failed-check"), std::string::npos);
+  EXPECT_EQ(pivot_of(table).blocks[0].rows.size(), 8u) << "the failed cell stays in its model's row";
+  const std::size_t line = line_with(table, {{"status", "failed-check"}});
+  for (const char* column : {"fps", "fps_low", "median_ms", "median_ms_high", "ratio", "ratio_low"})
+    EXPECT_EQ(value(table, line, column).data, "") << column;
+}
+
+TEST(PaperSection, EveryTimeOfTheCsvLiesWithinItsInterval) {
+  const Table table = sections(test::table1_rows()).at(0).table;
+  ASSERT_EQ(table.lines.size(), 32u);
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    EXPECT_LT(number(table, i, "fps_low"), number(table, i, "fps")) << i;
+    EXPECT_LT(number(table, i, "fps"), number(table, i, "fps_high")) << i;
+    EXPECT_LT(number(table, i, "median_ms_low"), number(table, i, "median_ms")) << i;
+    EXPECT_LT(number(table, i, "median_ms"), number(table, i, "median_ms_high")) << i;
+    EXPECT_NEAR(number(table, i, "fps") * number(table, i, "median_ms"), 1000, 0.01) << i;
+  }
+}
+
+TEST(PaperSection, LatexHasOneColumnPerNumber) {
+  for (const std::string& line : lines_of(latex_of(sections(test::table1_rows()).at(0).table))) {
+    if (!line.starts_with("torus")) continue;
+    // Each row has 8 columns: 2 for the model, and 3 for each of 2 sizes.
+    EXPECT_EQ(std::count(line.begin(), line.end(), '&'), 7) << line;
+  }
+}
+
+TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
+  auto rows = test::table1_rows();
+  for (FoundRow& found : rows) {
+    found.row.overrides["fur.length"] = "0.1";
+    found.row.metrics.erase("paper_fps");
+  }
+  auto both = test::table1_rows();
+  both.insert(both.end(), rows.begin(), rows.end());
+  const auto all = sections(both);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_NE(all[1].table.subtitle.find("changed: fur.length=0.1"), std::string::npos)
+      << all[1].table.subtitle;
+  EXPECT_EQ(all[1].table.lines.size(), 32u);
+  EXPECT_NE(all[0].table.stem, all[1].table.stem);
+  EXPECT_EQ(column_of(all[1].table, "ratio"), -1) << "the paper did not time this scene";
+}
+
+/// A user's axes: no case vanishes, and one numeric axis becomes the horizontal axis of a plot.
+TEST(CaseSection, HasEveryCaseOfOwnAxes) {
+  const auto rows = own_rows({{"model", {"mine.obj"}},
+                              {"curl.radius", {"0.05", "0.01", "0.1"}},
+                              {"reading", {"literal", "default"}}});
+  const auto all = sections(rows);
+  ASSERT_EQ(all.size(), 1u);
+  const std::string text = text_of(all[0].table);
+  for (const char* time : {"10.0 [", "20.0 [", "30.0 [", "40.0 [", "50.0 [", "60.0 ["})
+    EXPECT_NE(text.find(time), std::string::npos) << time << "\n" << text;
+  EXPECT_NE(text.find("0.05"), std::string::npos) << "numbers appear as they were written";
+  ASSERT_EQ(all[0].plots.size(), 1u);
+  const PlotSpec& plot = all[0].plots[0];
+  EXPECT_EQ(plot.x, "curl.radius");
+  EXPECT_EQ(plot.series, std::vector<std::string>{"reading"});
+  EXPECT_TRUE(plot.panels.empty());
+  EXPECT_EQ(plot.y, "median_ms");
+  EXPECT_EQ(plot.low, "median_ms_low");
+}
+
+TEST(CaseSection, TwoNumericAxesBecomePanels) {
+  const auto all = sections(
+      own_rows({{"layers", {"8", "16", "32"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}}));
+  const PlotSpec& plot = all.at(0).plots.at(0);
+  EXPECT_EQ(plot.x, "layers");
+  EXPECT_EQ(plot.panels, std::vector<std::string>{"fur.length"});
+  EXPECT_EQ(plot.series, std::vector<std::string>{"model"});
+}
+
+TEST(CaseSection, CategoriesBecomePoints) {
+  const auto all = sections(own_rows({{"model", {"a", "b", "c"}}, {"variant", {"x", "y"}}}));
+  const PlotSpec& plot = all.at(0).plots.at(0);
+  EXPECT_EQ(plot.x, "model");
+  EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
+}
+
+TEST(CaseSection, FollowsTheExperimentsView) {
+  auto rows = own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
+  for (FoundRow& found : rows) {
+    found.row.metrics["error_rms"] = {double(found.row.case_name.size()), "lengths", "", 1.0, 99.0};
+    found.row.provenance["view"] = {{"x", "fur.length"},         {"y", {"error_rms", "nothing"}},
+                                    {"series", {"layers"}},      {"panels", {"model"}},
+                                    {"y_scale", "log"},          {"values", {"error_rms"}},
+                                    {"columns", {"fur.length"}}, {"blocks", {"model"}}};
+  }
+  std::vector<std::string> notes;
+  const auto all = sections(rows, &notes);
+  const Table& table = all.at(0).table;
+  EXPECT_EQ(table.layout.blocks, std::vector<std::string>{"model"});
+  EXPECT_EQ(table.layout.groups, std::vector<std::string>{"fur.length"});
+  EXPECT_EQ(table.layout.rows, std::vector<std::string>{"layers"});
+  EXPECT_EQ(table.layout.values, std::vector<std::string>{"error_rms"});
+  ASSERT_EQ(all[0].plots.size(), 1u);
+  EXPECT_EQ(all[0].plots[0].x, "fur.length");
+  EXPECT_EQ(all[0].plots[0].high, "error_rms_high");
+  EXPECT_EQ(all[0].plots[0].y_scale, "log");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("y names \"nothing\""), std::string::npos) << notes[0];
+  const auto json = nlohmann::json::parse(json_of(all[0].plots[0]));
+  EXPECT_EQ(json.at("x"), "fur.length");
+  EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
+}
+
+/// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. On
+/// the torus, OpenGL takes 4 times our time. On all other models, OpenGL takes 9 times our time with curls,
+/// and 6 times our time for plain shells.
+std::vector<FoundRow> duel_rows() {
+  std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    const bool torus = row.axes.at("model") == "torus", plain = row.axes.at("reading") == "plain";
+    const double ours = plain ? 8 : 10, ratio = torus ? 4 : plain ? 6 : 9;
+    for (int i = 0; i < 11; ++i) {
+      row.samples["frame"].wall_ms.push_back(ours);
+      row.samples["opengl"].wall_ms.push_back(ours * ratio);
+    }
+    row.metrics["triangles"] = {torus ? 9360.0 : 20000.0, "triangles"};
+    row.metrics["opengl_ratio"] = {ratio, "times", "", ratio - 1, ratio + 1};
+    row.provenance["opengl_renderer"] = "softpipe, Mesa";
+  }
+  return rows;
+}
+
+TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
+  const auto rows = duel_rows();
+  ASSERT_EQ(rows.size(), 64u);
+  const auto all = sections(rows);
+  ASSERT_EQ(all.size(), 1u);
+  const Table& table = all[0].table;
+  EXPECT_EQ(table.lines.size(), 64u);
+  const Pivot pivot = pivot_of(table);
+  ASSERT_EQ(pivot.groups.size(), 4u);
+  EXPECT_EQ(joined(pivot.groups[1]), "16 layers, 1680x1050");
+  ASSERT_EQ(pivot.blocks.size(), 2u);
+  EXPECT_EQ(joined(pivot.blocks[0].label), "default");
+  EXPECT_EQ(pivot.blocks[0].rows.front().keys[0].data, "torus");
+  EXPECT_EQ(pivot.blocks[0].rows.front().cells[0]->data, "4");
+  EXPECT_NEAR(number(table, line_with(table, {{"model", "torus"}, {"reading", "default"}}), "opengl_ms"), 40,
+              1e-9);
+  // The geometric means are (4 * 9^7)^(1/8) and, for the cost of curls, 10/8 and 10/8 * 1.5^(7/8).
+  for (const std::string& text : {text_of(table), html_of(table)})
+    for (const std::string& part :
+         {std::string("9.00 [8.00, 10.00]"),
+          fmt::format("geometric mean {:.2f} over 32 of 32 cells, least 4.00 (torus, 16 layers, 800x600)",
+                      std::pow(4 * std::pow(9.0, 7), 1.0 / 8)),
+          fmt::format("take 1.25 times the time of plain shells in OpenCL, and {:.2f} times in OpenGL "
+                      "(geometric means "
+                      "of 32 cells)",
+                      10.0 / 8 * std::pow(1.5, 7.0 / 8)),
+          std::string("softpipe")})
+      EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  ASSERT_EQ(all[0].plots.size(), 1u);
+  EXPECT_EQ(all[0].plots[0].y, "opengl_ratio");
+  EXPECT_EQ(all[0].plots[0].guide, 1);
+}
+
+TEST(RatioSection, CountsWhatHasNoRatio) {
+  std::vector<FoundRow> rows = duel_rows();
+  for (FoundRow& found : rows)
+    if (found.row.axes.at("model") == "torus") {
+      found.row.status = Status::failed_check;
+      found.row.samples.clear();
+    }
+  const std::string text = text_of(sections(rows).at(0).table);
+  EXPECT_NE(text.find("geometric mean 9.00 over 28 of 32 cells"), std::string::npos) << text;
+  EXPECT_NE(text.find("failed-check"), std::string::npos);
+}
+
+/// Returns one row for every case of topology-table1.toml. A frame takes 10 ms plus its simulation, which
+/// takes 0 to 4 ms depending on the topology.
+std::vector<FoundRow> sweep_rows() {
+  const std::map<std::string, double> cost{
+      {"silva", 0}, {"sticks", 1}, {"prisms", 2}, {"separable-sticks", 3}, {"separable-prisms", 4}};
+  std::vector<FoundRow> rows = test::bare_rows("topology-table1", "quick");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    const double simulate = cost.at(row.axes.at("dynamics.topology"));
+    for (int i = 0; i < 11; ++i) {
+      row.samples["frame"].wall_ms.push_back(10 + simulate + 0.001 * (i - 5));
+      row.samples["simulate"].event_ms.push_back(simulate);
+      row.samples["raster"].event_ms.push_back(9);
+    }
+    row.metrics["triangles"] = {row.axes.at("model") == "torus" ? 9360.0 : 20000.0, "triangles"};
+    row.metrics["masses"] = {12, "masses"};
+  }
+  return rows;
+}
+
+TEST(TopologySection, HasA160CellsAndComparesThemWithSilvasStrand) {
+  const auto rows = sweep_rows();
+  ASSERT_EQ(rows.size(), 160u);
+  const auto all = sections(rows);
+  ASSERT_EQ(all.size(), 2u);
+  const Table &table = all[0].table, &shares = all[1].table;
+  ASSERT_EQ(table.lines.size(), 160u);
+  const Pivot pivot = pivot_of(table);
+  ASSERT_EQ(pivot.groups.size(), 5u);
+  EXPECT_EQ(joined(pivot.groups[0]), "silva");
+  EXPECT_EQ(joined(pivot.blocks.front().label), "16 layers, 800x600");
+  EXPECT_EQ(joined(pivot.blocks.back().label), "64 layers, 1680x1050");
+  for (std::size_t i = 0; i < table.lines.size(); ++i) {
+    const double simulate = number(table, i, "simulate_ms");
+    EXPECT_NEAR(number(table, i, "ratio"), (10 + simulate) / 10, 1e-4);
+    EXPECT_NEAR(number(table, i, "raster_ms"), 9, 1e-12);
+  }
+  const std::size_t last = line_with(shares, {{"topology", "separable-prisms"}});
+  EXPECT_NEAR(number(shares, last, "by_first"), 1.4, 1e-5);
+  EXPECT_NEAR(number(shares, last, "share_median"), 4.0 / 14, 1e-5);
+  ASSERT_EQ(all[0].plots.size(), 2u);
+  EXPECT_EQ(all[0].plots[1].y, "simulate_ms");
+  EXPECT_EQ(all[0].plots[1].order.at("dynamics.topology").front(), "silva");
+}
+
+TEST(TopologySection, TellsWhatHasNoTime) {
+  std::vector<FoundRow> rows = sweep_rows();
+  rows[0].row.status = Status::diverged;
+  rows[0].row.samples.clear();
+  const Table table = sections(rows).at(0).table;
+  EXPECT_NE(text_of(table).find("diverged"), std::string::npos);
+  // Without the time of the first topology, the cases beside it have no ratio.
+  const Row& row = rows[0].row;
+  EXPECT_EQ(row.axes.at("dynamics.topology"), "silva");
+  const std::size_t beside = line_with(table, {{"model", row.axes.at("model").c_str()},
+                                               {"layers", row.axes.at("layers").c_str()},
+                                               {"size", row.axes.at("size").c_str()},
+                                               {"dynamics.topology", "sticks"}});
+  EXPECT_EQ(value(table, beside, "ratio").data, "");
+}
+
+/// Own models have the same tables: their rows are changes of the experiment.
+TEST(TopologySection, HasOwnModels) {
+  std::vector<FoundRow> rows = sweep_rows();
+  std::erase_if(rows, [](const FoundRow& found) { return found.row.axes.at("model") != "torus"; });
+  for (FoundRow& found : rows) {
+    found.row.axes["model"] = "mine.obj";
+    found.row.overrides["model"] = "mine.obj";
+  }
+  const auto all = sections(rows);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].table.lines.size(), 20u);
+  EXPECT_NE(all[0].table.subtitle.find("changed: model=mine.obj"), std::string::npos);
+  EXPECT_FALSE(all[0].plots.empty());
+}
+
+/// Returns a row for every case of rival-options.toml. The variant "byte" takes 5 ms per layer, "volume"
+/// fails its check, and all others take 10 ms per layer.
+std::vector<FoundRow> option_rows() {
+  std::vector<FoundRow> rows = test::bare_rows("rival-options", "quick");
+  for (FoundRow& found : rows) {
+    Row& row = found.row;
+    const double ms = std::stod(row.axes.at("layers")) * (row.variant == "byte" ? 5 : 10);
+    if (row.variant == "volume")
+      row.status = Status::failed_check;
+    else
+      row.samples["frame"].wall_ms.assign(11, ms);
+  }
+  return rows;
+}
+
+TEST(VariantSection, HasTheFastestFirstAndNoTimeForAnotherPicture) {
+  const auto all = sections(option_rows());
+  ASSERT_EQ(all.size(), 1u);
+  const Table& table = all[0].table;
+  const Pivot pivot = pivot_of(table);
+  ASSERT_EQ(pivot.blocks[0].rows.size(), 13u);
+  EXPECT_EQ(pivot.groups.size(), 2u);
+  EXPECT_EQ(pivot.blocks[0].rows.front().keys[0].data, "byte");
+  EXPECT_EQ(pivot.blocks[0].rows.front().keys[1].shown, "1.00");
+  EXPECT_EQ(pivot.blocks[0].rows[1].keys[1].shown, "2.00");
+  EXPECT_EQ(pivot.blocks[0].rows.back().keys[0].data, "volume");
+  EXPECT_EQ(pivot.blocks[0].rows.back().keys[1].shown, "-");
+  for (const std::string& text : {text_of(table), html_of(table)}) {
+    EXPECT_NE(text.find("320 [320, 320]"), std::string::npos) << text;
+    EXPECT_NE(text.find("failed-check"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+}  // namespace pelage
