@@ -153,6 +153,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   plan.provenance = host_provenance(options.argv, options.anonymous);
   plan.provenance.update(device_provenance(device.info()));
   plan.provenance["preset"] = options.preset;
+  if (!sweep.experiment.title.empty()) plan.provenance["title"] = sweep.experiment.title;
   if (const auto view = to_json(sweep.experiment.view); !view.empty()) plan.provenance["view"] = view;
   plan.provenance["order_seed"] = seed;
   Progress progress(plan.cases.size());

@@ -83,7 +83,8 @@ Section of_variants(std::vector<Cell> cells) {
 
 /// Arranges any other experiment: a row per case, and groups of columns for the last key column that varies
 /// if it has few values.
-Section of_cases(const std::vector<Cell>& cells, const View& view) {
+Section of_cases(std::vector<Cell> cells, const View& view) {
+  sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};
   Layout& layout = section.table.layout;
   layout.blocks = present(section.table, view.blocks);
@@ -117,7 +118,7 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
       view == View{} && variants.size() >= fewest_variants && others.size() <= most_groups;
   Section section = about_variants ? of_variants(cells) : of_cases(cells, view);
   Table& table = section.table;
-  table.title = title_of(cells.front().experiment);
+  table.title = title_of(cells);
   table.subtitle = subtitle_of(cells, sources.several_hosts);
   table.stem = stem;
   for (const std::string& name : table.layout.values) show_interval(table, name);

@@ -212,6 +212,14 @@ std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts) {
   };
   std::string text = fmt::format("{} on {}", any.experiment, any.device);
   if (several_hosts) text += ", host " + any.host;
+  for (const std::string& axis : axes_of(cells)) {
+    const std::string value = any.axis(axis);
+    if (value.empty() || (axis == "reading" && value == "default") ||
+        !shared([&](const Cell& c) { return c.axis(axis); }))
+      continue;
+    text += ", ";
+    text += with_value(axis_column(axis), value);
+  }
   if (any.variant != default_variant && shared([](const Cell& c) { return c.variant; }))
     text += ", variant " + any.variant;
   if (!any.overrides.empty()) text += "; changed: " + changes_of(any);

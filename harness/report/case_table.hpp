@@ -39,8 +39,8 @@ void add_varying_keys(Table& table, const std::vector<Cell>& cells);
 /// the columns NAME_low and NAME_high.
 void show_interval(Table& table, const std::string& name);
 
-/// Returns "EXPERIMENT on DEVICE", followed by what all cells share: the host if `several_hosts`, the variant
-/// if it is not the default one, and the settings that the user changed.
+/// Returns "EXPERIMENT on DEVICE", followed by what all cells share: the host if `several_hosts`, values of
+/// axes, the variant if it is not the default one, and the settings that the user changed.
 std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts);
 
 /// Returns the number of triangles of each model; 0 if no cell of the model tells it. Every value of the axis

@@ -38,6 +38,7 @@ Cell cell_of(const FoundRow& found) {
   cell.metrics = row.metrics;
   cell.image = image_of(found);
   cell.renderer = text(row, "opengl_renderer");
+  cell.title = text(row, "title");
   if (const auto view = row.provenance.find("view"); view != row.provenance.end()) cell.view = *view;
   return cell;
 }

@@ -23,6 +23,7 @@ struct Cell {
   /// if the phase has no event times.
   std::map<std::string, double> phase_ms;
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
+  std::string title;             ///< title of the experiment; "" in rows of earlier versions
   std::string renderer;          ///< renderer of the OpenGL baseline; "" if the rows did not run it
   nlohmann::json view;           ///< the keys of [report] of the experiment's file; null in old rows
   double median_ms = 0;          ///< median of all samples of all processes; 0 without samples

@@ -72,7 +72,7 @@ Section section_of(std::vector<Cell> cells, const std::string& stem, const Sourc
   Section section{table_of(cells, columns), {}};
   Table& table = section.table;
   const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = experiment.title.empty() ? any.experiment : experiment.title;
+  table.title = title_of(cells);
   if (any.reading() != "default") table.title += ", " + any.reading() + " reading";
   table.subtitle = subtitle_of(cells, sources.several_hosts);
   table.stem = stem;

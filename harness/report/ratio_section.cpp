@@ -92,7 +92,7 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
   Section section{table_of(cells, columns), {}};
   Table& table = section.table;
   const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells.front().experiment);
+  table.title = title_of(cells);
   table.subtitle = subtitle_of(cells, sources.several_hosts);
   table.stem = stem + "-ratio";
   if (has("reading")) table.layout.blocks = {"reading"};

@@ -71,20 +71,26 @@ std::optional<Experiment> shipped_experiment(const std::string& name) {
   }
 }
 
-std::string title_of(const std::string& experiment) {
-  const auto found = shipped_experiment(experiment);
-  return found && !found->title.empty() ? found->title : experiment;
+std::string title_of(const std::vector<Cell>& cells) {
+  for (auto c = cells.rbegin(); c != cells.rend(); ++c)
+    if (!c->title.empty()) return c->title;
+  const auto found = shipped_experiment(cells.front().experiment);
+  return found && !found->title.empty() ? found->title : cells.front().experiment;
 }
 
 void add_footnotes(Table& table, const ModelNote& note) {
   const int model = column_of(table, "model");
   if (model < 0 || !note) return;
+  const auto& rows = table.layout.rows;
+  const bool shown = std::find(rows.begin(), rows.end(), "model") != rows.end();
   std::map<std::string, std::string> marks;
   for (auto& line : table.lines) {
     Value& value = line[std::size_t(model)];
     const std::string text = note(value.data);
     if (text.empty()) continue;
     const auto [mark, added] = marks.emplace(value.data, "");
+    if (added && !shown) table.remarks.push_back(fmt::format("{}: {}.", value.data, text));
+    if (!shown) continue;
     if (added) {
       // a to z, then aa, ab, ...
       for (std::size_t n = marks.size(); n > 0; n = (n - 1) / 26)

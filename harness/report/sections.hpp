@@ -57,10 +57,12 @@ std::vector<Section> topology_sections(const std::vector<Cell>& cells, const std
 /// read.
 std::optional<Experiment> shipped_experiment(const std::string& name);
 
-/// Returns the title of a shipped experiment. For any other experiment, returns the name.
-std::string title_of(const std::string& experiment);
+/// Returns the title of the cells' experiment, as its rows or the shipped experiment of this name give it.
+/// Without a title, returns the name.
+std::string title_of(const std::vector<Cell>& cells);
 
-/// Marks the models that have a footnote, and adds the footnotes.
+/// Marks the models that have a footnote, and adds the footnotes. If the layout shows no models, adds remarks
+/// instead.
 void add_footnotes(Table& table, const ModelNote& note);
 
 /// Returns the geometric mean; 0 for an empty list.

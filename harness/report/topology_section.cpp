@@ -104,7 +104,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   Section section{table_of(cells, columns), {}};
   Table& table = section.table;
   const auto has = [&](const char* name) { return column_of(table, name) >= 0; };
-  table.title = title_of(cells.front().experiment);
+  table.title = title_of(cells);
   table.subtitle = subtitle_of(cells, sources.several_hosts);
   table.stem = stem;
   for (const char* name : {"layers", "size"})

@@ -42,10 +42,7 @@ std::vector<std::string> labels(const Table& table, const std::vector<std::size_
                                 const Keys& keys) {
   std::vector<std::string> result;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    std::string label = table.columns[columns[i]].label;
-    if (const std::size_t place = label.find("{}"); place != std::string::npos)
-      label.replace(place, 2, keys[i]);
-    result.push_back(std::move(label));
+    result.push_back(with_value(table.columns[columns[i]], keys[i]));
   }
   return result;
 }
@@ -58,6 +55,8 @@ Pivot pivot_of(const Table& table) {
   const std::vector<Keys> group_keys = combinations(table, groups), block_keys = combinations(table, blocks);
   Pivot pivot;
   for (const std::size_t c : rows) pivot.keys.push_back(table.columns[c]);
+  if (rows.empty())
+    pivot.keys.emplace_back();  // the renderers write the blocks' labels above the first key column
   for (const std::size_t c : values) pivot.values.push_back(table.columns[c]);
   for (const Keys& keys : group_keys) pivot.groups.push_back(labels(table, groups, keys));
   for (const Keys& keys : block_keys) pivot.blocks.push_back({labels(table, blocks, keys), {}});
@@ -78,6 +77,7 @@ Pivot pivot_of(const Table& table) {
       row = block.rows.insert(
           row, Pivot::Row{{}, std::vector<std::optional<Value>>(group_keys.size() * values.size())});
       for (const std::size_t c : rows) row->keys.push_back(line[c]);
+      if (rows.empty()) row->keys.emplace_back();
     }
     for (std::size_t v = 0; v < values.size(); ++v) row->cells[first + v] = line[values[v]];
   }

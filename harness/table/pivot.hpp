@@ -18,7 +18,8 @@ struct Pivot {
     std::vector<std::string> label;  ///< one part per column of Layout::blocks: "16 layers"
     std::vector<Row> rows;
   };
-  std::vector<Column> keys, values;
+  std::vector<Column> keys;  ///< one without a heading if the layout has no rows
+  std::vector<Column> values;
   std::vector<std::vector<std::string>>
       groups;                 ///< labels; one group without a label if the layout has no groups
   std::vector<Block> blocks;  ///< one block without a label if the layout has no blocks

@@ -96,6 +96,12 @@ bool natural_less(const std::string& a, const std::string& b) {
   return compare_texts(a, b) < 0;
 }
 
+std::string with_value(const Column& column, const std::string& value) {
+  std::string label = column.label;
+  if (const std::size_t place = label.find("{}"); place != std::string::npos) label.replace(place, 2, value);
+  return label;
+}
+
 bool precedes(const Column& column, const std::string& a, const std::string& b) {
   const auto place = [&](const std::string& v) {
     return std::find(column.order.begin(), column.order.end(), v) - column.order.begin();

@@ -63,6 +63,9 @@ int column_of(const Table& table, std::string_view name);
 /// numbers in them are ordered by value: "k2" precedes "k10". Numbers and sizes precede other texts.
 bool natural_less(const std::string& a, const std::string& b);
 
+/// Returns the value as it reads in a heading: Column::label with the value in place of "{}".
+std::string with_value(const Column& column, const std::string& value);
+
 /// Returns whether value a of the column precedes value b: by Column::order, else by natural_less().
 bool precedes(const Column& column, const std::string& a, const std::string& b);
 
