@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/claims/print.hpp"
 #include "harness/commands/report.hpp"
 #include "harness/mesh/models.hpp"
 
@@ -19,7 +20,7 @@ void print(const Report& written) {
   for (const TopologyTable& table : written.topologies) fmt::print("{}\n", text_of(table));
   for (const RivalTable& table : written.rivals) fmt::print("{}\n", text_of(table));
   for (const WayTable& table : written.ways) fmt::print("{}\n", text_of(table));
-  fmt::print("{}", text_of(written.claims));
+  if (!written.claims.empty()) fmt::print("{}", claims::text_of(written.claims));
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
   for (const Cell& cell : written.cells)

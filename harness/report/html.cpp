@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "harness/claims/print.hpp"
 #include "harness/report/report.hpp"
 
 namespace pelage {
@@ -125,6 +126,22 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
+std::string claims_html(const std::vector<claims::Judged>& judged) {
+  if (judged.empty()) return {};
+  std::string html =
+      "<h2>Claims of the papers</h2>\n<p class=\"soft\">In our words, tested by these rows; <a "
+      "href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
+  for (const claims::Judged& one : judged) {
+    html += fmt::format("<li><b>{}</b>: {} ({}, {})<br><span class=\"soft\">", to_text(one.verdict),
+                        escaped(one.claim.statement), escaped(one.claim.paper), escaped(one.claim.section));
+    if (one.value)
+      html += fmt::format("{}: {}; the claim: {}. ", escaped(claims::description_of(one.claim)),
+                          escaped(claims::effect_text(one)), escaped(one.claim.relation));
+    html += fmt::format("{}</span></li>\n", escaped(one.reason));
+  }
+  return html + "</ul>\n";
+}
+
 /// Returns the HTML of the tables. Each table has a heading and a link to its CSV file.
 template <class Table>
 std::string sections(const char* title, const std::vector<Table>& tables,
@@ -170,7 +187,7 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         report.topology_stems[i], report.topology_stems[i], html_of(report.topologies[i]));
   body += sections("Comparison with the paper's own pipeline", report.rivals, report.rival_stems);
   body += sections("Variants that draw the same picture", report.ways, report.way_stems);
-  body += html_of(report.claims);
+  body += claims_html(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);
   for (const ReportPlot& plot : report.plots)

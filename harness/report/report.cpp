@@ -8,6 +8,8 @@
 #include <set>
 
 #include "harness/atomic_file.hpp"
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/print.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/report/csv.hpp"
@@ -204,6 +206,20 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
 }
 
+/// Judges the shipped claims about the experiments of the rows.
+void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
+  try {
+    report.claims = claims::judge(claims::read_claims(claims::shipped_claims()), rows);
+  } catch (const InputError& error) {
+    report.notes.push_back(fmt::format("the report has no claims: {}", error.what()));
+  }
+  std::erase_if(report.claims, [](const claims::Judged& judged) { return judged.device.empty(); });
+  if (report.claims.empty()) return;
+  std::string csv;
+  for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
+  write_file(folder / "tables" / "claims.csv", csv);
+}
+
 }  // namespace
 
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::path& folder,
@@ -249,8 +265,7 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
   if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
-  report.claims = claims_of(rows);
-  if (!report.claims.empty()) write_file(folder / "tables" / "claims.csv", csv_of(report.claims));
+  judge_claims(report, rows, folder);
   draw_plots(report, rows, folder, devices.size() > 1);
   write_scaling(report, folder);
   write_in_turns(report, folder);

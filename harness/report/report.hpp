@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/claims.hpp"
+#include "harness/claims/judge.hpp"
 #include "harness/report/paper_table.hpp"
 #include "harness/report/rival_table.hpp"
 #include "harness/report/springs.hpp"
@@ -37,7 +37,9 @@ struct Report {
   /// For each of `ways`, the name of its file in tables/ without the extension .csv.
   std::vector<std::string> way_stems;
   std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv unless this list is empty
-  std::vector<Claim> claims;        ///< written to tables/claims.csv unless this list is empty
+  /// Verdicts of the claims about the experiments of the rows; written to tables/claims.csv unless this list
+  /// is empty.
+  std::vector<claims::Judged> claims;
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py
