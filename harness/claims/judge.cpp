@@ -113,6 +113,12 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
     if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axes of the claim";
     return;
   }
+  if (claim.combine == Combine::every && parts.size() > most_effects) {
+    judged.reason = fmt::format(
+        "{} effects are too many for separate decisions (at most {}); narrow `where`, or combine the effects",
+        parts.size(), most_effects);
+    return;
+  }
   const std::vector<Estimate> estimates = estimates_of(file, claim, cells.cells, parts, claim.process_spread);
   if (!finite(estimates)) {
     judged.reason = "the effect is not a finite number, because a quantity is 0, negative or not finite";

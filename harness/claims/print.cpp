@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace pelage::claims {
 namespace {
@@ -158,15 +159,20 @@ std::string markdown_of(const std::vector<Judged>& judged) {
   std::string text =
       "| claim | statement | source | measured | effect | relation | the paper's numbers | verdict |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::set<std::string> devices;
+  for (const Judged& one : judged)
+    if (!one.device.empty()) devices.insert(one.device);
   for (const Judged& one : judged) {
+    std::string name = fmt::format("{}, {}", one.claim.id, kind_of(one.claim));
+    if (devices.size() > 1 && !one.device.empty()) name += fmt::format(", {}", one.device);
     std::string verdict(to_text(one.verdict));
     if (!one.reason.empty()) verdict += ": " + one.reason;
     std::string effect = effect_text(one);
     if (!one.decisive.empty()) effect += fmt::format(" ({})", one.decisive);
     text += "|";
     for (const std::string& cell :
-         {fmt::format("{}, {}", one.claim.id, kind_of(one.claim)), one.claim.statement, source_of(one.claim),
-          description_of(one.claim), effect, one.value ? one.claim.relation : "",
+         {name, one.claim.statement, source_of(one.claim), description_of(one.claim), effect,
+          one.value ? one.claim.relation : "",
           one.paper_value ? interval_text(*one.paper_value, one.paper_interval) : "", verdict})
       text += fmt::format(" {} |", markdown_cell(cell));
     text += "\n";

@@ -34,6 +34,10 @@ struct Decision {
 /// this is the 95% interval.
 Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 
+/// Largest number of effects that decide() can separate. It bounds the number of draws, and with it time and
+/// memory.
+inline constexpr std::size_t most_effects = 200;
+
 /// Returns the number of draws that intervals of `effects` effects need with Holm's correction.
 int draws_for(std::size_t effects);
 

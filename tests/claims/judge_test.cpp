@@ -72,6 +72,15 @@ TEST(Judge, SaysWhyAClaimIsUntestable) {
             "the effect is not a finite number, because a quantity is 0, negative or not finite");
 }
 
+TEST(Judge, RefusesTooManySeparateDecisions) {
+  std::vector<FoundRow> rows;
+  for (std::size_t i = 0; i <= most_effects; ++i) rows.push_back(row({{"model", std::to_string(i)}}, 10));
+  EXPECT_EQ(judged(rows, "name = \"level\"", "{ at_most = 20 }").reason,
+            "201 effects are too many for separate decisions (at most 200); narrow `where`, or combine the "
+            "effects");
+  EXPECT_EQ(judged(rows, "name = \"level\", combine = \"mean\"", "{ at_most = 20 }").verdict, Verdict::holds);
+}
+
 TEST(Judge, DecidesOnThePapersHardware) {
   std::vector<FoundRow> rows = two_rows();
   for (FoundRow& one : rows) one.row.device = "NVIDIA GeForce 8800";
