@@ -50,6 +50,7 @@ class Table {
   template <std::size_t N>
   std::size_t choice(std::string_view key, const std::array<std::string_view, N>& names,
                      std::size_t otherwise) {
+    known_.insert(std::string(key));
     if (!has(key)) return otherwise;
     const std::string value = text(key);
     const auto found = std::find(names.begin(), names.end(), value);
