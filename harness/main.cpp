@@ -10,6 +10,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/commands/check.hpp"
+#include "harness/commands/claims.hpp"
 #include "harness/commands/command.hpp"
 #include "harness/commands/compare.hpp"
 #include "harness/commands/devices.hpp"
@@ -89,6 +90,7 @@ int main(int argc, char** argv) {
   add_export(app, chosen);
   add_compare(app, chosen);
   add_report(app, chosen);
+  add_claims(app, chosen);
   app.require_subcommand(0, 1);
 
   try {

@@ -8,7 +8,8 @@
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
-#   pelage run banisch2006-{update-time,work-precision,longest-step,energy,mesh-size} --anonymous -o RESULTS
+#   pelage run banisch2006-{update-time,equal-steps,work-precision,longest-step,energy,mesh-size} --anonymous \
+#     -o RESULTS
 #
 # These commands write the results for docs/rivals in about 25 minutes:
 #
@@ -24,6 +25,8 @@
 # Run the experiment `layers` once, with the preset quick:
 #
 #   pelage run layers --anonymous --preset quick -o LAYERS
+#
+# After a recording, scripts/claims_table.py writes the verdicts on the papers' claims into docs/claims.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 (($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "harness/claims/print.hpp"
 #include "harness/commands/report.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/table/render.hpp"
@@ -17,7 +18,7 @@ struct ReportOptions {
 
 void print(const Report& written) {
   for (const Section& section : written.sections) fmt::print("{}\n", text_of(section.table));
-  fmt::print("{}", text_of(written.claims));
+  if (!written.claims.empty()) fmt::print("{}", claims::text_of(written.claims));
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
   for (const Cell& cell : written.cells)

@@ -149,7 +149,8 @@ std::vector<fs::path> experiment_files() {
   for (const fs::path& folder : folders) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().extension() == ".toml" && entry.path().filename() != "models.toml")
+      if (entry.path().extension() == ".toml" && entry.path().filename() != "models.toml" &&
+          entry.path().filename() != "claims.toml")
         result.push_back(entry.path());
     break;
   }

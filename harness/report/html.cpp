@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "harness/claims/print.hpp"
 #include "harness/report/report.hpp"
 #include "harness/table/render.hpp"
 
@@ -55,6 +56,23 @@ std::string failures_html(const Report& report) {
   return items.empty() ? "" : "<h2>Cases without a time</h2>\n<ul>\n" + items + "</ul>\n";
 }
 
+std::string claims_html(const std::vector<claims::Judged>& judged) {
+  if (judged.empty()) return {};
+  std::string html =
+      "<h2>Claims of the papers</h2>\n<p class=\"soft\">In our words, tested by these rows; <a "
+      "href=\"tables/claims.csv\">CSV</a>.</p>\n<ul>\n";
+  for (const claims::Judged& one : judged) {
+    html +=
+        fmt::format("<li><b>{}</b>: {} ({}, {})<br><span class=\"soft\">", to_text(one.verdict),
+                    html_text(one.claim.statement), html_text(one.claim.paper), html_text(one.claim.section));
+    if (one.value)
+      html += fmt::format("{}: {}; the claim: {}. ", html_text(claims::description_of(one.claim)),
+                          html_text(claims::effect_text(one)), html_text(one.claim.relation));
+    html += fmt::format("{}</span></li>\n", html_text(one.reason));
+  }
+  return html + "</ul>\n";
+}
+
 }  // namespace
 
 std::string html_of(const Report& report, const std::filesystem::path& folder) {
@@ -78,7 +96,7 @@ std::string html_of(const Report& report, const std::filesystem::path& folder) {
         html_text(table.title), html_text(table.subtitle), table.stem, table.stem);
     body += html_of(table);
   }
-  body += html_of(report.claims);
+  body += claims_html(report.claims);
   body += html_of(report.solvers);
   body += failures_html(report);
   for (const ReportPlot& plot : report.plots)

@@ -8,6 +8,8 @@
 #include <set>
 
 #include "harness/atomic_file.hpp"
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/print.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/report/case_table.hpp"
@@ -72,12 +74,12 @@ void draw_springs(Report& report, const std::vector<FoundRow>& rows, const fs::p
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// Writes tables/layers.csv: the frame time with all layers divided by the frame times with half and with a
-/// quarter of the layers. Every round of the measurement draws all three frames.
+/// Writes tables/layers-ratios.csv: the frame time with all layers divided by the frame times with half and
+/// with a quarter of the layers. Every round of the measurement draws all three frames.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
-  write_file(folder / "tables" / "layers.csv", in_turns_csv(cells));
+  write_file(folder / "tables" / "layers-ratios.csv", in_turns_csv(cells));
   report.scaling += in_turns_text(cells);
 }
 
@@ -172,6 +174,20 @@ std::size_t hosts_of(const std::vector<Cell>& cells) {
   return hosts.size();
 }
 
+/// Judges the shipped claims about the experiments of the rows.
+void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
+  try {
+    report.claims = claims::judge(claims::read_claims(claims::shipped_claims()), rows);
+  } catch (const InputError& error) {
+    report.notes.push_back(fmt::format("the report has no claims: {}", error.what()));
+  }
+  std::erase_if(report.claims, [](const claims::Judged& judged) { return judged.device.empty(); });
+  if (report.claims.empty()) return;
+  std::string csv;
+  for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
+  write_file(folder / "tables" / "claims.csv", csv);
+}
+
 }  // namespace
 
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::path& folder,
@@ -209,9 +225,9 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   write_sections(report, folder);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
-  if (!report.solvers.empty()) write_file(folder / "tables" / "topology-solvers.csv", csv_of(report.solvers));
-  report.claims = claims_of(rows);
-  if (!report.claims.empty()) write_file(folder / "tables" / "claims.csv", csv_of(report.claims));
+  if (!report.solvers.empty())
+    write_file(folder / "tables" / "topology-solvers-ratios.csv", csv_of(report.solvers));
+  judge_claims(report, rows, folder);
   draw_springs(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "harness/report/claims.hpp"
+#include "harness/claims/judge.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/report/springs.hpp"
 
@@ -22,9 +22,12 @@ struct ReportPicture {
 
 struct Report {
   std::vector<Cell> cells;
-  std::vector<Section> sections;    ///< tables/STEM.csv and .tex, and the plots of each
-  std::vector<SolverLine> solvers;  ///< written to tables/topology-solvers.csv unless this list is empty
-  std::vector<Claim> claims;        ///< written to tables/claims.csv unless this list is empty
+  std::vector<Section> sections;  ///< tables/STEM.csv and .tex, and the plots of each
+  std::vector<SolverLine>
+      solvers;  ///< written to tables/topology-solvers-ratios.csv unless this list is empty
+  /// Verdicts of the claims about the experiments of the rows; written to tables/claims.csv unless this list
+  /// is empty.
+  std::vector<claims::Judged> claims;
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
   std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py

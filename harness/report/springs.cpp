@@ -95,7 +95,8 @@ std::string html_of(const std::vector<SolverLine>& lines) {
   std::string html =
       "<h2>Mass-spring solvers against serial C++ and Eigen</h2>\n<p class=\"soft\">A launch of so many "
       "steps by ours and "
-      "by each rival, all from one state, in turns; <a href=\"tables/topology-solvers.csv\">CSV</a>. Ratio: "
+      "by each rival, all from one state, in turns; <a href=\"tables/topology-solvers-ratios.csv\">CSV</a>. "
+      "Ratio: "
       "the rival's "
       "time by ours, the median over rounds with its 95% interval. By processor time: the rival's by ours "
       "shared by all "

@@ -96,10 +96,8 @@ TEST(Pipelines, OfTheExperimentsAreThere) {
   std::set<std::string> known;
   for (const Pipeline& pipeline : pipelines()) EXPECT_TRUE(known.insert(std::string(pipeline.name)).second);
   std::set<std::string> named;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments")) {
-    if (entry.path().filename() == "models.toml") continue;
-    const Experiment experiment = read_experiment(entry.path());
+  for (const std::filesystem::path& file : experiment_files()) {
+    const Experiment experiment = read_experiment(file);
     for (const Case& which : cases_of(experiment, preset_of(experiment, "quick")))
       named.insert(which.pipeline);
   }

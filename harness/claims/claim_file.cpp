@@ -1,0 +1,224 @@
+#include "harness/claims/claim_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "harness/claims/claim_table.hpp"
+#include "harness/error.hpp"
+#include "harness/toml_depth.hpp"
+
+namespace pelage::claims {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> kinds{"shape", "absolute"};
+constexpr std::array<std::string_view, 5> quantities{"frame-time", "frame-rate", "phase-time", "phase-share",
+                                                     "metric"};
+constexpr std::array<std::string_view, 7> effects{"level",     "ratio",       "ratio-by-phase", "elasticity",
+                                                  "linearity", "ratio-trend", "share-of-cases"};
+constexpr std::array<std::string_view, 4> combinations{"every", "geometric-mean", "mean", "median"};
+
+void read_source(Table table, Claim& claim) {
+  claim.paper = table.text("paper");
+  claim.section = table.text("section");
+  table.finish();
+}
+
+void read_rows(Table table, Claim& claim) {
+  claim.experiments = table.list("experiment");
+  if (claim.experiments.empty()) table.refuse("experiment", "experiment = \"NAME\" is missing");
+  claim.where = table.lists("where");
+  claim.overridden = table.flag("overridden");
+  claim.cases = std::size_t(table.number("cases", 1, 1, 1e6));
+  table.finish();
+}
+
+void read_quantity(Table& table, Claim& claim) {
+  const bool by_phase = claim.effect == Effect::ratio_by_phase;
+  if (by_phase && table.has("quantity"))
+    table.refuse(
+        "quantity",
+        "the effect ratio-by-phase has no quantity: it uses the times of the phase and of the frame");
+  claim.quantity = by_phase ? Quantity::phase_time : Quantity(table.choice("quantity", quantities, 0));
+  if (claim.quantity == Quantity::phase_time || claim.quantity == Quantity::phase_share)
+    claim.phase = table.required_text("phase");
+  if (claim.quantity == Quantity::metric) claim.metric = table.required_text("metric");
+  if (!by_phase) claim.per = table.text("per");
+  const bool whole_frame = claim.quantity == Quantity::frame_time || claim.quantity == Quantity::frame_rate;
+  if (whole_frame && !claim.axis.empty()) claim.phases = table.values("phases");
+}
+
+void read_effect(Table table, Claim& claim) {
+  claim.effect = Effect(table.choice("name", effects, 0));
+  const bool pairs = claim.effect == Effect::ratio || claim.effect == Effect::ratio_by_phase ||
+                     claim.effect == Effect::ratio_trend;
+  const bool slopes = claim.effect == Effect::elasticity || claim.effect == Effect::linearity;
+  if (pairs || slopes) claim.axis = table.required_text("axis");
+  if (pairs) {
+    claim.of = table.axis_value("of");
+    claim.to = table.axis_value("to");
+    if (claim.of.empty() || claim.to.empty())
+      table.refuse(
+          "of", fmt::format("the effect needs of = ... and to = ..., two values of the axis {}", claim.axis));
+  }
+  if (claim.effect == Effect::ratio_trend) claim.across = table.required_text("across");
+  if (slopes || claim.effect == Effect::ratio_trend) claim.along = table.text("along");
+  if (claim.effect == Effect::share_of_cases)
+    claim.threshold = table.required_number("threshold", "the effect share-of-cases");
+  read_quantity(table, claim);
+  if (claim.effect != Effect::share_of_cases)
+    claim.combine = Combine(table.choice("combine", combinations, 0));
+  table.finish();
+}
+
+void read_relation(Table table, Claim& claim) {
+  Region& region = claim.region;
+  const auto single = [&](std::string_view key, std::optional<double>& limit, bool strict) {
+    const auto value = table.number(key);
+    if (!value) return;
+    if (!claim.relation.empty()) table.refuse(key, "a claim has only one relation");
+    limit = value;
+    region.strict = strict;
+    claim.relation = fmt::format("{} {:g}", key, *value);
+    std::replace(claim.relation.begin(), claim.relation.end(), '_', ' ');
+  };
+  single("at_most", region.high, false);
+  single("at_least", region.low, false);
+  single("below", region.high, true);
+  single("above", region.low, true);
+  if (table.has("about")) {
+    if (!claim.relation.empty()) table.refuse("about", "a claim has only one relation");
+    const double value = table.number("about").value_or(0),
+                 tolerance = table.required_number("tolerance", "the relation about");
+    if (tolerance < 0 || tolerance >= 1)
+      table.refuse("tolerance", "tolerance must be a fraction of the number, from 0 to less than 1");
+    region.low = value - tolerance * std::abs(value);
+    region.high = value + tolerance * std::abs(value);
+    claim.relation = fmt::format("{:.4g} +-{:g}%", value, 100 * tolerance);
+  } else if (const std::vector<double> limits = table.numbers("between"); !limits.empty()) {
+    if (!claim.relation.empty()) table.refuse("between", "a claim has only one relation");
+    if (limits.size() != 2 || limits[0] > limits[1])
+      table.refuse("between", "between needs two numbers, the smaller one first: between = [0.8, 1.25]");
+    region.low = limits[0];
+    region.high = limits[1];
+    claim.relation = fmt::format("between {:g} and {:g}", limits[0], limits[1]);
+  }
+  if (claim.relation.empty())
+    table.refuse("", "the relation has no limit; give at_most, at_least, below, above, between or about");
+  table.finish();
+}
+
+/// Reads `relation = "decreasing"` or `relation = "increasing"`, which are limits of slopes.
+void read_direction(const std::string& direction, const Table& table, Claim& claim) {
+  if (direction != "decreasing" && direction != "increasing")
+    table.refuse("relation",
+                 fmt::format("relation = \"{}\" is unknown; give \"decreasing\", \"increasing\" or a table "
+                             "such as {{ at_most = 0.5 }}",
+                             direction));
+  if (claim.effect != Effect::elasticity && claim.effect != Effect::ratio_trend)
+    table.refuse("relation", fmt::format("\"{}\" needs the effect elasticity or ratio-trend", direction));
+  (direction == "decreasing" ? claim.region.high : claim.region.low) = 0;
+  claim.region.strict = true;
+  claim.relation = direction;
+}
+
+Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFile& settings) {
+  Table table(file, source, "claim");
+  Claim claim;
+  claim.id = table.required_text("id");
+  table.rename("claim " + claim.id);
+  claim.statement = table.required_text("statement");
+  claim.reading = table.text("reading");
+  if (const auto inner = table.inner("source")) read_source(*inner, claim);
+  claim.absolute = table.choice("kind", kinds, 0) == 1;
+  claim.untestable = table.text("untestable");
+  if (!claim.untestable.empty()) {
+    table.finish();
+    return claim;
+  }
+  claim.hardware = table.text("hardware");
+  claim.process_spread = table.number("process_spread", settings.process_spread, 0, 1);
+  const auto rows = table.inner("rows"), effect = table.inner("effect");
+  if (!rows) table.refuse("rows", "rows = { experiment = \"NAME\" } is missing (or untestable = \"REASON\")");
+  read_rows(*rows, claim);
+  if (!effect) table.refuse("effect", "effect = { name = \"level\" } is missing");
+  read_effect(*effect, claim);
+  if (!table.has("relation")) table.refuse("relation", "relation = { at_most = 0.5 } is missing");
+  if (table.holds_text("relation"))
+    read_direction(table.text("relation"), table, claim);
+  else if (const auto relation = table.inner("relation"))
+    read_relation(*relation, claim);
+  table.finish();
+  return claim;
+}
+
+toml::table parsed(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || fs::is_directory(file))
+    throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  refuse_deep_keys(text, file.string());
+  try {
+    return toml::parse(text, file.string());
+  } catch (const toml::parse_error& error) {
+    throw InputError(
+        fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+}  // namespace
+
+ClaimFile read_claims(const fs::path& file) {
+  const toml::table source = parsed(file);
+  ClaimFile result;
+  result.file = file;
+  for (const auto& [key, node] : source)
+    if (key != "claim" && key != "process_spread" && key != "separate_processes")
+      throw InputError(
+          fmt::format("{}:{}: unknown key {} (known: [[claim]], process_spread, "
+                      "separate_processes)",
+                      file.string(), node.source().begin.line, key.str()));
+  Table settings(file, source, "settings");
+  result.process_spread = settings.number("process_spread", result.process_spread, 0, 1);
+  result.separate_processes = int(settings.number("separate_processes", result.separate_processes, 1, 1000));
+  const toml::array* list = source["claim"].as_array();
+  if (!list || list->empty())
+    throw InputError(
+        fmt::format("{}: there is no [[claim]]; docs/claims.md describes the format", file.string()));
+  std::set<std::string> ids;
+  for (const toml::node& node : *list) {
+    if (!node.is_table())
+      throw InputError(
+          fmt::format("{}:{}: a claim must be a table [[claim]]", file.string(), node.source().begin.line));
+    result.claims.push_back(read_claim(file, *node.as_table(), result));
+    if (!ids.insert(result.claims.back().id).second)
+      throw InputError(fmt::format("{}:{}: two claims have the id {}", file.string(),
+                                   node.source().begin.line, result.claims.back().id));
+  }
+  return result;
+}
+
+fs::path shipped_claims() {
+  std::vector<fs::path> folders;
+  if (const char* data = std::getenv("PELAGE_DATA"); data && *data)
+    folders.push_back(fs::path(data) / "experiments");
+  folders.push_back(fs::path(PELAGE_SOURCE_DIR) / "experiments");
+  folders.push_back(fs::path(PELAGE_SHARE_DIR) / "experiments");
+  for (const fs::path& folder : folders)
+    if (fs::is_regular_file(folder / "claims.toml")) return folder / "claims.toml";
+  throw InputError("experiments/claims.toml is not installed; give a file with --claims");
+}
+
+}  // namespace pelage::claims

@@ -1,0 +1,79 @@
+// Reads the keys of one TOML table of a file of claims.
+#pragma once
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pelage::claims {
+
+/// A TOML table. Its functions throw InputError, which names the file, the line and the table, for a value of
+/// the wrong type. The file and the TOML table must outlive the object.
+class Table {
+ public:
+  Table(const std::filesystem::path& file, const toml::table& table, std::string name)
+      : file_(file), table_(table), name_(std::move(name)) {}
+
+  void rename(const std::string& name) { name_ = name; }
+  bool has(std::string_view key) const { return table_.contains(key); }
+  bool holds_text(std::string_view key) const;
+
+  /// Throws InputError at the line of the key, or of the table if it has no such key.
+  [[noreturn]] void refuse(std::string_view key, const std::string& what) const;
+
+  std::optional<Table> inner(std::string_view key);  ///< a table in this table; empty if the key is absent
+  std::string text(std::string_view key);            ///< "" if the key is absent
+  std::string required_text(std::string_view key);
+  std::optional<double> number(std::string_view key);  ///< a finite number
+  double number(std::string_view key, double otherwise, double least, double most);
+  double required_number(std::string_view key, std::string_view why);
+  std::vector<double> numbers(std::string_view key);
+  bool flag(std::string_view key);  ///< false if the key is absent
+
+  /// The value of an axis: a string, or a whole number as text. A decimal number must be written as a string,
+  /// because rows hold it as it was written in the experiment file.
+  std::string axis_value(std::string_view key);
+  std::vector<std::string> list(std::string_view key);  ///< values of an axis; one value is a list of one
+  std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< a table of such lists
+  std::map<std::string, std::string> values(std::string_view key);              ///< a table of such values
+
+  /// Returns the index of the text in `names`; `otherwise` if the key is absent.
+  template <std::size_t N>
+  std::size_t choice(std::string_view key, const std::array<std::string_view, N>& names,
+                     std::size_t otherwise) {
+    known_.insert(std::string(key));
+    if (!has(key)) return otherwise;
+    const std::string value = text(key);
+    const auto found = std::find(names.begin(), names.end(), value);
+    if (found == names.end())
+      refuse(key, fmt::format("{} = \"{}\" is unknown (known: {})", key, value, fmt::join(names, ", ")));
+    return std::size_t(found - names.begin());
+  }
+
+  /// Throws InputError if the table has a key that no function has read.
+  void finish() const;
+
+ private:
+  const toml::node* get(std::string_view key);
+  const toml::table* table(std::string_view key);
+  std::string axis_value(std::string_view key, const toml::node& node) const;
+  std::vector<std::string> list(std::string_view key, const toml::node& node) const;
+  void add_lists(std::string_view key, const toml::table& from, const std::string& prefix,
+                 std::map<std::string, std::vector<std::string>>& into) const;
+
+  const std::filesystem::path& file_;
+  const toml::table& table_;
+  std::string name_;
+  std::set<std::string> known_;
+};
+
+}  // namespace pelage::claims

@@ -1,0 +1,250 @@
+#include "harness/claims/effects.hpp"
+
+#include <fmt/format.h>
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <set>
+
+#include "harness/measure/statistics.hpp"
+
+namespace pelage::claims {
+namespace {
+
+using Axes = std::map<std::string, std::string>;
+using Group = std::vector<std::size_t>;  // indices of cells
+
+/// Returns the number of an axis value: "64" is 64, "800x600" is its number of pixels.
+std::optional<double> number_of(const std::string& text) {
+  double a = 0, b = 0;
+  if (RE2::FullMatch(text, "([0-9]{1,6})x([0-9]{1,6})", &a, &b)) return a * b;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), a);
+  if (code != std::errc{} || end != text.data() + text.size() || !std::isfinite(a)) return {};
+  return a;
+}
+
+/// Returns the position of the cell on the axis, which must be above 0.
+std::optional<double> position_of(const Claim& claim, const std::string& axis, const Cell& cell) {
+  std::optional<double> x;
+  if (!claim.along.empty()) {
+    const auto& metrics = cell.processes.front()->metrics;
+    if (const auto found = metrics.find(claim.along); found != metrics.end()) x = found->second.value;
+  } else if (const auto found = cell.axes.find(axis); found != cell.axes.end()) {
+    x = number_of(found->second);
+  }
+  return x && *x > 0 ? x : std::nullopt;
+}
+
+Axes without(Axes axes, const std::set<std::string>& names) {
+  for (const std::string& name : names) axes.erase(name);
+  return axes;
+}
+
+std::string value_at(const Cell& cell, const std::string& axis) {
+  const auto found = cell.axes.find(axis);
+  return found == cell.axes.end() ? std::string{} : found->second;
+}
+
+/// Returns the axes that have several values among the cells and are not in `used`.
+std::vector<std::string> telling_axes(const std::vector<Cell>& cells, const std::set<std::string>& used) {
+  std::map<std::string, std::set<std::string>> values;
+  for (const Cell& cell : cells)
+    for (const auto& [axis, value] : cell.axes) values[axis].insert(value);
+  std::vector<std::string> names;
+  for (const auto& [axis, found] : values)
+    if (found.size() > 1 && !used.contains(axis)) names.push_back(axis);
+  return names;
+}
+
+/// Returns groups of cells that differ only in the axes `used`, in the order of the cells.
+std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std::string>& used) {
+  std::vector<Group> groups;
+  std::map<Axes, std::size_t> known;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto [place, added] = known.try_emplace(without(cells[i].axes, used), groups.size());
+    if (added) groups.emplace_back();
+    groups[place->second].push_back(i);
+  }
+  return groups;
+}
+
+/// Returns the cells of a group at the values `of` and `to` of the claim's axis. A pair is complete if both
+/// exist and are unique.
+std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, const std::vector<Cell>& cells,
+                                                           const Group& group,
+                                                           std::vector<std::string>& left_out) {
+  Group of, to;
+  for (const std::size_t i : group) {
+    const std::string value = value_at(cells[i], claim.axis);
+    if (value == claim.of) of.push_back(i);
+    if (value == claim.to) to.push_back(i);
+  }
+  if (of.size() == 1 && to.size() == 1) return std::pair(of.front(), to.front());
+  if (of.size() > 1 || to.size() > 1)
+    left_out.push_back(fmt::format("{} (several cases differ only in their names; name one experiment)",
+                                   cells[group.front()].name));
+  else if (of.size() == 1 || to.size() == 1)
+    left_out.push_back(fmt::format("{} (there is no matching case with {} {})",
+                                   cells[of.empty() ? to.front() : of.front()].name, claim.axis,
+                                   of.empty() ? claim.of : claim.to));
+  return {};
+}
+
+/// Sorts the members of the part by x. Returns false if two positions are equal or there are fewer than
+/// `least`. A member has `width` cells.
+bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
+  std::vector<std::size_t> order(part.x.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&part](std::size_t a, std::size_t b) { return part.x[a] < part.x[b]; });
+  Part sorted{part.name, {}, {}};
+  for (const std::size_t i : order) {
+    if (!sorted.x.empty() && sorted.x.back() == part.x[i]) return false;
+    sorted.x.push_back(part.x[i]);
+    for (std::size_t w = 0; w < width; ++w) sorted.cells.push_back(part.cells[i * width + w]);
+  }
+  part = std::move(sorted);
+  return part.x.size() >= least;
+}
+
+void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
+               std::vector<Part>& parts, std::vector<std::string>& left_out) {
+  for (const std::size_t i : group) {
+    const auto x = position_of(claim, claim.axis, cells[i]);
+    if (!x) {
+      left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cells[i].name,
+                                     claim.along.empty() ? claim.axis : claim.along));
+      continue;
+    }
+    part.cells.push_back(i);
+    part.x.push_back(*x);
+  }
+  const std::size_t least = claim.effect == Effect::linearity ? 3 : 2;
+  if (sort_by_x(part, least, 1))
+    parts.push_back(std::move(part));
+  else
+    left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
+                                   cells[group.front()].name, least, claim.axis));
+}
+
+void add_trend(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
+               std::vector<Part>& parts, std::vector<std::string>& left_out) {
+  std::map<std::string, Group> at;  // value of the axis `across` -> cells
+  for (const std::size_t i : group) at[value_at(cells[i], claim.across)].push_back(i);
+  for (const auto& [value, members] : at) {
+    const auto pair = pair_of(claim, cells, members, left_out);
+    if (!pair) continue;
+    const auto x = position_of(claim, claim.across, cells[pair->first]);
+    if (!x) {
+      left_out.push_back(fmt::format("{} (its {} is not a number above 0)", cells[pair->first].name,
+                                     claim.along.empty() ? claim.across : claim.along));
+      continue;
+    }
+    part.cells.insert(part.cells.end(), {pair->first, pair->second});
+    part.x.push_back(*x);
+  }
+  if (sort_by_x(part, 3, 2))
+    parts.push_back(std::move(part));
+  else
+    left_out.push_back(fmt::format("{} (the effect needs 3 different values of {})",
+                                   cells[group.front()].name, claim.across));
+}
+
+/// Returns the slope of the least-squares line through (ln x, y).
+double slope(const std::vector<double>& x, const std::vector<double>& y) {
+  double mean_x = 0, mean_y = 0, xy = 0, xx = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / double(x.size());
+    mean_y += y[i] / double(x.size());
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (std::log(x[i]) - mean_x) * (y[i] - mean_y);
+    xx += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+  }
+  return xy / xx;
+}
+
+}  // namespace
+
+std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
+                           std::vector<std::string>& left_out) {
+  std::vector<Part> parts;
+  if (cells.empty()) return parts;
+  if (claim.effect == Effect::level) {
+    for (std::size_t i = 0; i < cells.size(); ++i) parts.push_back({cells[i].name, {i}, {}});
+    return parts;
+  }
+  if (claim.effect == Effect::share_of_cases) {
+    Part all;
+    all.cells.resize(cells.size());
+    std::iota(all.cells.begin(), all.cells.end(), std::size_t(0));
+    return {all};
+  }
+  std::set<std::string> used;
+  if (!claim.axis.empty()) used.insert(claim.axis);
+  if (!claim.across.empty()) used.insert(claim.across);
+  const std::vector<std::string> telling = telling_axes(cells, used);
+  for (const Group& group : groups_of(cells, used)) {
+    Part part;
+    for (const std::string& axis : telling) {
+      if (!part.name.empty()) part.name += ' ';
+      part.name += value_at(cells[group.front()], axis);
+    }
+    if (claim.effect == Effect::ratio_trend) {
+      add_trend(claim, cells, group, std::move(part), parts, left_out);
+    } else if (claim.effect == Effect::elasticity || claim.effect == Effect::linearity) {
+      add_slope(claim, cells, group, std::move(part), parts, left_out);
+    } else if (const auto pair = pair_of(claim, cells, group, left_out)) {
+      part.cells = {pair->first, pair->second};
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+double effect_of(const Claim& claim, const Part& part, const std::vector<Value>& values) {
+  const auto value = [&](std::size_t i) { return values[part.cells[i]].value; };
+  switch (claim.effect) {
+    case Effect::level:
+      break;
+    case Effect::ratio:
+      return value(0) / value(1);
+    case Effect::ratio_by_phase:
+      return 1 + (value(0) - value(1)) / values[part.cells[1]].frame;
+    case Effect::elasticity: {
+      std::vector<double> y;
+      for (std::size_t i = 0; i < part.cells.size(); ++i) y.push_back(std::log(value(i)));
+      return slope(part.x, y);
+    }
+    case Effect::linearity: {
+      const std::size_t last = part.cells.size() - 1, middle = part.cells.size() / 2;
+      const double upper = (value(last) - value(middle)) / (part.x[last] - part.x[middle]);
+      return upper / ((value(middle) - value(0)) / (part.x[middle] - part.x[0]));
+    }
+    case Effect::ratio_trend: {
+      std::vector<double> y;
+      for (std::size_t i = 0; i < part.x.size(); ++i) y.push_back(std::log(value(2 * i) / value(2 * i + 1)));
+      return slope(part.x, y);
+    }
+    case Effect::share_of_cases: {
+      double count = 0;
+      for (std::size_t i = 0; i < part.cells.size(); ++i) count += value(i) >= claim.threshold;
+      return count / double(part.cells.size());
+    }
+  }
+  return value(0);
+}
+
+double combined(const Claim& claim, const std::vector<double>& effects) {
+  if (claim.combine == Combine::median) return median(effects);
+  double sum = 0;
+  for (const double effect : effects) sum += claim.combine == Combine::mean ? effect : std::log(effect);
+  sum /= double(effects.size());
+  return claim.combine == Combine::mean ? sum : std::exp(sum);
+}
+
+}  // namespace pelage::claims

@@ -1,0 +1,34 @@
+// Effects: which cells belong together, and the number that they give.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "harness/claims/cells.hpp"
+#include "harness/claims/drawing.hpp"
+
+namespace pelage::claims {
+
+/// The cells of one effect, for instance the two cells of a ratio. Several parts make a claim's effect.
+struct Part {
+  /// The values of the axes that tell this part from the others, such as "lion 64"; may be empty.
+  std::string name;
+  /// Indices of the cells. level: one; ratio and ratio_by_phase: `of`, `to`; elasticity and linearity: in
+  /// increasing order of the axis; ratio_trend: `of`, `to` of each value of the axis `across`;
+  /// share_of_cases: all.
+  std::vector<std::size_t> cells;
+  /// Values of the axis: one per cell, or for ratio_trend one per pair of cells.
+  std::vector<double> x;
+};
+
+/// Returns the parts of the claim. Cells without a partner are added to `left_out`, with the reason.
+std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
+                           std::vector<std::string>& left_out);
+
+/// Returns the effect of one part. `values` has one value per cell of the claim, in the order of the cells.
+double effect_of(const Claim& claim, const Part& part, const std::vector<Value>& values);
+
+/// Returns the mean, geometric mean or median of the effects, as the claim demands. The claim must not
+/// combine by `every`.
+double combined(const Claim& claim, const std::vector<double>& effects);
+
+}  // namespace pelage::claims

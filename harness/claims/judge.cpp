@@ -1,0 +1,197 @@
+#include "harness/claims/judge.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "harness/claims/cells.hpp"
+#include "harness/claims/drawing.hpp"
+#include "harness/claims/effects.hpp"
+
+namespace pelage::claims {
+namespace {
+
+using Machine = std::pair<std::string, std::string>;  // device, host
+
+/// Returns the estimates of all parts, or one estimate if the claim combines its parts.
+template <class Draw>
+std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& parts,
+                                   std::vector<Draw>& cells, int draws) {
+  const bool every = claim.combine == Combine::every;
+  std::vector<Estimate> result(every ? parts.size() : 1);
+  std::vector<Value> values(cells.size());
+  std::vector<double> effects(parts.size());
+  const auto compute = [&] {
+    for (std::size_t p = 0; p < parts.size(); ++p) effects[p] = effect_of(claim, parts[p], values);
+    return every || parts.size() == 1 ? effects : std::vector<double>{combined(claim, effects)};
+  };
+  for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].measured();
+  const std::vector<double> measured = compute();
+  for (std::size_t e = 0; e < result.size(); ++e) result[e].value = measured[e];
+  for (int d = 0; d < draws; ++d) {
+    for (std::size_t i = 0; i < cells.size(); ++i) values[i] = cells[i].drawn();
+    const std::vector<double> drawn = compute();
+    for (std::size_t e = 0; e < result.size(); ++e) result[e].draws.push_back(drawn[e]);
+  }
+  return result;
+}
+
+/// Number of draws of a claim with these parts. Only the combination by `every` makes several decisions.
+int draws_of(const Claim& claim, const std::vector<Part>& parts) {
+  return draws_for(claim.combine == Combine::every ? parts.size() : 1);
+}
+
+std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, const std::vector<Cell>& cells,
+                                   const std::vector<Part>& parts, double spread) {
+  std::vector<Drawing> drawings;
+  drawings.reserve(cells.size());
+  for (const Cell& cell : cells) drawings.emplace_back(claim, cell, spread, file.separate_processes);
+  return estimates_of(claim, parts, drawings, draws_of(claim, parts));
+}
+
+/// Adds the effect of the paper's own numbers, if the paper gives numbers for enough cases.
+void add_paper(Judged& judged, const std::vector<Cell>& cells) {
+  const Claim& claim = judged.claim;
+  std::vector<Cell> given;
+  std::vector<PaperDrawing> drawings;
+  for (const Cell& cell : cells)
+    if (PaperDrawing::possible(claim, cell)) given.push_back(cell);
+  std::vector<std::string> ignored;
+  const std::vector<Part> parts = parts_of(claim, given, ignored);
+  if (parts.empty()) return;
+  drawings.reserve(given.size());
+  for (const Cell& cell : given) drawings.emplace_back(claim, cell);
+  const std::vector<Estimate> estimates = estimates_of(claim, parts, drawings, draws_of(claim, parts));
+  const Decision decision = decide(estimates, claim.region);
+  judged.paper_value = estimates[decision.decisive].value;
+  judged.paper_interval = decision.interval;
+}
+
+/// Returns up to three of the texts, separated by semicolons, and the number of the others.
+std::string some_of(const std::vector<std::string>& texts) {
+  const std::size_t shown = std::min<std::size_t>(3, texts.size());
+  std::string text = fmt::format("{}", fmt::join(texts.begin(), texts.begin() + std::ptrdiff_t(shown), "; "));
+  if (texts.size() > shown) text += fmt::format("; and {} more", texts.size() - shown);
+  return text;
+}
+
+bool finite(const std::vector<Estimate>& estimates) {
+  return std::all_of(estimates.begin(), estimates.end(), [](const Estimate& estimate) {
+    return std::isfinite(estimate.value) && std::all_of(estimate.draws.begin(), estimate.draws.end(),
+                                                        [](double d) { return std::isfinite(d); });
+  });
+}
+
+void explain_undecided(Judged& judged, const Decision& without_spread, std::size_t wanted) {
+  if (without_spread.verdict == Verdict::undecided)
+    judged.reason = "the interval contains a limit of the relation";
+  else
+    judged.reason = fmt::format(
+        "not enough separate processes: {} of {}; the assumed spread of {:g}% between processes is larger "
+        "than "
+        "the distance to the limit. Run the experiment with --repeat {}",
+        judged.processes, wanted, 100 * judged.claim.process_spread, wanted);
+}
+
+void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
+  const Claim& claim = judged.claim;
+  std::vector<std::string> left_out = cells.left_out;
+  const std::vector<Part> parts = parts_of(claim, cells.cells, left_out);
+  const std::size_t count = claim.effect == Effect::share_of_cases ? cells.cells.size() : parts.size();
+  if (!left_out.empty())
+    judged.notes.push_back(fmt::format("{} left out: {}", left_out.size(), some_of(left_out)));
+  if (cells.contended > 0)
+    judged.notes.push_back(
+        fmt::format("{} rows were measured while other processes used the CPU", cells.contended));
+  if (count < std::max<std::size_t>(claim.cases, 1)) {
+    judged.reason =
+        fmt::format("{} of the {} effects that decide the claim are measured", count, claim.cases);
+    if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axes of the claim";
+    return;
+  }
+  if (claim.combine == Combine::every && parts.size() > most_effects) {
+    judged.reason = fmt::format(
+        "{} effects are too many for separate decisions (at most {}); narrow `where`, or combine the effects",
+        parts.size(), most_effects);
+    return;
+  }
+  const std::vector<Estimate> estimates = estimates_of(file, claim, cells.cells, parts, claim.process_spread);
+  if (!finite(estimates)) {
+    judged.reason = "the effect is not a finite number, because a quantity is 0, negative or not finite";
+    return;
+  }
+  const Decision decision = decide(estimates, claim.region);
+  judged.verdict = decision.verdict;
+  judged.value = estimates[decision.decisive].value;
+  judged.interval = decision.interval;
+  judged.confidence = decision.confidence;
+  judged.effects = count;
+  judged.processes = cells.cells.front().processes.size();
+  for (const Cell& cell : cells.cells) judged.processes = std::min(judged.processes, cell.processes.size());
+  std::vector<Value> values;
+  for (const Cell& cell : cells.cells) values.push_back(Drawing(claim, cell, 0, 1).measured());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const double effect = effect_of(claim, parts[p], values);
+    judged.least = p == 0 ? effect : std::min(judged.least, effect);
+    judged.most = p == 0 ? effect : std::max(judged.most, effect);
+  }
+  if (claim.combine == Combine::every && parts.size() > 1) judged.decisive = parts[decision.decisive].name;
+  if (decision.verdict == Verdict::undecided)
+    explain_undecided(judged, decide(estimates_of(file, claim, cells.cells, parts, 0), claim.region),
+                      std::size_t(file.separate_processes));
+  add_paper(judged, cells.cells);
+  if (!claim.hardware.empty() && judged.device.find(claim.hardware) == std::string::npos) {
+    judged.verdict = Verdict::untestable;
+    judged.reason = fmt::format("the claim is about the paper's hardware ({})", claim.hardware);
+  }
+}
+
+Judged judge_on(const ClaimFile& file, const Claim& claim, const Machine& machine,
+                const std::vector<const Row*>& rows) {
+  Judged judged;
+  judged.claim = claim;
+  judged.device = machine.first;
+  judged.host = machine.second;
+  judge_cells(file, judged, cells_of(claim, rows));
+  return judged;
+}
+
+Judged without_rows(const Claim& claim) {
+  Judged judged;
+  judged.claim = claim;
+  judged.reason = !claim.untestable.empty() ? claim.untestable
+                                            : fmt::format("there are no rows of the experiment {}",
+                                                          fmt::join(claim.experiments, " or "));
+  return judged;
+}
+
+}  // namespace
+
+std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows) {
+  std::map<Machine, std::map<std::string, std::vector<const Row*>>> by_machine;  // -> experiment -> rows
+  for (const FoundRow& found : rows)
+    by_machine[{found.row.device, found.row.provenance.value("host", std::string())}][found.row.experiment]
+        .push_back(&found.row);
+  std::vector<Judged> result;
+  for (const Claim& claim : file.claims) {
+    bool any = false;
+    for (const auto& [machine, experiments] : by_machine) {
+      std::vector<const Row*> own;
+      for (const std::string& name :
+           std::set<std::string>(claim.experiments.begin(), claim.experiments.end()))
+        if (const auto found = experiments.find(name); found != experiments.end())
+          own.insert(own.end(), found->second.begin(), found->second.end());
+      if (own.empty()) continue;
+      any = true;
+      result.push_back(judge_on(file, claim, machine, own));
+    }
+    if (!any) result.push_back(without_rows(claim));
+  }
+  return result;
+}
+
+}  // namespace pelage::claims

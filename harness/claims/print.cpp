@@ -1,0 +1,193 @@
+#include "harness/claims/print.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace pelage::claims {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns three digits of the number; more if it is near 1, where ratios need them, or a large count.
+std::string number_text(double value) {
+  if (std::abs(value - 1) < 0.02 && value != 1) return fmt::format("{:.4f}", value);
+  return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
+}
+
+std::string interval_text(double value, const Interval& interval) {
+  if (interval.low == interval.high) return number_text(value);
+  return fmt::format("{} [{}, {}]", number_text(value), number_text(interval.low),
+                     number_text(interval.high));
+}
+
+std::string source_of(const Claim& claim) {
+  if (claim.paper.empty()) return claim.section;
+  return claim.section.empty() ? claim.paper : fmt::format("{}, {}", claim.paper, claim.section);
+}
+
+std::string kind_of(const Claim& claim) {
+  return claim.absolute ? "absolute" : "shape";
+}
+
+Json optional_number(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+/// A column of the table: its name, and the field of a claim as JSON.
+struct Column {
+  const char* name;
+  Json (*field)(const Judged&);
+};
+
+const std::vector<Column>& columns() {
+  static const auto if_measured = [](const Judged& j, const Json& field) {
+    return j.value ? field : Json(nullptr);
+  };
+  static const std::vector<Column> all{
+      {"id", [](const Judged& j) { return Json(j.claim.id); }},
+      {"verdict", [](const Judged& j) { return Json(to_text(j.verdict)); }},
+      {"kind", [](const Judged& j) { return Json(kind_of(j.claim)); }},
+      {"statement", [](const Judged& j) { return Json(j.claim.statement); }},
+      {"reading", [](const Judged& j) { return Json(j.claim.reading); }},
+      {"paper", [](const Judged& j) { return Json(j.claim.paper); }},
+      {"section", [](const Judged& j) { return Json(j.claim.section); }},
+      {"experiment",
+       [](const Judged& j) { return Json(fmt::format("{}", fmt::join(j.claim.experiments, ";"))); }},
+      {"device", [](const Judged& j) { return Json(j.device); }},
+      {"host", [](const Judged& j) { return Json(j.host); }},
+      {"measured", [](const Judged& j) { return Json(description_of(j.claim)); }},
+      {"relation", [](const Judged& j) { return Json(j.claim.relation); }},
+      {"effect", [](const Judged& j) { return optional_number(j.value); }},
+      {"low", [](const Judged& j) { return if_measured(j, j.interval.low); }},
+      {"high", [](const Judged& j) { return if_measured(j, j.interval.high); }},
+      {"confidence", [](const Judged& j) { return if_measured(j, j.confidence); }},
+      {"effects", [](const Judged& j) { return if_measured(j, j.effects); }},
+      {"least", [](const Judged& j) { return if_measured(j, j.least); }},
+      {"most", [](const Judged& j) { return if_measured(j, j.most); }},
+      {"decisive", [](const Judged& j) { return Json(j.decisive); }},
+      {"processes", [](const Judged& j) { return if_measured(j, j.processes); }},
+      {"paper_effect", [](const Judged& j) { return optional_number(j.paper_value); }},
+      {"paper_low",
+       [](const Judged& j) { return j.paper_value ? Json(j.paper_interval.low) : Json(nullptr); }},
+      {"paper_high",
+       [](const Judged& j) { return j.paper_value ? Json(j.paper_interval.high) : Json(nullptr); }},
+      {"reason", [](const Judged& j) { return Json(j.reason); }},
+      {"notes", [](const Judged& j) { return Json(fmt::format("{}", fmt::join(j.notes, "; "))); }}};
+  return all;
+}
+
+/// Returns the text between "|" of a Markdown table.
+std::string markdown_cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
+  return result;
+}
+
+std::string counts_of(const std::vector<Judged>& judged) {
+  std::array<std::size_t, 4> counts{};
+  for (const Judged& one : judged) ++counts[std::size_t(one.verdict)];
+  std::string text = fmt::format("{} claims:", judged.size());
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    text += fmt::format("{} {} {}", i == 0 ? "" : ",", counts[i], to_text(Verdict(i)));
+  return text + "\n";
+}
+
+std::string details_of(const Judged& one) {
+  std::string text;
+  if (!one.claim.reading.empty()) text += fmt::format("    reading: {}\n", one.claim.reading);
+  if (one.value) {
+    text += fmt::format("    {}: {}", description_of(one.claim), effect_text(one));
+    if (!one.decisive.empty())
+      text += fmt::format(" for {}; {} effects from {} to {}", one.decisive, one.effects,
+                          number_text(one.least), number_text(one.most));
+    else if (one.effects > 1)
+      text += fmt::format(", from {} effects", one.effects);
+    text += fmt::format("; the claim: {}", one.claim.relation);
+    if (one.paper_value)
+      text += fmt::format("; the paper's numbers: {}", interval_text(*one.paper_value, one.paper_interval));
+    text += "\n";
+  }
+  if (!one.reason.empty()) text += fmt::format("    {}: {}\n", to_text(one.verdict), one.reason);
+  for (const std::string& note : one.notes) text += fmt::format("    note: {}\n", note);
+  return text;
+}
+
+}  // namespace
+
+std::string effect_text(const Judged& judged) {
+  if (!judged.value) return {};
+  std::string text = interval_text(*judged.value, judged.interval);
+  if (judged.confidence > 0.951 && judged.interval.low != judged.interval.high)
+    text += fmt::format(" at {:.3g}%", 100 * judged.confidence);
+  return text;
+}
+
+std::string text_of(const std::vector<Judged>& judged) {
+  std::string text, machine;
+  for (const Judged& one : judged) {
+    const std::string own =
+        one.device.empty() ? "" : fmt::format("{}{}{}", one.device, one.host.empty() ? "" : " on ", one.host);
+    if (!own.empty() && own != machine) text += fmt::format("Device {}\n", machine = own);
+    text += fmt::format("{:10} {}  ({}; {})\n    {}\n", to_text(one.verdict), one.claim.id,
+                        kind_of(one.claim), source_of(one.claim), one.claim.statement);
+    text += details_of(one);
+  }
+  return text + counts_of(judged);
+}
+
+std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged) {
+  std::vector<std::vector<std::string>> table(1);
+  for (const Column& column : columns()) table[0].emplace_back(column.name);
+  for (const Judged& one : judged) {
+    table.emplace_back();
+    for (const Column& column : columns()) {
+      const Json field = column.field(one);
+      table.back().push_back(field.is_null()           ? ""
+                             : field.is_string()       ? field.get<std::string>()
+                             : field.is_number_float() ? fmt::format("{:.10g}", field.get<double>())
+                                                       : field.dump());
+    }
+  }
+  return table;
+}
+
+std::string markdown_of(const std::vector<Judged>& judged) {
+  std::string text =
+      "| claim | statement | source | measured | effect | relation | the paper's numbers | verdict |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::set<std::string> devices;
+  for (const Judged& one : judged)
+    if (!one.device.empty()) devices.insert(one.device);
+  for (const Judged& one : judged) {
+    std::string name = fmt::format("{}, {}", one.claim.id, kind_of(one.claim));
+    if (devices.size() > 1 && !one.device.empty()) name += fmt::format(", {}", one.device);
+    std::string verdict(to_text(one.verdict));
+    if (!one.reason.empty()) verdict += ": " + one.reason;
+    std::string effect = effect_text(one);
+    if (!one.decisive.empty()) effect += fmt::format(" ({})", one.decisive);
+    text += "|";
+    for (const std::string& cell :
+         {name, one.claim.statement, source_of(one.claim), description_of(one.claim), effect,
+          one.value ? one.claim.relation : "",
+          one.paper_value ? interval_text(*one.paper_value, one.paper_interval) : "", verdict})
+      text += fmt::format(" {} |", markdown_cell(cell));
+    text += "\n";
+  }
+  return text;
+}
+
+Json json_of(const std::vector<Judged>& judged) {
+  Json list = Json::array();
+  for (const Judged& one : judged) {
+    Json object = Json::object();
+    for (const Column& column : columns()) object[column.name] = column.field(one);
+    list.push_back(std::move(object));
+  }
+  return list;
+}
+
+}  // namespace pelage::claims

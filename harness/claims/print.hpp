@@ -1,0 +1,28 @@
+// Judged claims as text, as a table and as JSON.
+#pragma once
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "harness/claims/judge.hpp"
+
+namespace pelage::claims {
+
+/// Returns all claims as text for a terminal, and a last line that counts the verdicts.
+std::string text_of(const std::vector<Judged>& judged);
+
+/// Returns a table whose first line contains the names of the columns. Numbers are unrounded. It is written
+/// as CSV by `pelage claims` and `pelage report`.
+std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);
+
+/// Returns a Markdown table for documents. Numbers have three digits.
+std::string markdown_of(const std::vector<Judged>& judged);
+
+/// Returns a list of claims with the fields of table_of(); numbers are JSON numbers, and values that are
+/// absent are null.
+nlohmann::ordered_json json_of(const std::vector<Judged>& judged);
+
+/// Returns the effect as text, for instance "0.309 [0.298, 0.321]"; "" if there is none.
+std::string effect_text(const Judged& judged);
+
+}  // namespace pelage::claims

@@ -1,0 +1,81 @@
+// pelage claims: reads journal files of recorded results and prints whether claims of papers, or of the user,
+// hold.
+#include "harness/commands/claims.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "harness/atomic_file.hpp"
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/print.hpp"
+#include "harness/report/input_sets.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+struct ClaimsOptions {
+  std::vector<std::string> results;
+  std::string file, csv;
+  bool json = false, markdown = false;
+};
+
+std::string csv_of(const std::vector<claims::Judged>& judged) {
+  std::string text;
+  for (const std::vector<std::string>& line : claims::table_of(judged)) text += csv_line(line);
+  return text;
+}
+
+void write(const std::string& file, const std::string& text) {
+  write_atomically(file, [&](const std::filesystem::path& path) {
+    std::ofstream stream(path, std::ios::binary);
+    stream << text << std::flush;
+    if (!stream) throw InputError(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
+  });
+}
+
+int print_claims(const ClaimsOptions& options) {
+  const claims::ClaimFile file = claims::read_claims(
+      options.file.empty() ? claims::shipped_claims() : std::filesystem::path(options.file));
+  const std::vector<InputSet> sets = input_sets(read_results(options.results));
+  const std::vector<claims::Judged> judged = claims::judge(file, sets.front().rows);
+  for (std::size_t i = 1; i < sets.size(); ++i)
+    fmt::print(
+        stderr,
+        "pelage: {} rows are not used, because they have the names of other rows but measured different "
+        "inputs ({}). Give their journals alone to judge the claims by them\n",
+        sets[i].rows.size(), sets[i].differs);
+  if (options.csv == "-")
+    fmt::print("{}", csv_of(judged));
+  else if (!options.csv.empty())
+    write(options.csv, csv_of(judged));
+  if (options.csv == "-") return 0;
+  if (options.json)
+    fmt::print("{}\n", claims::json_of(judged).dump(2));
+  else
+    fmt::print("{}", options.markdown ? claims::markdown_of(judged) : claims::text_of(judged));
+  return 0;
+}
+
+}  // namespace
+
+void add_claims(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<ClaimsOptions>();
+  CLI::App* command =
+      app.add_subcommand("claims", "Print which claims of the papers hold for recorded results");
+  command->add_option("results", options->results, "Folders with results, or journal files")
+      ->required()
+      ->type_name("RESULTS");
+  command->add_option("--claims", options->file, "File of claims to use instead of experiments/claims.toml")
+      ->type_name("FILE");
+  command->add_option("--csv", options->csv, "Also write the claims as CSV; - prints only the CSV")
+      ->type_name("FILE");
+  auto* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--markdown", options->markdown, "Print a table for a Markdown document")->excludes(json);
+  command->callback([options, &chosen] { chosen = [options] { return print_claims(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,187 @@
+// Tests the reading of files of claims, and the messages about wrong files.
+#include "harness/claims/claim_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "tests/claims/rows.hpp"
+
+namespace pelage::claims {
+namespace {
+
+using test::claim_text;
+using test::file_of;
+
+/// Returns the message about a wrong file, without the folder; "" if the file is accepted.
+std::string message(const std::string& text) {
+  try {
+    file_of(text);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    return what.substr(what.find("claims.toml"));
+  }
+  return {};
+}
+
+TEST(ClaimFiles, HoldEveryKey) {
+  const ClaimFile file = file_of(R"(
+process_spread = 0.1
+separate_processes = 5
+[[claim]]
+id = "third"
+statement = "Four times the layers take three times the time."
+reading = "15% more or less"
+source = { paper = "key", section = "5" }
+kind = "absolute"
+hardware = "GeForce"
+process_spread = 0.02
+[claim.rows]
+experiment = ["a", "b"]
+where = { model = ["x", "y"], layers = 64, dynamics.solver = "rk4" }
+overridden = true
+cases = 4
+[claim.effect]
+name = "ratio"
+quantity = "frame-rate"
+axis = "layers"
+phases = { frame = 64, quarter = 16 }
+of = 64
+to = 16
+combine = "geometric-mean"
+[claim.relation]
+about = 0.25
+tolerance = 0.2
+[[claim]]
+id = "strands"
+statement = "Strands are fast."
+untestable = "there are none"
+)");
+  EXPECT_DOUBLE_EQ(file.process_spread, 0.1);
+  EXPECT_EQ(file.separate_processes, 5);
+  ASSERT_EQ(file.claims.size(), 2u);
+  const Claim& c = file.claims[0];
+  EXPECT_EQ(c.id, "third");
+  EXPECT_EQ(c.paper, "key");
+  EXPECT_EQ(c.section, "5");
+  EXPECT_TRUE(c.absolute);
+  EXPECT_EQ(c.hardware, "GeForce");
+  EXPECT_DOUBLE_EQ(c.process_spread, 0.02);
+  EXPECT_EQ(c.experiments, (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(c.where.at("model"), (std::vector<std::string>{"x", "y"}));
+  EXPECT_EQ(c.where.at("layers"), (std::vector<std::string>{"64"}));
+  EXPECT_EQ(c.where.at("dynamics.solver"), (std::vector<std::string>{"rk4"}));
+  EXPECT_TRUE(c.overridden);
+  EXPECT_EQ(c.cases, 4u);
+  EXPECT_EQ(c.effect, Effect::ratio);
+  EXPECT_EQ(c.quantity, Quantity::frame_rate);
+  EXPECT_EQ(c.phases.at("quarter"), "16");
+  EXPECT_EQ(c.of, "64");
+  EXPECT_EQ(c.combine, Combine::geometric_mean);
+  EXPECT_DOUBLE_EQ(c.region.low.value(), 0.2);
+  EXPECT_DOUBLE_EQ(c.region.high.value(), 0.3);
+  EXPECT_EQ(c.relation, "0.25 +-20%");
+  EXPECT_EQ(description_of(c), "frame rate in turns, layers 64 : 16, geometric mean");
+  EXPECT_EQ(file.claims[1].untestable, "there are none");
+  EXPECT_DOUBLE_EQ(file_of(claim_text("name = \"level\"", "{ above = 1 }")).claims[0].process_spread, 0.07);
+}
+
+TEST(ClaimFiles, ReadEveryRelation) {
+  const auto region = [](const std::string& relation) {
+    return file_of(claim_text("name = \"elasticity\", axis = \"layers\"", relation)).claims[0].region;
+  };
+  EXPECT_TRUE(region("{ at_most = 2 }").contains(2));
+  EXPECT_FALSE(region("{ below = 2 }").contains(2));
+  EXPECT_TRUE(region("{ below = 2 }").contains(1.9));
+  EXPECT_TRUE(region("{ at_least = 2 }").contains(2));
+  EXPECT_FALSE(region("{ at_least = 2 }").contains(1.9));
+  EXPECT_FALSE(region("{ above = 2 }").contains(2));
+  EXPECT_TRUE(region("{ between = [1, 2] }").contains(1.5));
+  EXPECT_FALSE(region("{ between = [1, 2] }").contains(2.5));
+  EXPECT_FALSE(region("{ about = -1, tolerance = 0.1 }").contains(-0.8));
+  EXPECT_TRUE(region("{ about = -1, tolerance = 0.1 }").contains(-1.05));
+  EXPECT_TRUE(region("\"decreasing\"").contains(-0.1));
+  EXPECT_FALSE(region("\"decreasing\"").contains(0));
+  EXPECT_TRUE(region("\"increasing\"").contains(0.1));
+}
+
+TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
+  const std::string level = "name = \"level\"", limit = "{ at_most = 1 }";
+  EXPECT_EQ(message(claim_text(level, limit)), "");
+  EXPECT_EQ(message("x = 1\n"),
+            "claims.toml:1: unknown key x (known: [[claim]], process_spread, separate_processes)");
+  EXPECT_EQ(message(""), "claims.toml: there is no [[claim]]; docs/claims.md describes the format");
+  EXPECT_EQ(message("[[claim]]\nid = 3\n"), "claims.toml:2: claim: id must be a string");
+  EXPECT_EQ(message("[[claim]]\nstatement = \"s\"\n"), "claims.toml:1: claim: id = \"...\" is missing");
+  EXPECT_EQ(message("[[claim]]\nid = \"a\"\n"), "claims.toml:1: claim a: statement = \"...\" is missing");
+  EXPECT_EQ(
+      message("[[claim]]\nid = \"a\"\nstatement = \"s\"\n"),
+      "claims.toml:1: claim a: rows = { experiment = \"NAME\" } is missing (or untestable = \"REASON\")");
+  EXPECT_EQ(
+      message(claim_text("name = \"slope\"", limit)),
+      "claims.toml:5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "
+      "elasticity, linearity, ratio-trend, share-of-cases)");
+  EXPECT_EQ(message(claim_text("name = \"ratio\", axis = \"layers\", of = 64", limit)),
+            "claims.toml:5: claim c: effect: the effect needs of = ... and to = ..., two values of the axis "
+            "layers");
+  EXPECT_EQ(message(claim_text(level + ", axis = \"layers\"", limit)),
+            "claims.toml:5: claim c: effect: the key axis is unknown or has no meaning here (known here: "
+            "combine, name, per, quantity)");
+  EXPECT_EQ(
+      message(claim_text(level, "{ }")),
+      "claims.toml:6: claim c: relation: the relation has no limit; give at_most, at_least, below, above, "
+      "between or about");
+  EXPECT_EQ(message(claim_text(level, "{ at_most = 1, at_least = 0 }")),
+            "claims.toml:6: claim c: relation: a claim has only one relation");
+  EXPECT_EQ(message(claim_text(level, "{ at_most = nan }")),
+            "claims.toml:6: claim c: relation: at_most must be a finite number");
+  EXPECT_EQ(
+      message(claim_text(level, "{ between = [2, 1] }")),
+      "claims.toml:6: claim c: relation: between needs two numbers, the smaller one first: between = [0.8, "
+      "1.25]");
+  EXPECT_EQ(message(claim_text(level, "{ about = 1 }")),
+            "claims.toml:6: claim c: relation: the relation about needs the number tolerance");
+  EXPECT_EQ(message(claim_text(level, "\"decreasing\"")),
+            "claims.toml:6: claim c: \"decreasing\" needs the effect elasticity or ratio-trend");
+  EXPECT_EQ(
+      message(claim_text(level, "\"smaller\"")),
+      "claims.toml:6: claim c: relation = \"smaller\" is unknown; give \"decreasing\", \"increasing\" or a "
+      "table such as { at_most = 0.5 }");
+  EXPECT_EQ(
+      message(claim_text(level, limit, "experiment = \"own\", where = { step = 0.5 }")),
+      "claims.toml:4: claim c: rows: a value in where is neither a string nor a whole number; write decimal "
+      "numbers as strings, with the digits of the experiment file");
+  EXPECT_EQ(message(claim_text(level, limit, "experiment = \"own\", cases = 0")),
+            "claims.toml:4: claim c: rows: cases = 0 is not between 1 and 1e+06");
+  EXPECT_EQ(message(claim_text(level, limit) + claim_text(level, limit)),
+            "claims.toml:7: two claims have the id c");
+  EXPECT_EQ(message("[[claim]\n").substr(0, 23), "claims.toml:1: not TOML");
+  EXPECT_NE(message("separate_processes = 0\n" + claim_text(level, limit)), "");
+}
+
+TEST(ClaimFiles, MustExist) {
+  EXPECT_THROW(read_claims("/nowhere/claims.toml"), InputError);
+  EXPECT_THROW(read_claims(PELAGE_SOURCE_DIR), InputError);
+}
+
+// The shipped claims have a source, refer to shipped experiments, and quote no long piece of a paper.
+TEST(ClaimFiles, TheShippedFileIsComplete) {
+  const ClaimFile file = read_claims(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
+  EXPECT_GE(file.claims.size(), 18u);
+  for (const Claim& claim : file.claims) {
+    EXPECT_FALSE(claim.paper.empty() || claim.section.empty()) << claim.id;
+    EXPECT_TRUE(claim.untestable.empty() != claim.experiments.empty()) << claim.id;
+    for (const std::string& name : claim.experiments)
+      if (name != "banisch2006-lean" && name != "topology-parting") {
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments" /
+                                            (name + ".toml")))
+            << claim.id << ' ' << name;
+      }
+    if (claim.absolute && claim.untestable.empty()) {
+      EXPECT_TRUE(claim.quantity == Quantity::frame_rate || claim.metric.ends_with("_ms")) << claim.id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace pelage::claims

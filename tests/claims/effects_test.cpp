@@ -1,0 +1,169 @@
+// Tests every effect and every quantity against values that were computed by hand.
+#include "harness/claims/effects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/claims/rows.hpp"
+
+namespace pelage::claims {
+namespace {
+
+using test::judged;
+using test::row;
+
+constexpr double tolerance = 1e-9;
+const char* const any = "{ above = -1000 }";
+
+std::vector<FoundRow> layers_and_models() {
+  return {row({{"layers", "16"}, {"model", "a"}}, 10), row({{"layers", "64"}, {"model", "a"}}, 30),
+          row({{"layers", "16"}, {"model", "b"}}, 20), row({{"layers", "64"}, {"model", "b"}}, 40)};
+}
+
+TEST(Effects, LevelIsTheQuantity) {
+  const std::vector<FoundRow> rows = layers_and_models();
+  const Judged times = judged(rows, "name = \"level\"", "{ at_most = 45 }");
+  EXPECT_EQ(times.effects, 4u);
+  EXPECT_NEAR(times.least, 10, tolerance);
+  EXPECT_NEAR(times.most, 40, tolerance);
+  EXPECT_NEAR(times.value.value(), 40, tolerance) << "the case next to the limit";
+  EXPECT_EQ(times.decisive, "64-b");
+  const Judged rates =
+      judged(rows, "name = \"level\", quantity = \"frame-rate\", combine = \"mean\"", "{ at_least = 1 }");
+  EXPECT_NEAR(rates.value.value(), (100 + 1000.0 / 30 + 50 + 25) / 4, tolerance);
+}
+
+TEST(Effects, RatioMatchesTheOtherAxes) {
+  const std::string ratio = "name = \"ratio\", axis = \"layers\", of = 64, to = 16";
+  const Judged every = judged(layers_and_models(), ratio, "{ at_most = 4 }");
+  EXPECT_EQ(every.effects, 2u);
+  EXPECT_NEAR(every.least, 2, tolerance);
+  EXPECT_NEAR(every.most, 3, tolerance);
+  EXPECT_EQ(every.decisive, "a");
+  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"geometric-mean\"", any).value.value(),
+              std::sqrt(6.0), tolerance);
+  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"mean\"", any).value.value(), 2.5, tolerance);
+  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"median\"", any).value.value(), 2.5,
+              tolerance);
+}
+
+TEST(Effects, PhasesAreTimesOfTheSameRow) {
+  FoundRow one = row({{"model", "a"}}, 60);
+  one.row.samples["simulate"].event_ms = {3, 6, 9};
+  one.row.samples["quarter"].wall_ms = {20, 20, 20};
+  EXPECT_NEAR(
+      judged({one}, "name = \"level\", quantity = \"phase-time\", phase = \"simulate\"", any).value.value(),
+      6, tolerance);
+  EXPECT_NEAR(
+      judged({one}, "name = \"level\", quantity = \"phase-share\", phase = \"simulate\"", any).value.value(),
+      0.1, tolerance);
+  const Judged turns =
+      judged({one},
+             "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
+             "= 64, to = 16",
+             any);
+  EXPECT_NEAR(turns.value.value(), 3, tolerance);
+}
+
+// The two frame times differ by noise. Only the difference of the phase counts.
+TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
+  FoundRow slow = row({{"solver", "i"}}, 90), fast = row({{"solver", "e"}}, 100);
+  slow.row.samples["simulate"].event_ms = {7};
+  fast.row.samples["simulate"].event_ms = {2};
+  EXPECT_NEAR(
+      judged({slow, fast},
+             "name = \"ratio-by-phase\", phase = \"simulate\", axis = \"solver\", of = \"i\", to = \"e\"",
+             any)
+          .value.value(),
+      1.05, tolerance);
+}
+
+TEST(Effects, ElasticityIsTheExponent) {
+  std::vector<FoundRow> rows;
+  for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
+  EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, tolerance);
+  // The number of a picture size is its number of pixels.
+  EXPECT_NEAR(judged({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
+                     "name = \"elasticity\", axis = \"size\"", any)
+                  .value.value(),
+              0.5, tolerance);
+  // A metric may measure the axis.
+  FoundRow small = row({{"model", "a"}}, 10), large = row({{"model", "b"}}, 80);
+  small.row.metrics["triangles"] = {100, "triangles"};
+  large.row.metrics["triangles"] = {800, "triangles"};
+  EXPECT_NEAR(judged({large, small}, "name = \"elasticity\", axis = \"model\", along = \"triangles\"", any)
+                  .value.value(),
+              1, tolerance);
+}
+
+TEST(Effects, LinearityComparesTwoSlopes) {
+  const std::string effect = "name = \"linearity\", axis = \"layers\"";
+  const auto rows = [](double upper) {
+    return std::vector<FoundRow>{row({{"layers", "64"}}, 26 + upper), row({{"layers", "16"}}, 10),
+                                 row({{"layers", "32"}}, 26)};
+  };
+  EXPECT_NEAR(judged(rows(32), effect, any).value.value(), 1, tolerance);
+  EXPECT_NEAR(judged(rows(48), effect, any).value.value(), 1.5, tolerance);
+  const Judged two = judged(layers_and_models(), effect, any);
+  EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
+}
+
+// The ratio of the two sizes is x^-0.5 times a constant.
+TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
+  std::vector<FoundRow> rows;
+  for (const auto& [model, triangles] : {std::pair("a", 100.0), {"b", 400.0}, {"c", 1600.0}})
+    for (const char* size : {"1", "2"}) {
+      FoundRow one = row({{"model", model}, {"size", size}},
+                         size[0] == '1' ? triangles : triangles * 40 / std::sqrt(triangles));
+      one.row.metrics["triangles"] = {triangles, "triangles"};
+      rows.push_back(one);
+    }
+  const Judged trend = judged(rows,
+                              "name = \"ratio-trend\", axis = \"size\", of = 2, to = 1, across = \"model\", "
+                              "along = \"triangles\"",
+                              "\"decreasing\"");
+  EXPECT_NEAR(trend.value.value(), -0.5, tolerance);
+  EXPECT_EQ(trend.verdict, Verdict::holds);
+}
+
+TEST(Effects, ShareOfCasesCountsThoseAboveTheThreshold) {
+  const Judged share = judged(layers_and_models(),
+                              "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 30", any);
+  EXPECT_NEAR(share.value.value(), 0.75, tolerance) << "100, 33, 50 and 25 frames per second";
+  EXPECT_EQ(share.effects, 4u);
+}
+
+TEST(Effects, MetricsMayBeDividedByAnother) {
+  FoundRow one = row({{"model", "a"}}, 10);
+  one.row.metrics["masses"] = {600, "masses"};
+  one.row.metrics["triangles"] = {100, "triangles"};
+  const std::string masses = "name = \"level\", quantity = \"metric\", metric = \"masses\"";
+  EXPECT_NEAR(judged({one}, masses, any).value.value(), 600, tolerance);
+  EXPECT_NEAR(judged({one}, masses + ", per = \"triangles\"", any).value.value(), 6, tolerance);
+  one.row.metrics["paper_fps"] = {50, "fps"};
+  EXPECT_NEAR(
+      judged({one}, "name = \"level\", quantity = \"frame-rate\", per = \"paper_fps\"", any).value.value(), 2,
+      tolerance);
+}
+
+TEST(Effects, OfThePapersNumbersUseItsRounding) {
+  std::vector<FoundRow> rows = layers_and_models();
+  const double rates[] = {267, 90, 100, 50};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    rows[i].row.metrics["paper_fps"] = {rates[i], "fps", "=", rates[i] - 0.5, rates[i] + 0.5};
+  const std::string effect =
+      "name = \"ratio\", axis = \"layers\", of = 64, to = 16, quantity = \"frame-rate\", "
+      "combine = \"geometric-mean\"";
+  const Judged all = judged(rows, effect, any);
+  EXPECT_NEAR(all.paper_value.value(), std::sqrt(90.0 / 267 * 0.5), tolerance);
+  EXPECT_LT(all.paper_interval.low, all.paper_value.value());
+  EXPECT_GT(all.paper_interval.high, all.paper_value.value());
+  EXPECT_LT(all.paper_interval.high / all.paper_interval.low, 1.02);
+  rows[3].row.metrics["paper_fps"] = {1, "fps", "<", {}, 1.0};
+  EXPECT_NEAR(judged(rows, effect, any).paper_value.value(), 90.0 / 267, tolerance)
+      << "an upper bound is no number";
+}
+
+}  // namespace
+}  // namespace pelage::claims

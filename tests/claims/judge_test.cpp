@@ -1,0 +1,209 @@
+// Tests which rows decide a claim, how separate processes count, and the reasons of undecided and untestable
+// claims.
+#include "harness/claims/judge.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/claims/print.hpp"
+#include "tests/claims/rows.hpp"
+
+namespace pelage::claims {
+namespace {
+
+using test::claim_text;
+using test::file_of;
+using test::judged;
+using test::row;
+
+const char* const ratio = "name = \"ratio\", axis = \"layers\", of = 64, to = 16";
+
+std::vector<FoundRow> two_rows(double slow = 30) {
+  return {row({{"layers", "16"}, {"model", "a"}}, 10), row({{"layers", "64"}, {"model", "a"}}, slow)};
+}
+
+TEST(Judge, UsesOnlyTheRowsOfTheClaim) {
+  std::vector<FoundRow> rows = two_rows();
+  rows.push_back(row({{"layers", "16"}, {"model", "b"}}, 10));
+  rows.push_back(row({{"layers", "64"}, {"model", "b"}}, 90));
+  FoundRow other = row({{"layers", "64"}, {"model", "c"}}, 500);
+  other.row.experiment = "other";
+  rows.push_back(other);
+  EXPECT_EQ(judged(rows, ratio, "{ at_most = 4 }").verdict, Verdict::fails);
+  EXPECT_EQ(judged(rows, ratio, "{ at_most = 4 }", "experiment = \"own\", where = { model = \"a\" }").verdict,
+            Verdict::holds);
+  rows[3].row.overrides["fur.length"] = "0.1";
+  EXPECT_EQ(judged(rows, ratio, "{ at_most = 4 }").verdict, Verdict::holds);
+  EXPECT_EQ(judged(rows, ratio, "{ at_most = 4 }", "experiment = \"own\", overridden = true").effects, 1u)
+      << "the overridden key is an axis, so that the case has no partner";
+}
+
+TEST(Judge, NamesTheCasesThatAreLeftOut) {
+  std::vector<FoundRow> rows = two_rows();
+  rows.push_back(row({{"layers", "16"}, {"model", "b"}}, 10));
+  rows.push_back(row({{"layers", "64"}, {"model", "b"}}, 30));
+  rows[3].row.status = Status::failed_check;
+  rows[3].row.reason = "psnr 40";
+  const Judged one = judged(rows, ratio, "{ at_most = 4 }");
+  EXPECT_EQ(one.verdict, Verdict::holds);
+  ASSERT_EQ(one.notes.size(), 1u);
+  EXPECT_EQ(one.notes[0],
+            "2 left out: 64-b (failed-check: psnr 40); 16-b (there is no matching case with layers 64)");
+  const Judged two = judged(rows, ratio, "{ at_most = 4 }", "experiment = \"own\", cases = 2");
+  EXPECT_EQ(two.verdict, Verdict::untestable);
+  EXPECT_EQ(two.reason, "1 of the 2 effects that decide the claim are measured");
+  EXPECT_FALSE(two.value.has_value());
+}
+
+TEST(Judge, SaysWhyAClaimIsUntestable) {
+  const auto reason = [](const std::vector<FoundRow>& rows, const std::string& text) {
+    const Judged one = judge(file_of(text), rows).front();
+    EXPECT_EQ(one.verdict, Verdict::untestable);
+    return one.reason;
+  };
+  EXPECT_EQ(reason({}, claim_text(ratio, "{ at_most = 4 }")), "there are no rows of the experiment own");
+  EXPECT_EQ(reason(two_rows(), "[[claim]]\nid = \"c\"\nstatement = \"s\"\nuntestable = \"no strands\"\n"),
+            "no strands");
+  EXPECT_EQ(reason(two_rows(),
+                   claim_text(ratio, "{ at_most = 4 }", "experiment = \"own\", where = { model = \"z\" }")),
+            "0 of the 1 effects that decide the claim are measured; no row has the axes of the claim");
+  EXPECT_EQ(reason(two_rows(), claim_text(ratio, "{ at_most = 4 }") + "hardware = \"GeForce\"\n"),
+            "the claim is about the paper's hardware (GeForce)");
+  EXPECT_EQ(reason(two_rows(0), claim_text("name = \"elasticity\", axis = \"layers\"", "\"decreasing\"")),
+            "the effect is not a finite number, because a quantity is 0, negative or not finite");
+}
+
+TEST(Judge, RefusesTooManySeparateDecisions) {
+  std::vector<FoundRow> rows;
+  for (std::size_t i = 0; i <= most_effects; ++i) rows.push_back(row({{"model", std::to_string(i)}}, 10));
+  EXPECT_EQ(judged(rows, "name = \"level\"", "{ at_most = 20 }").reason,
+            "201 effects are too many for separate decisions (at most 200); narrow `where`, or combine the "
+            "effects");
+  EXPECT_EQ(judged(rows, "name = \"level\", combine = \"mean\"", "{ at_most = 20 }").verdict, Verdict::holds);
+}
+
+TEST(Judge, DecidesOnThePapersHardware) {
+  std::vector<FoundRow> rows = two_rows();
+  for (FoundRow& one : rows) one.row.device = "NVIDIA GeForce 8800";
+  EXPECT_EQ(judge(file_of(claim_text(ratio, "{ at_most = 4 }") + "hardware = \"GeForce 8800\"\n"), rows)
+                .front()
+                .verdict,
+            Verdict::holds);
+}
+
+TEST(Judge, JudgesEveryDeviceAlone) {
+  std::vector<FoundRow> rows = two_rows(30), other = two_rows(90);
+  for (FoundRow& one : other) one.row.device = "another";
+  rows.insert(rows.end(), other.begin(), other.end());
+  const std::vector<Judged> both = judge(file_of(claim_text(ratio, "{ at_most = 4 }")), rows);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].device, "another");
+  EXPECT_EQ(both[0].verdict, Verdict::fails);
+  EXPECT_EQ(both[1].verdict, Verdict::holds);
+}
+
+// The ratio is 3 +- 1% within the process. The spread between processes is unknown if there is only one.
+TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
+  const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
+    return judged(rows, ratio, limit, "experiment = \"own\"", "process_spread = 0.07\n");
+  };
+  const Judged one = with("{ at_most = 3.2 }", two_rows());
+  EXPECT_EQ(one.verdict, Verdict::undecided);
+  EXPECT_EQ(one.processes, 1u);
+  EXPECT_NE(one.reason.find("not enough separate processes: 1 of 3"), std::string::npos) << one.reason;
+  EXPECT_EQ(with("{ at_most = 4 }", two_rows()).verdict, Verdict::holds);
+  // The standard deviation of the logarithm is 7% * sqrt(2), so that the interval is 3 * exp(+-1.96 * 0.099).
+  EXPECT_NEAR(one.interval.low, 2.47, 0.05);
+  EXPECT_NEAR(one.interval.high, 3.64, 0.07);
+  std::vector<FoundRow> three;
+  for (const char* run : {"r1", "r2", "r3"}) {
+    three.push_back(row({{"layers", "16"}, {"model", "a"}}, 10, run));
+    three.push_back(row({{"layers", "64"}, {"model", "a"}}, 30, run));
+  }
+  const Judged enough = with("{ at_most = 3.2 }", three);
+  EXPECT_EQ(enough.verdict, Verdict::holds);
+  EXPECT_EQ(enough.processes, 3u);
+}
+
+// Three processes that differ by 30% show this spread in the interval.
+TEST(Judge, SeparateProcessesShowTheirSpread) {
+  std::vector<FoundRow> rows;
+  const std::pair<const char*, double> runs[] = {{"r1", 8}, {"r2", 10}, {"r3", 13}};
+  for (const auto& [run, ms] : runs) rows.push_back(row({{"model", "a"}}, ms, run));
+  const Judged one = judged(rows, "name = \"level\"", "{ at_most = 12 }");
+  EXPECT_EQ(one.verdict, Verdict::undecided);
+  EXPECT_EQ(one.reason, "the interval contains a limit of the relation");
+  EXPECT_LT(one.interval.low, 8.2);
+  EXPECT_GT(one.interval.high, 12.5);
+}
+
+// Both phases belong to the same process, so that a factor of the process cancels in their ratio.
+TEST(Judge, PhasesInTurnsShareTheirProcess) {
+  FoundRow one = row({{"model", "a"}}, 30);
+  one.row.samples["quarter"].wall_ms = one.row.samples["frame"].wall_ms;
+  for (double& ms : one.row.samples["quarter"].wall_ms) ms /= 3;
+  const Judged turns =
+      judged({one},
+             "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
+             "= 64, to = 16",
+             "{ at_most = 3.05 }", "experiment = \"own\"", "process_spread = 0.07\n");
+  EXPECT_EQ(turns.verdict, Verdict::holds);
+  EXPECT_NEAR(turns.interval.high, 3, 1e-6);
+}
+
+TEST(Judge, CountsAreExactAndMeasuredMetricsAreNot) {
+  FoundRow one = row({{"model", "a"}}, 30);
+  one.row.metrics["masses"] = {100, "masses"};
+  one.row.metrics["wet_ms"] = {100, "ms"};
+  const auto level = [&](const std::string& metric) {
+    return judged({one}, "name = \"level\", quantity = \"metric\", metric = \"" + metric + "\"",
+                  "{ at_most = 101 }", "experiment = \"own\"", "process_spread = 0.07\n");
+  };
+  EXPECT_EQ(level("masses").verdict, Verdict::holds);
+  EXPECT_EQ(level("masses").interval.high, 100);
+  EXPECT_EQ(level("wet_ms").verdict, Verdict::undecided);
+  EXPECT_NEAR(level("wet_ms").interval.high, 114, 2);
+}
+
+TEST(Judge, GivesTheSameNumbersAgain) {
+  const std::string settings = "process_spread = 0.07\n";
+  const Judged a = judged(two_rows(), ratio, "{ at_most = 3.2 }", "experiment = \"own\"", settings),
+               b = judged(two_rows(), ratio, "{ at_most = 3.2 }", "experiment = \"own\"", settings);
+  EXPECT_EQ(a.interval.low, b.interval.low);
+  EXPECT_EQ(a.interval.high, b.interval.high);
+}
+
+TEST(Judge, MarksRowsOfALoadedMachine) {
+  std::vector<FoundRow> rows = two_rows();
+  rows[0].row.provenance["other_cpu_share"] = 0.5;
+  const Judged one = judged(rows, ratio, "{ at_most = 4 }");
+  ASSERT_EQ(one.notes.size(), 1u);
+  EXPECT_EQ(one.notes[0], "1 rows were measured while other processes used the CPU");
+}
+
+TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
+  const std::vector<Judged> list = judge(
+      file_of(claim_text(ratio, "{ at_most = 4 }") +
+              "[[claim]]\nid = \"none\"\nstatement = \"a | b\"\nsource = { paper = \"p\", section = \"2\" }\n"
+              "untestable = \"no rows, yet\"\n"),
+      two_rows());
+  const std::string text = text_of(list);
+  EXPECT_NE(text.find("holds      c  (shape; )\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("frame time, layers 64 : 16, every case: 3 ["), std::string::npos) << text;
+  EXPECT_NE(text.find("the claim: at most 4"), std::string::npos) << text;
+  EXPECT_NE(text.find("untestable: no rows, yet"), std::string::npos) << text;
+  EXPECT_NE(text.find("2 claims: 1 holds, 0 fails, 0 undecided, 1 untestable\n"), std::string::npos) << text;
+  const auto table = table_of(list);
+  ASSERT_EQ(table.size(), 3u);
+  for (const auto& line : table) EXPECT_EQ(line.size(), table[0].size());
+  EXPECT_EQ(table[1][1], "holds");
+  EXPECT_EQ(table[2][12], "") << "an untestable claim has no effect";
+  const auto json = json_of(list);
+  EXPECT_NEAR(json[0]["effect"].get<double>(), 3, 1e-9);
+  EXPECT_TRUE(json[1]["effect"].is_null());
+  EXPECT_EQ(json[1]["reason"], "no rows, yet");
+  EXPECT_NE(markdown_of(list).find("| none, shape | a \\| b | p, 2 |"), std::string::npos)
+      << markdown_of(list);
+}
+
+}  // namespace
+}  // namespace pelage::claims

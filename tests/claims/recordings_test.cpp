@@ -1,0 +1,207 @@
+// Tests the shipped claims on the recorded rows of results/: planted wrong rows must change their verdicts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/judge.hpp"
+#include "harness/measure/statistics.hpp"
+
+namespace pelage::claims {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<FoundRow>& recordings() {
+  static const std::vector<FoundRow> rows =
+      read_results({(fs::path(PELAGE_SOURCE_DIR) / "results").string()});
+  return rows;
+}
+
+const ClaimFile& shipped() {
+  static const ClaimFile file = read_claims(fs::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
+  return file;
+}
+
+ClaimFile only(const std::string& id) {
+  ClaimFile file = shipped();
+  std::erase_if(file.claims, [&id](const Claim& claim) { return claim.id != id; });
+  EXPECT_EQ(file.claims.size(), 1u) << id;
+  return file;
+}
+
+void scale(Row& row, const std::string& phase, double by) {
+  for (double& ms : row.samples[phase].wall_ms) ms *= by;
+  for (double& ms : row.samples[phase].event_ms) ms *= by;
+}
+
+bool is(const Row& row, const std::string& axis, const std::string& value) {
+  const auto found = row.axes.find(axis);
+  return found != row.axes.end() && found->second == value;
+}
+
+bool separable(const Row& row) {
+  const auto found = row.axes.find("dynamics.topology");
+  return found != row.axes.end() && found->second.starts_with("separable");
+}
+
+/// A change to the rows that must give the claim this verdict.
+struct Plant {
+  std::string claim;
+  Verdict verdict;
+  std::function<void(Row&)> change;
+};
+
+/// Returns a change that multiplies the times of a phase, where the axis has the value.
+std::function<void(Row&)> times(const std::string& axis, const std::string& value, const std::string& phase,
+                                double by) {
+  return [=](Row& row) {
+    if (is(row, axis, value)) scale(row, phase, by);
+  };
+}
+
+std::function<void(Row&)> all_times(const std::string& phase, double by) {
+  return [=](Row& row) { scale(row, phase, by); };
+}
+
+/// Returns a change that sets a metric to a new value.
+std::function<void(Row&)> metric(const std::string& name,
+                                 const std::function<double(const Row&, double)>& change) {
+  return [=](Row& row) {
+    if (const auto found = row.metrics.find(name); found != row.metrics.end())
+      found->second.value = change(row, found->second.value);
+  };
+}
+
+/// Makes the large pictures slower in proportion to the triangles.
+void large_by_triangles(Row& row) {
+  if (is(row, "size", "1680x1050")) scale(row, "frame", row.metrics["triangles"].value / 9360);
+}
+
+std::vector<Plant> plants() {
+  const auto holds = Verdict::holds, fails = Verdict::fails;
+  const auto shared = [](const Row& row, double value) { return separable(row) ? value / 10 : value; };
+  return {{"topology-masses", fails, metric("masses", shared)},
+          {"topology-springs", fails, metric("springs", shared)},
+          {"elephant-masses", fails, metric("masses", [](const Row&, double v) { return v + 1; })},
+          {"elephant-springs", fails, metric("springs", [](const Row&, double v) { return v - 1; })},
+          {"time-separable-sticks", fails, times("dynamics.topology", "separable-sticks", "simulate", 0.05)},
+          {"time-separable-prisms", holds, times("dynamics.topology", "separable-prisms", "simulate", 4)},
+          {"drawing-dominates", fails, all_times("simulate", 1000)},
+          {"drawing-bottleneck", fails, times("model", "banisch-grass", "simulate", 1e5)},
+          {"dog-sticks", fails, times("model", "banisch-dog", "simulate", 1000)},
+          {"grass-drawing", fails, times("model", "banisch-grass", "simulate", 1e4)},
+          {"grass-topologies", fails, times("dynamics.topology", "separable-prisms", "frame", 2)},
+          {"grass-topologies", holds, times("dynamics.topology", "separable-prisms", "frame", 0.5)},
+          {"grass-implicit", fails, times("variant", "backward-euler", "simulate", 1e5)},
+          {"elephant-implicit", fails, times("variant", "backward-euler", "simulate", 1e4)},
+          {"implicit-cost", fails, times("variant", "backward-euler", "frame", 0.2)},
+          {"implicit-stability", fails,
+           metric("longest_step_ms",
+                  [](const Row& row, double v) {
+                    return is(row, "dynamics.solver", "backward-euler") ? v / 1e5 : v;
+                  })},
+          {"explicit-accuracy", fails,
+           metric("error_rms",
+                  [](const Row& row, double v) {
+                    return is(row, "dynamics.solver", "explicit-euler") ? v / 10 : v;
+                  })},
+          {"elephant-implicit-equal-steps", fails, times("variant", "backward-euler", "simulate", 1e4)},
+          {"returns", holds, metric("lean_median", [](const Row&, double) { return 0.5; })},
+          {"no-flip", holds, metric("height_least", [](const Row&, double) { return 0.5; })},
+          {"no-flip-below-w", fails, metric("height_least", [](const Row&, double) { return -0.5; })},
+          {"parting", fails, metric("gap_most", [](const Row&, double) { return 0.0; })},
+          {"elephant-real-time", fails, times("dynamics.topology", "prisms", "frame", 5)},
+          {"separable-interactive", fails, times("dynamics.topology", "separable-prisms", "frame", 5)},
+          {"dog-interactive", fails, times("dynamics.topology", "sticks", "frame", 5)},
+          {"dog-interactive", holds, times("dynamics.topology", "sticks", "frame", 0.2)},
+          {"layers-third", fails, times("layers", "64", "frame", 2)},
+          {"layers-third-in-turns", fails, all_times("quarter", 2)},
+          {"layers-linear", fails, all_times("frame", 2)},
+          {"layers-proportional", holds, times("layers", "64", "frame", 1.24)},
+          {"layers-always", fails, times("layers", "16", "frame", 10)},
+          {"resolution-sublinear", fails, times("size", "1680x1050", "frame", 5)},
+          {"resolution-triangles", fails,
+           [](Row& row) {
+             if (is(row, "size", "1680x1050")) scale(row, "frame", row.metrics["triangles"].value / 9360);
+           }},
+          {"triangles-proportional", holds,
+           [](Row& row) { scale(row, "frame", row.metrics["triangles"].value / 9360); }},
+          {"real-time", holds, all_times("frame", 0.05)},
+          {"effects-overhead", fails, times("reading", "default", "frame", 2)},
+          {"effects-overhead-opengl", fails, times("reading", "default", "opengl", 2)},
+          {"clumps-cost", holds, times("reading", "default", "opengl", 2)},
+          {"clumps-cost", fails, times("reading", "default", "opengl", 0.5)},
+          {"wet-resolution-triangles", fails, large_by_triangles},
+          {"wet-real-time", holds, all_times("frame", 0.01)},
+          {"wet-large-mesh", holds, all_times("frame", 0.01)},
+          {"dynamic-mask", fails, metric("wet_ms", [](const Row&, double v) { return v + 100; })}};
+}
+
+TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {
+  std::size_t changed = 0;
+  for (const Plant& plant : plants()) {
+    const ClaimFile file = only(plant.claim);
+    const Verdict before = judge(file, recordings()).front().verdict;
+    if (before == Verdict::untestable) continue;  // results/ has no rows of the experiment
+    std::vector<FoundRow> rows = recordings();
+    for (FoundRow& found : rows)
+      if (found.row.experiment == file.claims[0].experiments[0]) plant.change(found.row);
+    const Judged after = judge(file, rows).front();
+    EXPECT_EQ(to_text(after.verdict), to_text(plant.verdict)) << plant.claim << ": " << after.reason;
+    EXPECT_NE(to_text(before), to_text(after.verdict)) << plant.claim;
+    changed += after.verdict != before;
+  }
+  EXPECT_GE(changed, 30u);
+}
+
+// Every claim that the recordings decide has a planted change above.
+TEST(Recordings, EveryDecidedClaimIsPlanted) {
+  std::set<std::string> planted;
+  for (const Plant& plant : plants()) planted.insert(plant.claim);
+  std::size_t decided = 0;
+  for (const Judged& judged : judge(shipped(), recordings())) {
+    if (judged.verdict == Verdict::untestable) continue;
+    ++decided;
+    EXPECT_TRUE(planted.contains(judged.claim.id)) << judged.claim.id;
+  }
+  EXPECT_GE(decided, 18u);
+}
+
+TEST(Recordings, AMissingRowMakesAClaimUntestable) {
+  std::vector<FoundRow> rows = recordings();
+  const auto lion = std::find_if(rows.begin(), rows.end(), [](const FoundRow& found) {
+    return found.row.experiment == "silva2010-table1" && is(found.row, "model", "lion");
+  });
+  ASSERT_NE(lion, rows.end());
+  rows.erase(lion);
+  EXPECT_EQ(judge(only("layers-third"), rows).front().verdict, Verdict::untestable);
+}
+
+// Two experiments recorded the 32 cases of Table 1 in different processes. The standard deviation between
+// them, divided by sqrt(2), is that of one process. The file assumes at least as much.
+TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
+  std::map<std::string, std::vector<double>> logs;
+  for (const auto& [row, journal, copies] : recordings())
+    if ((row.experiment == "silva2010-table1" || row.experiment == "rivals") && row.status == Status::ok &&
+        is(row, "reading", "default"))
+      logs[row.axes.at("model") + row.axes.at("layers") + row.axes.at("size")].push_back(
+          std::log(median(frame_ms(row))));
+  double sum = 0, squares = 0, count = 0;
+  for (const auto& [name, pair] : logs) {
+    if (pair.size() != 2) continue;
+    const double difference = pair[0] - pair[1];
+    sum += difference;
+    squares += difference * difference;
+    ++count;
+  }
+  ASSERT_GE(count, 10);
+  const double spread = std::sqrt((squares / count - sum * sum / count / count) / 2);
+  EXPECT_LE(spread, shipped().process_spread);
+}
+
+}  // namespace
+}  // namespace pelage::claims

@@ -1,0 +1,55 @@
+// Rows of results with synthetic times, and claims written as TOML.
+#pragma once
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "harness/claims/claim_file.hpp"
+#include "harness/claims/judge.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage::claims::test {
+
+using Axes = std::map<std::string, std::string>;
+
+/// Returns an ok row of the experiment "own" with 11 frame times of `ms` +- 1%.
+inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run") {
+  FoundRow found;
+  Row& row = found.row;
+  row.run_id = run;
+  row.experiment = "own";
+  for (const auto& [axis, value] : axes) row.case_name += (row.case_name.empty() ? "" : "-") + value;
+  row.variant = "shells";
+  row.axes = axes;
+  row.device = "device";
+  for (int i = -5; i <= 5; ++i) row.samples["frame"].wall_ms.push_back(ms * (1 + 0.002 * i));
+  row.provenance = {{"host", "h"}};
+  return found;
+}
+
+inline ClaimFile file_of(const std::string& text) {
+  const pelage::test::Folder folder;
+  pelage::test::write_text(folder.path / "claims.toml", text);
+  return read_claims(folder.path / "claims.toml");
+}
+
+/// Returns the text of a claim about the experiment "own".
+inline std::string claim_text(const std::string& effect, const std::string& relation,
+                              const std::string& rows = "experiment = \"own\"") {
+  return fmt::format(
+      "[[claim]]\nid = \"c\"\nstatement = \"s\"\nrows = {{ {} }}\neffect = {{ {} }}\nrelation = {}\n", rows,
+      effect, relation);
+}
+
+/// Judges one claim about the experiment "own". There must be one device.
+inline Judged judged(const std::vector<FoundRow>& rows, const std::string& effect,
+                     const std::string& relation, const std::string& which = "experiment = \"own\"",
+                     const std::string& settings = "process_spread = 0.0\n") {
+  const std::vector<Judged> all = judge(file_of(settings + claim_text(effect, relation, which)), rows);
+  EXPECT_EQ(all.size(), 1u);
+  return all.front();
+}
+
+}  // namespace pelage::claims::test

@@ -1,0 +1,83 @@
+// Tests the verdicts from planted draws.
+#include "harness/claims/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelage::claims {
+namespace {
+
+/// 2000 draws, evenly spread over `value` +- `half`.
+Estimate around(double value, double half) {
+  Estimate estimate{value, {}};
+  for (int i = 0; i < 2000; ++i) estimate.draws.push_back(value + half * (2 * (i + 0.5) / 2000 - 1));
+  return estimate;
+}
+
+Verdict verdict_of(double value, double half, const Region& region) {
+  return decide({around(value, half)}, region).verdict;
+}
+
+TEST(Verdicts, OfOneEffectFollowItsInterval) {
+  const Region at_most{{}, 1.0}, at_least{1.0, {}}, between{0.8, 1.25};
+  EXPECT_EQ(verdict_of(0.5, 0.2, at_most), Verdict::holds);
+  EXPECT_EQ(verdict_of(1.5, 0.2, at_most), Verdict::fails);
+  EXPECT_EQ(verdict_of(0.9, 0.2, at_most), Verdict::undecided);
+  EXPECT_EQ(verdict_of(1.1, 0.2, at_most), Verdict::undecided);
+  EXPECT_EQ(verdict_of(1.5, 0.2, at_least), Verdict::holds);
+  EXPECT_EQ(verdict_of(0.5, 0.2, at_least), Verdict::fails);
+  EXPECT_EQ(verdict_of(1.0, 0.1, between), Verdict::holds);
+  EXPECT_EQ(verdict_of(0.6, 0.1, between), Verdict::fails);
+  EXPECT_EQ(verdict_of(1.5, 0.1, between), Verdict::fails);
+  EXPECT_EQ(verdict_of(1.0, 0.5, between), Verdict::undecided) << "the interval contains the whole region";
+}
+
+TEST(Verdicts, StrictLimitsExcludeTheLimit) {
+  EXPECT_EQ(verdict_of(1, 0, {1.0, {}}), Verdict::holds);
+  EXPECT_EQ(verdict_of(1, 0, {1.0, {}, true}), Verdict::fails);
+  EXPECT_EQ(verdict_of(1, 0, {{}, 1.0, true}), Verdict::fails);
+}
+
+TEST(Verdicts, UseThe95PercentInterval) {
+  const Decision decision = decide({around(0, 1)}, {{}, 2.0});
+  EXPECT_NEAR(decision.interval.low, -0.95, 0.001);
+  EXPECT_NEAR(decision.interval.high, 0.95, 0.001);
+  EXPECT_DOUBLE_EQ(decision.confidence, 0.95);
+}
+
+// One effect is just outside the region: its 95% interval excludes the limit, but its 99.5% interval does
+// not.
+TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
+  const Region at_most{{}, 1.0};
+  const Estimate outside = around(1.97, 1);
+  EXPECT_EQ(decide({outside}, at_most).verdict, Verdict::fails);
+  std::vector<Estimate> ten(9, around(1.0, 1));
+  ten.push_back(outside);
+  const Decision decision = decide(ten, at_most);
+  EXPECT_EQ(decision.verdict, Verdict::undecided);
+  EXPECT_EQ(decision.decisive, 9u);
+  EXPECT_NEAR(decision.confidence, 0.995, 1e-12);
+  ten.back() = around(2.2, 1);
+  EXPECT_EQ(decide(ten, at_most).verdict, Verdict::fails);
+}
+
+// Nine effects are far inside. Holm's method then leaves the whole 5% for the tenth; Bonferroni's would not.
+TEST(Verdicts, HolmLeavesMoreForTheLastEffect) {
+  const Region at_most{{}, 1.0};
+  std::vector<Estimate> ten(9, around(-5, 1));
+  ten.push_back(around(0.04, 1));
+  EXPECT_EQ(decide(ten, at_most).verdict, Verdict::holds);
+  EXPECT_EQ(decide(ten, at_most).decisive, 9u);
+  EXPECT_DOUBLE_EQ(decide(ten, at_most).confidence, 0.95);
+  ten.back() = around(0.2, 1);
+  EXPECT_EQ(decide(ten, at_most).verdict, Verdict::undecided);
+}
+
+TEST(Verdicts, OneEffectOutsideIsEnoughToFail) {
+  const Region at_most{{}, 1.0};
+  const Decision decision = decide({around(0, 0.5), around(5, 0.5), around(9, 0.5)}, at_most);
+  EXPECT_EQ(decision.verdict, Verdict::fails);
+  EXPECT_EQ(decision.decisive, 2u) << "the worst effect decides";
+}
+
+}  // namespace
+}  // namespace pelage::claims

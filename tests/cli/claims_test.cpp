@@ -1,0 +1,91 @@
+// Tests pelage claims on the recorded rows of the repository, and on wrong input.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+const std::string results = "'" PELAGE_SOURCE_DIR "/results'";
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+  const std::size_t from = text.find(begin), to = text.find(end);
+  if (from == std::string::npos || to == std::string::npos) return "the document has no such lines";
+  const std::size_t start = text.find('\n', from) + 1;
+  return text.substr(start, to - start);
+}
+
+/// CPU time of the finished child processes of this test, in seconds.
+double cpu_seconds() {
+  rusage use{};
+  getrusage(RUSAGE_CHILDREN, &use);
+  return double(use.ru_utime.tv_sec + use.ru_stime.tv_sec) +
+         1e-6 * double(use.ru_utime.tv_usec + use.ru_stime.tv_usec);
+}
+
+TEST(Claims, OfThePapersAreJudgedByTheRecordings) {
+  const Folder folder;
+  const double before = cpu_seconds();
+  const Outcome text = pelage(folder, "claims " + results + " --csv claims.csv");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_EQ(text.err, "");
+  // The whole repository's recordings must take less than 5 s. CPU time does not depend on the machine's
+  // load; the command uses one thread.
+  EXPECT_LT(cpu_seconds() - before, 5);
+  const Outcome json = pelage(folder, "claims " + results + " --json");
+  const auto list = nlohmann::json::parse(json.out);
+  std::size_t decided = 0;
+  for (const auto& claim : list) {
+    decided += claim["verdict"] != "untestable";
+    EXPECT_NE(text.out.find(claim["id"].get<std::string>()), std::string::npos);
+    EXPECT_NE(claim["verdict"] == "undecided" || claim["verdict"] == "untestable", claim["reason"] == "");
+  }
+  EXPECT_GE(list.size(), 18u);
+  EXPECT_GE(decided, 18u);
+  const std::string csv = folder.read("claims.csv");
+  EXPECT_EQ(std::size_t(std::count(csv.begin(), csv.end(), '\n')), list.size() + 1);
+  EXPECT_EQ(pelage(folder, "claims " + results + " --csv -").out, csv);
+}
+
+TEST(Claims, TheTableOfTheDocumentIsThatOfTheRecordings) {
+  const Folder folder;
+  std::ifstream file(PELAGE_SOURCE_DIR "/docs/claims.md", std::ios::binary);
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(between(document, "<!-- claims begin", "<!-- claims end"),
+            pelage(folder, "claims " + results + " --markdown").out)
+      << "run scripts/claims_table.py";
+}
+
+// The example of docs/claims.md is a complete file.
+TEST(Claims, OfTheUserNeedNoProgram) {
+  const Folder folder;
+  std::ifstream file(PELAGE_SOURCE_DIR "/docs/claims.md", std::ios::binary);
+  const std::string document{std::istreambuf_iterator<char>(file), {}};
+  folder.write("my.toml", between(document, "```toml", "```\n\n| key"));
+  const Outcome none = pelage(folder, "claims " + results + " --claims my.toml");
+  EXPECT_EQ(none.code, 0) << none.err;
+  EXPECT_NE(none.out.find("untestable: there are no rows of the experiment my-experiment"), std::string::npos)
+      << none.out;
+}
+
+TEST(Claims, WrongInputGivesOneLineAndCode2) {
+  const Folder folder;
+  folder.write("wrong.toml", "[[claim]]\nid = \"a\"\nstatement = \"b\"\nrows = 3\n");
+  for (const char* arguments :
+       {"--claims wrong.toml", "--claims missing.toml", "--csv /nowhere/x.csv", "--json --markdown"}) {
+    const Outcome outcome = pelage(folder, "claims " + results + " " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+  EXPECT_EQ(pelage(folder, "claims " + results + " --claims wrong.toml").err,
+            "pelage: wrong.toml:4: claim a: rows must be a table: { key = value }\n");
+  EXPECT_EQ(pelage(folder, "claims").code, 2);
+}
+
+}  // namespace
+}  // namespace pelage::cli
