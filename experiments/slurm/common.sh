@@ -17,9 +17,9 @@ record() {
   program=$(realpath "$program")
   # A mistake in the arguments is reported now, not by every shard. The dry run opens a device, which a login node may
   # not have (exit code 3).
-  local code=0
-  "$program" run "$@" --shard "0/$shards" --dry-run >/dev/null || code=$?
-  ((code == 0 || code == 3)) || exit "$code"
+  local code=0 message
+  message=$("$program" run "$@" --shard "0/$shards" --dry-run 2>&1 >/dev/null) || code=$?
+  ((code == 0 || code == 3)) || { echo "$message" >&2; exit "$code"; }
   mkdir -p "$results"
   printf '%s\n' "$program" "$PWD" "$shards" "$@" >"$results/command"
 }
@@ -36,17 +36,19 @@ load() {
 # unfinished RESULTS: prints the numbers of the shards without a folder, and of the shards without rows of all their
 # cases. A case that ended with an error counts as a case without a row. Call load first.
 unfinished() {
-  local results=$1 i found=() lines code=0
+  local results=$1 i found=() numbers=() lines code=0
   for ((i = 0; i < shards; ++i)); do
     if [[ -n $(find "$results/shard-$i" -name '*.jsonl' -print -quit 2>/dev/null) ]]; then
       found+=("$results/shard-$i")
     else
-      echo "$i"
+      numbers+=("$i")
     fi
   done
-  ((${#found[@]} > 0)) || return 0
-  # `pelage merge` prints one line per gap: experiment, device, "shard 2/4: 5 of 8 cases". Exit code 4: there are gaps.
-  lines=$("$program" merge --dry-run "$results/merged" "${found[@]}" 2>"$results/merge.log") || code=$?
-  ((code == 0 || code == 4)) || { cat "$results/merge.log" >&2; return "$code"; }
-  sed -n "s|.*\tshard \([0-9]*\)/$shards: .*|\1|p" <<<"$lines"
+  if ((${#found[@]} > 0)); then
+    # `pelage merge` prints one line per gap: experiment, device, "shard 2/4: 5 of 8 cases". Exit code 4: there are gaps.
+    lines=$("$program" merge --dry-run "$results/merged" "${found[@]}" 2>"$results/merge.log") || code=$?
+    ((code == 0 || code == 4)) || { cat "$results/merge.log" >&2; return "$code"; }
+    mapfile -t -O "${#numbers[@]}" numbers < <(sed -n "s|.*\tshard \([0-9]*\)/$shards: .*|\1|p" <<<"$lines")
+  fi
+  ((${#numbers[@]} == 0)) || printf '%s\n' "${numbers[@]}" | sort -nu
 }

@@ -19,7 +19,7 @@ load "$results"
 name=pelage-$(cksum <<<"$results" | cut -d ' ' -f 1)
 busy=$(squeue --noheader --array --me --name="$name" --format=%K)
 missing=$(unfinished "$results")
-tasks=$(grep -vxF "${busy:-none}" <<<"$missing" | grep . | sort -n | paste -sd , || true)
+tasks=$(grep -vxF "${busy:-none}" <<<"$missing" | grep . | paste -sd , || true)
 if [[ -z $tasks ]]; then
   echo "submit.sh: $results: nothing to submit: $(grep -c . <<<"$busy" || true) of $shards shards are waiting or running," \
     "the others are finished" >&2

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <utility>
 
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 /// Returns a number of the row's provenance; 0 if it is missing.
 std::size_t number(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
-  return found != row.provenance.end() && found->is_number_unsigned() ? found->get<std::size_t>() : 0;
+  if (found == row.provenance.end() || !found->is_number_integer()) return 0;
+  return std::size_t(std::max(found->get<std::int64_t>(), std::int64_t(0)));
 }
 
 /// Returns a text of the row's provenance; "" if it is missing.
