@@ -146,8 +146,10 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
       throw InputError(
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
-    const std::string dealt = row.provenance.value("shard_deal", "");
-    if (resume && !dealt.empty() && dealt != plan.provenance.value("shard_deal", ""))
+    // Rows of merged shards are continued without --shard, and then may come from any shard.
+    const std::string dealt = row.provenance.value("shard_deal", ""),
+                      deal = plan.provenance.value("shard_deal", "");
+    if (resume && !dealt.empty() && !deal.empty() && dealt != deal)
       throw InputError(fmt::format(
           "{}: this shard was started with other cases or another --balance; resume it with the same options",
           journal.file().string()));
@@ -284,7 +286,8 @@ int run_here(const RunOptions& options, const fs::path& folder) {
 /// would then read other rows and divide the cases differently.
 void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   if (options.balance.empty()) return;
-  const fs::path earlier = fs::weakly_canonical(options.balance), own = fs::weakly_canonical(folder);
+  const fs::path earlier = fs::weakly_canonical(fs::absolute(options.balance)),
+                 own = fs::weakly_canonical(fs::absolute(folder));
   const auto contains = [](const fs::path& outer, const fs::path& inner) {
     return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
   };

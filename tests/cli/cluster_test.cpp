@@ -39,7 +39,7 @@ std::size_t lines_of(const std::string& text) {
 std::vector<std::string> cases_in(const Folder& folder, const std::string& results) {
   std::istringstream csv(pelage(folder, "export " + results).out);
   std::vector<std::string> names;
-  static const std::regex name("torus-24x12-[0-9]+-320x240");
+  static const std::regex name("torus_24x12-[0-9]+-320x240");
   for (std::string line; std::getline(csv, line);) {
     std::smatch match;
     if (line.find(",frame,wall,") != std::string::npos && std::regex_search(line, match, name))
@@ -55,7 +55,7 @@ TEST_F(Cluster, MergedShardsAreTheRunAndNamedIfMissing) {
   const Outcome half = pelage(folder, "merge half s0 --expect own.toml");
   EXPECT_EQ(half.code, 4) << half.err;
   EXPECT_NE(half.out.find("\tshard 1/2: no rows\n"), std::string::npos) << half.out;
-  EXPECT_NE(half.out.find("\tcase torus-24x12-6-320x240: no row\n"), std::string::npos) << half.out;
+  EXPECT_NE(half.out.find("\tcase torus_24x12-6-320x240: no row\n"), std::string::npos) << half.out;
   EXPECT_EQ(lines_of(half.out), 3u) << half.out;
 
   run("--shard 1/2 -o s1");
@@ -66,7 +66,7 @@ TEST_F(Cluster, MergedShardsAreTheRunAndNamedIfMissing) {
       << whole.err;
   EXPECT_EQ(cases_in(folder, "whole").size(), 4u);
   EXPECT_EQ(cases_in(folder, "whole"), cases_in(folder, "single"));
-  EXPECT_TRUE(fs::exists(folder.path() / "whole/own/images/torus-24x12-8-320x240.png"));
+  EXPECT_TRUE(fs::exists(folder.path() / "whole/own/images/torus_24x12-8-320x240.png"));
 
   const Outcome resumed = pelage(folder, "run own.toml --host nodes --resume whole");
   EXPECT_EQ(resumed.code, 0) << resumed.err;
@@ -96,11 +96,12 @@ TEST_F(Cluster, BalancedShardsAreAPartition) {
         pelage(folder, std::string("run own.toml --dry-run --balance earlier --shard ") + shard);
     ASSERT_EQ(one.code, 0) << one.err;
     EXPECT_NE(one.err.find(" of 4 cases; earlier rows took "), std::string::npos) << one.err;
-    static const std::regex name("torus-24x12-[0-9]+-320x240");
+    static const std::regex name("torus_24x12-[0-9]+-320x240");
     for (std::sregex_iterator match(one.out.begin(), one.out.end(), name), end; match != end; ++match)
       names.push_back(match->str());
   }
   std::sort(names.begin(), names.end());
+  EXPECT_EQ(names.size(), 4u);
   EXPECT_EQ(names, cases_in(folder, "earlier"));
 }
 
