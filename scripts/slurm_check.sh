@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Tests experiments/slurm with a real Slurm on this machine: scripts/slurm_check.sh FOLDER. The script runs 16 cases in
-# an array of 4 tasks. It kills one task and requeues it, deletes the results of another and submits it again, merges the
-# shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm is
+# an array of 4 tasks. It kills one task and requeues it, deletes the results of another and submits it again, merges
+# the shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm is
 # not installed. The variable PELAGE names another binary than build/release/pelage.
 set -euo pipefail
 cd "$(dirname "$0")/.."

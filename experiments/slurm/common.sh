@@ -45,7 +45,7 @@ unfinished() {
     fi
   done
   if ((${#found[@]} > 0)); then
-    # `pelage merge` prints one line per gap: experiment, device, "shard 2/4: 5 of 8 cases". Exit code 4: there are gaps.
+    # `pelage merge` prints one line per gap: experiment, device, "shard 2/4: 5 of 8 cases". The exit code is then 4.
     lines=$("$program" merge --dry-run "$results/merged" "${found[@]}" 2>"$results/merge.log") || code=$?
     ((code == 0 || code == 4)) || { cat "$results/merge.log" >&2; return "$code"; }
     mapfile -t -O "${#numbers[@]}" numbers < <(sed -n "s|.*\tshard \([0-9]*\)/$shards: .*|\1|p" <<<"$lines")

@@ -21,8 +21,9 @@ busy=$(squeue --noheader --array --me --name="$name" --format=%K)
 missing=$(unfinished "$results")
 tasks=$(grep -vxF "${busy:-none}" <<<"$missing" | grep . | paste -sd , || true)
 if [[ -z $tasks ]]; then
-  echo "submit.sh: $results: nothing to submit: $(grep -c . <<<"$busy" || true) of $shards shards are waiting or running," \
-    "the others are finished" >&2
+  waiting=$(grep -c . <<<"$busy" || true)
+  echo "submit.sh: $results: nothing to submit; $waiting of $shards shards are waiting or running, the others are" \
+    "finished" >&2
   exit 0
 fi
 mkdir -p "$results/logs"

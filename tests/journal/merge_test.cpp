@@ -259,7 +259,7 @@ TEST(Merge, AFailedMergeLeavesNothing) {
 
 TEST(Merge, ARowCannotLeaveTheFolder) {
   const Inputs inputs;
-  for (const char* name : {"../../x", "/tmp/x", "..", ""}) {
+  for (const char* name : {"../../x", "/etc/x", "..", ""}) {
     Row row = row_of("a");
     row.experiment = name;
     inputs.write("a/own/gpu@node1.jsonl", {row});
