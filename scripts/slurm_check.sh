@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Tests experiments/slurm with a real Slurm on this machine: scripts/slurm_check.sh FOLDER. The script runs 16 cases in
 # an array of 4 tasks. It kills one task and requeues it, deletes the results of another and submits it again, merges
-# the shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm is
-# not installed. The variable PELAGE names another binary than build/release/pelage.
+# the shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm
+# is not installed. The variable PELAGE names another binary than build/release/pelage.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 (($# == 1)) || { sed -n '2s/^# *//p' "$0" >&2; exit 2; }
