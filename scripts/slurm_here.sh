@@ -16,7 +16,7 @@ shift
 export SLURM_CONF=$here/slurm.conf
 
 mkdir -p "$here"/{state,spool,sock,munge}
-# munged refuses a socket in a folder that others cannot enter, and a key in a folder that others can read.
+# Only this user may read the key.
 chmod 755 "$here" "$here"/{state,spool,sock}
 chmod 700 "$here/munge"
 head -c 1024 /dev/urandom >"$here/munge/key"
@@ -73,7 +73,9 @@ stop() {
   done
 }
 trap stop EXIT
-munged --key-file="$here/munge/key" --socket="$here/sock/munge.sock" --pid-file="$here/sock/munged.pid" \
+# --force: munged otherwise refuses a socket in a folder that only this user can enter, such as a temporary folder. Here
+# all programs run as this user.
+munged --force --key-file="$here/munge/key" --socket="$here/sock/munge.sock" --pid-file="$here/sock/munged.pid" \
   --log-file="$here/munge/munged.log" --seed-file="$here/munge/seed"
 slurmctld -f "$SLURM_CONF"
 slurmd -f "$SLURM_CONF"
