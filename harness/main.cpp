@@ -1,6 +1,6 @@
 // The command line of pelage. A failure prints a message on stderr and sets the exit code:
-// 0 success, 1 failed check or other error, 2 bad usage or input, 3 no usable device, 5 regression,
-// 130 or 143 interrupted by a signal.
+// 0 success, 1 failed check or other error, 2 bad usage or input, 3 no usable device, 4 missing shards or cases
+// (merge), 5 regression, 130 or 143 interrupted by a signal.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -16,6 +16,7 @@
 #include "harness/commands/devices.hpp"
 #include "harness/commands/export.hpp"
 #include "harness/commands/list.hpp"
+#include "harness/commands/merge.hpp"
 #include "harness/commands/mesh.hpp"
 #include "harness/commands/render.hpp"
 #include "harness/commands/report.hpp"
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   add_roofline(app, chosen);
   add_list(app, chosen);
   add_run(app, chosen);
+  add_merge(app, chosen);
   add_export(app, chosen);
   add_compare(app, chosen);
   add_report(app, chosen);

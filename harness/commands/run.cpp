@@ -14,6 +14,7 @@
 #include "harness/commands/progress.hpp"
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/balance.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/journal/results_folder.hpp"
 #include "harness/measure/cpu_use.hpp"
@@ -33,9 +34,38 @@ namespace fs = std::filesystem;
 
 struct Sweep {
   Experiment experiment;
-  std::vector<Case> cases;
+  std::vector<Case> cases;  ///< the cases of this shard
   SamplingLimits limits;
+  std::size_t all_cases = 0;  ///< number of cases of all shards
+  std::string deal;           ///< hash_of_deal(); "" without --shard
 };
+
+/// Reduces the sweep to the cases of its shard. With --balance, prints the expected time of the shard.
+void take_shard(Sweep& sweep, const RunOptions& options) {
+  sweep.all_cases = sweep.cases.size();
+  if (options.shard.empty()) return;
+  const Shard shard = options.shard_or_all();
+  std::vector<std::optional<double>> seconds(sweep.cases.size());
+  if (!options.balance.empty())
+    seconds = earlier_seconds(sweep.experiment.name, sweep.cases, read_results({options.balance}));
+  const std::vector<int> shards = deal(seconds, shard.count);
+  sweep.deal = hash_of_deal(sweep.cases, shards);
+  std::vector<Case> own;
+  double own_s = 0, all_s = 0;
+  std::size_t unknown = 0;
+  for (std::size_t i = 0; i < shards.size(); ++i) {
+    all_s += seconds[i].value_or(0);
+    unknown += !seconds[i];
+    if (shards[i] != shard.index) continue;
+    own.push_back(sweep.cases[i]);
+    own_s += seconds[i].value_or(0);
+  }
+  if (!options.balance.empty())
+    fmt::print(stderr, "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s of {:.1f} s{}\n",
+               sweep.experiment.name, options.shard, own.size(), shards.size(), own_s, all_s,
+               unknown ? fmt::format("; {} cases have no earlier row", unknown) : "");
+  sweep.cases = std::move(own);
+}
 
 Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64_t seed) {
   Sweep sweep;
@@ -46,7 +76,8 @@ Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64
   if (sweep.cases.empty())
     throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", sweep.experiment.name,
                                  options.filter));
-  sweep.cases = shuffled(sharded(sweep.cases, options.shard_or_all()), seed);
+  take_shard(sweep, options);
+  sweep.cases = shuffled(std::move(sweep.cases), seed);
   if (options.tuning != "defaults")
     for (Case& which : sweep.cases) which.variant += "/" + fs::path(options.tuning).stem().string();
   // All scenes are read before the first case runs, so that an error in a late case is reported at once.
@@ -99,8 +130,9 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 }
 
 /// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
-/// Also throws InputError if `resume` is true and a row was recorded with another preset, or the inputs that
-/// a row measured differ from the present inputs of its case.
+/// Also throws InputError if `resume` is true and a row was recorded with another preset or another division
+/// of the cases among shards, or if the inputs that a row measured differ from the present inputs of its
+/// case.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
@@ -114,6 +146,13 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
       throw InputError(
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
+    // Rows of merged shards are continued without --shard, and then may come from any shard.
+    const std::string dealt = row.provenance.value("shard_deal", ""),
+                      deal = plan.provenance.value("shard_deal", "");
+    if (resume && !dealt.empty() && !deal.empty() && dealt != deal)
+      throw InputError(fmt::format(
+          "{}: this shard was started with other cases or another --balance; resume it with the same options",
+          journal.file().string()));
   }
   if (!resume) return;
   std::map<std::string, const Row*> recorded;
@@ -156,6 +195,19 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   if (!sweep.experiment.title.empty()) plan.provenance["title"] = sweep.experiment.title;
   if (const auto view = to_json(sweep.experiment.view); !view.empty()) plan.provenance["view"] = view;
   plan.provenance["order_seed"] = seed;
+  if (!options.host.empty()) {
+    if (!options.anonymous) plan.provenance["node"] = plan.provenance["host"];
+    plan.provenance["host"] = options.host;
+  }
+  // pelage merge finds missing cases by these numbers.
+  if (!options.shard.empty()) {
+    plan.provenance["shard"] =
+        fmt::format("{}/{}", options.shard_or_all().index, options.shard_or_all().count);
+    plan.provenance["shard_deal"] = sweep.deal;
+  }
+  plan.provenance["shard_cases"] = plan.cases.size();
+  plan.provenance["all_cases"] = sweep.all_cases;
+  plan.provenance["repeats"] = options.repeat;
   Progress progress(plan.cases.size());
   const auto note = [&](const std::string& text) { progress.note("  " + text); };
   const auto context = make_context(device, sweep.experiment, tuning, note);
@@ -232,9 +284,25 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   return all.not_ok > 0 ? 1 : 0;
 }
 
+/// Throws InputError if the results of --balance are in the folder of this run or contain it. Each shard
+/// would then read other rows and divide the cases differently.
+void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
+  if (options.balance.empty()) return;
+  const fs::path earlier = fs::weakly_canonical(fs::absolute(options.balance)),
+                 own = fs::weakly_canonical(fs::absolute(folder));
+  const auto contains = [](const fs::path& outer, const fs::path& inner) {
+    return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+  };
+  if (contains(earlier, own) || contains(own, earlier))
+    throw InputError(fmt::format(
+        "--balance {}: these results change while this run writes into {}; give a folder outside it",
+        options.balance, folder.string()));
+}
+
 int run_command(const RunOptions& options) {
   const fs::path folder = options.folder();
   refuse_recordings(folder);
+  refuse_growing_balance(options, folder);
   if (options.dry_run) return run_here(options, folder);
   end_on_interrupt(folder.string());
   const int code = options.repeat > 1 && options.repeat_index < 0 ? run_repeats(options, folder)

@@ -73,12 +73,7 @@ fs::path RunOptions::folder() const {
          fmt::format("{}-{}", utc_stamp(), anonymous ? "anonymous" : file_name_of(host_name()));
 }
 
-void declare(CLI::App& command, RunOptions& options) {
-  command
-      .add_option("experiment", options.experiments,
-                  "Experiments: names that `pelage list` shows, or FILE.toml")
-      ->required()
-      ->type_name("EXPERIMENT|FILE.toml");
+void declare_cases(CLI::App& command, RunOptions& options) {
   command
       .add_option(
           "--preset", options.preset,
@@ -86,8 +81,6 @@ void declare(CLI::App& command, RunOptions& options) {
           "many samples as a publication needs")
       ->type_name("NAME")
       ->capture_default_str();
-  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, part of its name, or all")
-      ->type_name("DEVICE");
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
       ->type_name("NAME|FILE");
   command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
@@ -98,8 +91,25 @@ void declare(CLI::App& command, RunOptions& options) {
   command
       .add_option("--filter", options.filter, "Use only the cases whose names match this regular expression")
       ->type_name("REGEX");
+}
+
+void declare(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("experiment", options.experiments,
+                  "Experiments: names that `pelage list` shows, or FILE.toml")
+      ->required()
+      ->type_name("EXPERIMENT|FILE.toml");
+  declare_cases(command, options);
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, part of its name, or all")
+      ->type_name("DEVICE");
   command.add_option("--shard", options.shard, "Run only every n-th case, beginning with case i (from 0)")
       ->type_name("i/n");
+  command
+      .add_option(
+          "--balance", options.balance,
+          "With --shard: divide the cases so that all shards take about the same time, by the times in "
+          "these earlier results")
+      ->type_name("RESULTS");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
@@ -138,6 +148,11 @@ void declare(CLI::App& command, RunOptions& options) {
                                      : std::string();
       })
       ->type_name("N");
+  command
+      .add_option("--host", options.host,
+                  "Name of the host in the rows (default: the name of this machine). Give equal nodes of a "
+                  "cluster one name, so that the rows of all nodes are in one table")
+      ->type_name("NAME");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
   command.add_flag("--dry-run", options.dry_run, "Print the cases without running them");
   command.add_option("--repeat-index", options.repeat_index)->group("");
@@ -152,6 +167,8 @@ void check_options(RunOptions& options) {
   if (options.tuning != "defaults" && !fs::is_regular_file(options.tuning))
     throw InputError(fmt::format("--tuning {}: no such file", options.tuning));
   options.shard_or_all();
+  if (!options.balance.empty() && options.shard.empty())
+    throw InputError("--balance divides the cases among shards; give also --shard i/n, such as --shard 0/4");
   options.overrides();
 }
 

@@ -13,7 +13,8 @@ namespace pelage {
 
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
-  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume;
+  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume,
+              balance, host;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
   int repeat_index = -1;  ///< index of this process among those of --repeat, from 0; -1: started by the user
@@ -27,7 +28,11 @@ struct RunOptions {
       const;  ///< the folder of --resume or -o, else a new folder named after the time and the host
 };
 
+/// Declares all options of pelage run.
 void declare(CLI::App& command, RunOptions& options);
+
+/// Declares the options that select the cases of an experiment: --preset, --model, --set, --axis, --filter.
+void declare_cases(CLI::App& command, RunOptions& options);
 
 /// Fills options.argv. Throws InputError for options that contradict each other, are malformed, or name a
 /// missing file or folder.

@@ -246,13 +246,6 @@ Shard shard_from_text(const std::string& text) {
   throw InputError(fmt::format("--shard '{}' is not i/n with 0 <= i < n, such as 0/4", text));
 }
 
-std::vector<Case> sharded(const std::vector<Case>& cases, const Shard& shard) {
-  std::vector<Case> result;
-  for (std::size_t i = std::size_t(shard.index); i < cases.size(); i += std::size_t(shard.count))
-    result.push_back(cases[i]);
-  return result;
-}
-
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
   // This is the Fisher-Yates shuffle. The order of std::shuffle depends on the standard library, but a
   // recorded seed must give the same order everywhere.

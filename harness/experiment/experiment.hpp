@@ -139,10 +139,6 @@ struct Shard {
 };
 /// Reads "i/n" with 0 <= i < n. Throws InputError for other texts.
 Shard shard_from_text(const std::string& text);
-/// Returns every count-th case, beginning with the case number `index` (from 0). Each case is in exactly one
-/// of the `count` shards.
-std::vector<Case> sharded(const std::vector<Case>& cases, const Shard& shard);
-
 /// Returns the cases in a random order that depends only on `seed`. If the machine's speed changes
 /// slowly during the run, this change then affects all values of an axis by about the same amount.
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed);

@@ -1,6 +1,7 @@
 #include "harness/journal/results_folder.hpp"
 
 #include <fmt/format.h>
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <map>
@@ -21,9 +22,8 @@ std::string measurement_of(const Row& row) {
 
 namespace fs = std::filesystem;
 
-std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
-  std::vector<FoundRow> rows;
-  std::map<std::string, std::size_t> known;  // measurement -> index in `rows`
+std::vector<fs::path> journals_of(const std::vector<std::string>& places) {
+  std::vector<fs::path> all;
   for (const std::string& place : places) {
     std::vector<fs::path> journals;
     if (fs::is_directory(place)) {
@@ -36,24 +36,50 @@ std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
       throw InputError(fmt::format("{}: no such folder or file of results", place));
     }
     std::sort(journals.begin(), journals.end());
-    for (const fs::path& journal : journals)
-      for (Row& row : read_journal(journal)) {
-        const auto [entry, added] = known.try_emplace(measurement_of(row), rows.size());
-        if (added) {
-          rows.push_back({std::move(row), journal});
-          continue;
-        }
-        FoundRow& first = rows[entry->second];
-        if (to_line(first.row) != to_line(row))
-          throw InputError(
-              fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows "
-                          "differ. One of the "
-                          "files was changed; give only the original",
-                          first.journal.string(), journal.string(), row.case_name));
-        first.copies.push_back(journal);
-      }
+    all.insert(all.end(), journals.begin(), journals.end());
   }
+  return all;
+}
+
+std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
+  std::vector<FoundRow> rows;
+  std::map<std::string, std::size_t> known;  // measurement -> index in `rows`
+  for (const fs::path& journal : journals_of(places))
+    for (Row& row : read_journal(journal)) {
+      const auto [entry, added] = known.try_emplace(measurement_of(row), rows.size());
+      if (added) {
+        rows.push_back({std::move(row), journal});
+        continue;
+      }
+      FoundRow& first = rows[entry->second];
+      if (to_line(first.row) != to_line(row))
+        throw InputError(
+            fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows "
+                        "differ. One of the "
+                        "files was changed; give only the original",
+                        first.journal.string(), journal.string(), row.case_name));
+      first.copies.push_back(journal);
+    }
   return rows;
+}
+
+JournalName journal_name(const fs::path& journal) {
+  const std::string stem = journal.stem().string();
+  static const RE2 sharded("(?s)(.+)\\.([0-9]{1,6})-of-([0-9]{1,6})");
+  JournalName name;
+  if (RE2::FullMatch(stem, sharded, &name.stem, &name.index, &name.count) && name.index < name.count)
+    return name;
+  return {stem};
+}
+
+fs::path picture_of(const FoundRow& found) {
+  const fs::path folder = found.journal.parent_path() / "images";
+  const std::string stem = journal_name(found.journal).stem;
+  for (const std::string& suffix : {stem, stem.substr(0, stem.find('@'))}) {
+    const fs::path own = folder / fmt::format("{}@{}.png", found.row.case_name, suffix);
+    if (fs::exists(own)) return own;
+  }
+  return folder / (found.row.case_name + ".png");
 }
 
 void refuse_recordings(const fs::path& folder) {

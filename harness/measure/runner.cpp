@@ -91,9 +91,11 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     const auto from = std::chrono::steady_clock::now();
     const std::unique_ptr<Subject> subject = make(which);
     row.provenance["prepare_s"] = seconds_since(from);
+    const auto sampling_from = std::chrono::steady_clock::now();
     const CpuWatch watch;
     const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
     if (const std::optional<double> share = watch.other_share()) row.provenance["other_cpu_share"] = *share;
+    row.provenance["sampling_s"] = seconds_since(sampling_from);
     row.provenance["load_after"] = load_average();
     row.first_launch_ms = sampling.first_launch_ms;
     row.provenance["converged"] = sampling.converged;

@@ -8,20 +8,9 @@
 namespace pelage {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string text(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string{};
-}
-
-/// Returns the path of the row's picture in the folder images/ next to the journal. The name is
-/// CASE@DEVICE.png if the run used several devices, else CASE.png.
-fs::path image_of(const FoundRow& found) {
-  const fs::path folder = found.journal.parent_path() / "images";
-  const std::string stem = found.journal.stem().string();
-  const fs::path own = folder / fmt::format("{}@{}.png", found.row.case_name, stem.substr(0, stem.find('@')));
-  return fs::exists(own) ? own : folder / (found.row.case_name + ".png");
 }
 
 Cell cell_of(const FoundRow& found) {
@@ -36,7 +25,7 @@ Cell cell_of(const FoundRow& found) {
   cell.overrides = row.overrides;
   cell.identity = row.identity;
   cell.metrics = row.metrics;
-  cell.image = image_of(found);
+  cell.image = picture_of(found);
   cell.renderer = text(row, "opengl_renderer");
   cell.title = text(row, "title");
   if (const auto view = row.provenance.find("view"); view != row.provenance.end()) cell.view = *view;

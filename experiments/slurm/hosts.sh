@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# Measures an experiment on a list of hosts with GNU parallel and ssh, one shard at a time on each host.
+#   hosts.sh RESULTS HOSTS SHARDS EXPERIMENT [options of pelage run]   start a run, and wait for it
+#   hosts.sh RESULTS HOSTS                                             run lost and failed shards again
+# HOSTS is a file with one host per line, as ssh accepts it; the line ":" is this machine without ssh. RESULTS, pelage
+# and this folder must have the same paths on all hosts. If the hosts are equal, give them one name with --host NAME;
+# otherwise the rows of each host get their own table.
+set -euo pipefail
+scripts=$(dirname "$(realpath "$0")")
+# shellcheck source-path=SCRIPTDIR source=common.sh
+source "$scripts/common.sh"
+(($# == 2 || $# >= 4)) || { sed -n '3,4s/^# *//p' "$0" >&2; exit 2; }
+
+results=$(realpath -m "$1") hosts=$2
+[[ -r $hosts ]] || fail "$hosts: no such file of hosts"
+(($# == 2)) || record "$results" "${@:3}"
+load "$results"
+
+missing=$(unfinished "$results")
+[[ -n $missing ]] || { echo "hosts.sh: $results: all $shards shards are finished" >&2; exit 0; }
+mkdir -p "$results/logs"
+# --jobs 1: two shards on one host would change each other's times. The exit code is the number of failed shards.
+parallel --sshloginfile "$hosts" --jobs 1 --joblog "$results/logs/parallel.log" --line-buffer --tag --quote \
+  "$scripts/shard.sh" "$results" '{}' <<<"$missing"

@@ -1,0 +1,152 @@
+// pelage merge: joins the rows of several folders of results in one folder, and names missing shards and
+// cases.
+#include "harness/commands/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/commands/run_options.hpp"
+#include "harness/error.hpp"
+#include "harness/journal/merge.hpp"
+#include "harness/journal/shards.hpp"
+
+namespace pelage {
+namespace {
+
+/// The exit code if shards or cases are missing.
+constexpr int missing_code = 4;
+
+struct MergeOptions {
+  std::string output;
+  std::vector<std::string> results, expect;
+  RunOptions expected;  ///< the options that select the cases of the experiments in `expect`
+  bool keep_apart = false, dry_run = false;
+};
+
+/// Returns the names of the cases of an experiment that --expect names.
+std::vector<std::string> expected_cases(const MergeOptions& options, const Experiment& experiment) {
+  const std::vector<Case> cases = filtered(
+      cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides()),
+      options.expected.filter);
+  if (cases.empty())
+    throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", experiment.name,
+                                 options.expected.filter));
+  std::vector<std::string> names;
+  names.reserve(cases.size());
+  for (const Case& which : cases) names.push_back(which.name);
+  return names;
+}
+
+/// Returns the overrides that `pelage run` records with the options of `options.expected`.
+std::map<std::string, std::string> expected_overrides(const MergeOptions& options,
+                                                      const Experiment& experiment) {
+  return cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides())
+      .front()
+      .overrides;
+}
+
+/// Returns one line per expected case that has no row or only rows with the status error.
+std::vector<std::string> missing_cases(const MergeOptions& options, const std::vector<RunState>& states) {
+  std::vector<std::string> lines;
+  for (const std::string& name : options.expect) {
+    const Experiment experiment = read_experiment(experiment_file(name));
+    const std::vector<std::string> cases = expected_cases(options, experiment);
+    const std::map<std::string, std::string> overrides = expected_overrides(options, experiment);
+    bool any = false;
+    for (const RunState& state : states) {
+      if (state.experiment != experiment.name || state.overrides != overrides) continue;
+      any = true;
+      for (const std::string& which : cases)
+        if (!state.done.contains(which))
+          lines.push_back(fmt::format("{}\t{}\tcase {}: {}", experiment.name, state.where, which,
+                                      state.failed.contains(which) ? "ended with an error" : "no row"));
+    }
+    if (!any)
+      for (const std::string& which : cases)
+        lines.push_back(fmt::format("{}\t-\tcase {}: no row", experiment.name, which));
+  }
+  return lines;
+}
+
+std::vector<std::string> missing_shards(const std::vector<RunState>& states) {
+  std::vector<std::string> lines;
+  for (const RunState& state : states)
+    for (const Gap& gap : state.gaps)
+      lines.push_back(fmt::format("{}\t{}\t{}", state.experiment, state.where, text_of(gap)));
+  return lines;
+}
+
+void note_deals(const std::vector<RunState>& states) {
+  for (const RunState& state : states)
+    if (state.dealt_differently)
+      fmt::print(stderr,
+                 "pelage: warning: {} {}: the shards were started with different cases or with different "
+                 "--balance results, so that a case may belong to no shard\n",
+                 state.experiment, state.where);
+}
+
+void note_result(const MergeOptions& options, const Merge& merge, std::size_t pictures) {
+  fmt::print(stderr, "pelage: {}{} rows{}{}{}\n",
+             options.dry_run ? "would write " : fmt::format("{}: ", options.output), merge.rows.size(),
+             options.dry_run ? "" : fmt::format(", {} pictures", pictures),
+             merge.copies ? fmt::format("; {} copies of rows left out", merge.copies) : "",
+             merge.replaced ? fmt::format("; {} rows with errors left out, because later rows replace them",
+                                          merge.replaced)
+                            : "");
+  for (std::size_t i = 0; i < merge.apart.size(); ++i)
+    fmt::print(stderr, "pelage: rows that differ ({}) are in {}/apart-{}\n", merge.apart[i], options.output,
+               i + 2);
+}
+
+int merge_command(const MergeOptions& options) {
+  refuse_recordings(options.output);
+  if (!options.dry_run) require_new_folder(options.output);
+  const std::vector<FoundRow> rows = read_results(options.results);
+  if (rows.empty())
+    throw InputError(fmt::format("{}: the journals contain no rows", options.results.front()));
+  const Merge merge = plan_merge(rows, options.keep_apart);
+  const std::vector<RunState> states = run_states(journals_of(options.results), rows);
+  std::vector<std::string> missing = missing_shards(states);
+  const std::vector<std::string> cases = missing_cases(options, states);
+  missing.insert(missing.end(), cases.begin(), cases.end());
+
+  note_result(options, merge, options.dry_run ? 0 : write_merge(merge, options.output));
+  note_deals(states);
+  for (const std::string& line : missing) fmt::print("{}\n", line);
+  if (missing.empty()) return 0;
+  fmt::print(stderr, "pelage: shards or cases are missing (see the lines on standard output)\n");
+  return missing_code;
+}
+
+}  // namespace
+
+void add_merge(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<MergeOptions>();
+  CLI::App* command =
+      app.add_subcommand("merge", "Join shards and runs in one folder, and name missing shards and cases");
+  command->add_option("output", options->output, "New folder for the joined results")
+      ->required()
+      ->type_name("OUT");
+  command->add_option("results", options->results, "Folders with results, or journal files")
+      ->required()
+      ->type_name("RESULTS");
+  command->add_flag(
+      "--keep-apart", options->keep_apart,
+      "Write rows that do not belong together into folders apart-2, apart-3, ... in OUT, instead "
+      "of refusing them");
+  command->add_flag("--dry-run", options->dry_run, "Print what is missing, and write nothing");
+  CLI::Option* expect =
+      command
+          ->add_option(
+              "--expect", options->expect,
+              "Name the missing cases of this experiment; the next options select its cases as in run")
+          ->allow_extra_args(false)
+          ->type_name("EXPERIMENT|FILE.toml");
+  declare_cases(*command, options->expected);
+  for (const char* name : {"--preset", "--model", "--set", "--axis", "--filter"})
+    command->get_option(name)->needs(expect);
+  command->callback([options, &chosen] { chosen = [options] { return merge_command(*options); }; });
+}
+
+}  // namespace pelage

@@ -1,0 +1,10 @@
+#pragma once
+#include "harness/commands/command.hpp"
+
+namespace pelage {
+
+/// pelage merge OUT RESULTS...: joins shards and runs into the new folder OUT, and prints missing shards and
+/// cases to stdout.
+void add_merge(CLI::App& app, Chosen& chosen);
+
+}  // namespace pelage
