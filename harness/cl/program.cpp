@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "harness/cl/kernel_cache.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 
@@ -118,6 +119,7 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
   code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
+  explain_aborts();  // LLVM, which PoCL uses, replaced the signal handlers
   build_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   log_ = build_log(program_, id);
   if (code != CL_SUCCESS) {
