@@ -13,6 +13,7 @@
 #include "harness/commands/claims.hpp"
 #include "harness/commands/command.hpp"
 #include "harness/commands/compare.hpp"
+#include "harness/commands/completion.hpp"
 #include "harness/commands/devices.hpp"
 #include "harness/commands/export.hpp"
 #include "harness/commands/list.hpp"
@@ -93,6 +94,7 @@ int main(int argc, char** argv) {
   add_compare(app, chosen);
   add_report(app, chosen);
   add_claims(app, chosen);
+  add_completion(app, chosen);
   app.require_subcommand(0, 1);
 
   try {

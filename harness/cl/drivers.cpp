@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "harness/cl/kernel_cache.hpp"
+
 namespace pelage::cl {
 namespace {
 
@@ -91,36 +93,11 @@ void pin_threads() {
   if (may_pin(cores, int(::sysconf(_SC_NPROCESSORS_ONLN)))) ::setenv("POCL_AFFINITY", "1", 0);
 }
 
-fs::path kernel_cache() {
-  if (const std::string given = text_of("POCL_CACHE_DIR"); !given.empty()) return given;
-  if (const std::string given = text_of("XDG_CACHE_HOME"); !given.empty())
-    return fs::path(given) / "pocl/kcache";
-  if (const std::string home = text_of("HOME"); !home.empty()) return fs::path(home) / ".cache/pocl/kcache";
-  return {};
-}
-
-void need_kernel_cache() {
-  const fs::path wanted = kernel_cache();
-  if (wanted.empty()) return;
-  std::error_code failed;
-  fs::create_directories(wanted, failed);
-  if (!failed && ::access(wanted.c_str(), W_OK | X_OK) == 0) return;
-  std::string folder = (fs::temp_directory_path(failed) / "pelage-kernels-XXXXXX").string();
-  if (failed || ::mkdtemp(folder.data()) == nullptr) return;
-  ::setenv("POCL_CACHE_DIR", folder.c_str(), 1);
-  fmt::print(stderr, "pelage: {} cannot be written; PoCL keeps compiled kernels in a temporary folder\n",
-             wanted.string());
-  static const fs::path temporary = folder;
-  std::atexit([] {
-    std::error_code ignored;
-    fs::remove_all(temporary, ignored);
-  });
-}
-
 void announce_drivers() {
   static const bool done = [] {
     pin_threads();
     need_kernel_cache();
+    explain_aborts();
     const fs::path vendors = vendor_folder();
     if (!text_of("OCL_ICD_VENDORS").empty() || names_nvidia(vendors)) return true;
     const std::optional<fs::path> library = nvidia_library(driver_folders());

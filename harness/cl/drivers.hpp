@@ -24,23 +24,13 @@ bool may_pin(const std::vector<int>& cores, int online);
 /// The function does nothing if may_pin() is false for the cores that the process may use.
 void pin_threads();
 
-/// Returns the folder in which PoCL keeps compiled kernels: $POCL_CACHE_DIR; if this variable is not set,
-/// $XDG_CACHE_HOME/pocl/kcache; otherwise $HOME/.cache/pocl/kcache. The path is empty if none of these three
-/// variables is set.
-std::filesystem::path kernel_cache();
-
-/// If files cannot be written in kernel_cache(), sets POCL_CACHE_DIR to a new temporary folder and prints a
-/// message to stderr. Without a writable folder, PoCL reports no device. The temporary folder is deleted when
-/// the program ends.
-void need_kernel_cache();
-
-/// Calls pin_threads() and need_kernel_cache(), and registers NVIDIA's driver. Containers receive this driver
-/// without the file in /etc/OpenCL/vendors that names its library. If one of the driver's folders contains
-/// the library, this function adds the library to the loader's existing entries. The function must run before
-/// the first OpenCL call; later calls have no effect. It searches the folders in $PELAGE_DRIVERS, which are
-/// separated by colons. If this variable is not set, it searches the folders in $LD_LIBRARY_PATH and the
-/// folders that distributions and containers use for the driver. If OCL_ICD_VENDORS is set, the function does
-/// not change the loader's entries.
+/// Calls pin_threads(), need_kernel_cache() and explain_aborts(), and registers NVIDIA's driver. Containers
+/// receive this driver without the file in /etc/OpenCL/vendors that names its library. If one of the driver's
+/// folders contains the library, this function adds the library to the loader's existing entries. The
+/// function must run before the first OpenCL call; later calls have no effect. It searches the folders in
+/// $PELAGE_DRIVERS, which are separated by colons. If this variable is not set, it searches the folders in
+/// $LD_LIBRARY_PATH and the folders that distributions and containers use for the driver. If OCL_ICD_VENDORS
+/// is set, the function does not change the loader's entries.
 void announce_drivers();
 
 }  // namespace pelage::cl

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "harness/cl/program.hpp"
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 
 namespace pelage::cl {
@@ -34,14 +35,12 @@ fs::path kernel_folder() {
       throw InputError(fmt::format("PELAGE_DATA is {}: it contains no folder named kernels", data));
     return folder;
   }
-  const fs::path source = fs::path(PELAGE_SOURCE_DIR) / "kernels";
-  if (fs::is_directory(source, ignored)) return source;
-  // Installed files: <prefix>/bin/pelage uses <prefix>/share/pelage/kernels.
-  const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
-  const fs::path shared = binary.parent_path().parent_path() / "share" / "pelage" / "kernels";
-  if (fs::is_directory(shared, ignored)) return shared;
-  throw InputError(fmt::format("no kernels in {} or {}: name the folder with --kernels or PELAGE_DATA",
-                               source.string(), shared.string()));
+  const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "kernels";
+  if (fs::is_directory(folder, ignored)) return folder;
+  throw InputError(
+      fmt::format("{}: this folder of kernels is missing: name the folder with --kernels or "
+                  "PELAGE_DATA",
+                  folder.string()));
 }
 
 }  // namespace pelage::cl

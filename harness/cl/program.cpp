@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "harness/cl/kernel_cache.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 
@@ -117,7 +118,10 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   program_ = clCreateProgramWithSource(device.context(), 1, &text, &length, &code);
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
+  // LLVM, which PoCL uses, replaces the signal handlers when it is loaded and when it compiles.
+  explain_aborts();
   code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
+  explain_aborts();
   build_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   log_ = build_log(program_, id);
   if (code != CL_SUCCESS) {

@@ -16,8 +16,8 @@
 namespace pelage::cl {
 
 /// Returns the folder of kernel sources. It is the folder given by --kernels or set_kernel_folder(), else
-/// $PELAGE_DATA/kernels, else kernels/ in the source tree of the binary, else the installed share folder.
-/// Throws InputError if no such folder exists.
+/// $PELAGE_DATA/kernels, else kernels/ in the last folder of data_folders(). Throws InputError if no such
+/// folder exists.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 

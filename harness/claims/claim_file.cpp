@@ -15,6 +15,7 @@
 #include <set>
 
 #include "harness/claims/claim_table.hpp"
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/toml_depth.hpp"
 
@@ -211,13 +212,8 @@ ClaimFile read_claims(const fs::path& file) {
 }
 
 fs::path shipped_claims() {
-  std::vector<fs::path> folders;
-  if (const char* data = std::getenv("PELAGE_DATA"); data && *data)
-    folders.push_back(fs::path(data) / "experiments");
-  folders.push_back(fs::path(PELAGE_SOURCE_DIR) / "experiments");
-  folders.push_back(fs::path(PELAGE_SHARE_DIR) / "experiments");
-  for (const fs::path& folder : folders)
-    if (fs::is_regular_file(folder / "claims.toml")) return folder / "claims.toml";
+  for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
+    if (const fs::path file = data / "experiments" / "claims.toml"; fs::is_regular_file(file)) return file;
   throw InputError("experiments/claims.toml is not installed; give a file with --claims");
 }
 

@@ -11,11 +11,13 @@
 #include <optional>
 #include <set>
 
+#include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/write_ply.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 
 namespace pelage {
 namespace {
@@ -25,7 +27,7 @@ struct MeshCommand {
   std::filesystem::path output, atlas;
   std::optional<std::uint32_t> faces;
   bool keep_uv = false;
-  std::string components = "all";
+  std::string components = "all", up = "y";
   std::vector<float> rotate;
 };
 
@@ -129,7 +131,10 @@ int run(const MeshCommand& command) {
   options.faces = command.faces;
   options.keep_uv = command.keep_uv;
   options.largest_only = command.components == "largest";
-  if (!command.rotate.empty()) options.rotate = {command.rotate[0], command.rotate[1], command.rotate[2]};
+  MeshScene turn;
+  turn.up = command.up;
+  if (!command.rotate.empty()) turn.rotate = {command.rotate[0], command.rotate[1], command.rotate[2]};
+  options.rotate = rotation_of(turn);
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
   print(*mesh);
@@ -157,6 +162,7 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
                    "Connected components to keep: all that are closed or large, or only the largest")
       ->check(CLI::IsMember({"all", "largest"}))
       ->capture_default_str();
+  add_up_option(*command, options->up);
   command
       ->add_option(
           "--rotate", options->rotate,

@@ -8,6 +8,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -31,6 +32,16 @@ void set_size(Scene& scene, const std::string& size) {
 
 }  // namespace
 
+void add_up_option(CLI::App& command, std::string& up) {
+  command
+      .add_option(
+          "--up", up,
+          "Axis of the mesh file that points up; with z the model is rotated, because y points up in a "
+          "scene (scene key mesh.up)")
+      ->check(CLI::IsMember(choices_of("mesh.up")))
+      ->type_name("AXIS");
+}
+
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
   command
       .add_option("scene", options.file,
@@ -44,6 +55,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
       .add_option("--model", options.model,
                   "Model to draw: a name in experiments/models.toml, or a mesh file")
       ->type_name("MODEL");
+  add_up_option(command, options.up);
   command.add_option("--size", options.size, "Size of the picture in pixels")->type_name("WxH");
 }
 
@@ -51,6 +63,7 @@ Scene resolve_scene(const SceneOptions& options) {
   Scene scene;
   if (!options.file.empty()) scene = read_scene(options.file);
   if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
+  if (!options.up.empty()) apply_set(scene, "mesh.up=" + options.up, "--up");
   for (const std::string& assignment : options.set) apply_set(scene, assignment);
   if (!options.size.empty()) set_size(scene, options.size);
   check_scene(scene, options.file.empty() ? "scene" : options.file);

@@ -1,9 +1,20 @@
 #include "harness/compare/windows.hpp"
 
+#include <fmt/format.h>
+
 #include "harness/compare/pictures.hpp"
 #include "harness/shells/reference/reference.hpp"
 
 namespace pelage {
+
+std::string window_advice() {
+  return fmt::format(
+      "the picture is too small, or fur covers too few of its pixels: the check compares {} squares of {} x "
+      "{} "
+      "pixels that contain fur or are adjacent to fur; give a larger picture (the axis size, or image.width "
+      "and image.height), or a camera that shows more fur",
+      kCheckWindows, kCheckSide, kCheckSide);
+}
 
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks) {
@@ -11,8 +22,8 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   options.frames = frames;
   options.sticks.assign(sticks.begin(), sticks.end());
   options.windows = fur_windows(timed, kCheckWindows, kCheckSide, seed);
-  const Check windows{against_reference, "windows", double(options.windows.size()), double(kCheckWindows),
-                      true};
+  const Check windows{against_reference, windows_metric, double(options.windows.size()),
+                      double(kCheckWindows), true};
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
   // Because of rounding, the device and the reference may read different texels of the wetness mask for a

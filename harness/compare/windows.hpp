@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 #include "harness/compare/check.hpp"
@@ -14,6 +15,12 @@ namespace pelage {
 /// grid over the picture. Every window contains fur or is adjacent to a cell that contains fur.
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
+
+/// Name of the check of the number of windows.
+inline constexpr const char* windows_metric = "windows";
+
+/// Returns what a user can change if too few windows contain fur.
+std::string window_advice();
 
 /// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the
 /// difference in these windows is too large, the whole picture is compared, and only this comparison decides.

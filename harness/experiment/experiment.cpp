@@ -9,7 +9,9 @@
 #include <random>
 #include <set>
 
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/axes.hpp"
 #include "harness/experiment/filter.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -29,7 +31,6 @@ std::string quoted(const std::string& text) {
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
-  if (axis == "reading" || axis == "variant") return {};
   if (axis == "size") {
     std::string width, height;
     if (!RE2::FullMatch(value, "([0-9]{1,5})x([0-9]{1,5})", &width, &height))
@@ -37,10 +38,6 @@ std::vector<Setting> settings_of(const std::string& axis, const std::string& val
     return {{"image.width", width}, {"image.height", height}};
   }
   return {};
-}
-
-bool is_named_axis(const std::string& key) {
-  return key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant";
 }
 
 /// Returns an axis value as text that may be part of a file name. The path of a model file is reduced to its
@@ -94,8 +91,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     const std::string& value = values[choice[i]];
     result.axes[key] = value;
     if (key == "variant") result.variant = value;
-    if (!is_named_axis(key)) result.set.emplace_back(key, value);
-    for (const Setting& setting : settings_of(key, value)) set(setting);
+    if (is_scene_key(key) && key != "model") result.set.emplace_back(key, value);
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
@@ -107,6 +103,12 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
   }
+  if (result.name.empty()) result.name = experiment.name;  // the only axes are "reading" and "variant"
+  // These settings are the last ones, so that no table of an axis changes a value that the name of the case
+  // states. Only a table [model.NAME] may replace the model, which gives a mesh file the name NAME.
+  for (const auto& [key, value] : result.axes)
+    for (const Setting& setting : settings_of(key, value))
+      if (setting.first != "model" || !table_sets(experiment, "model", value, "model")) set(setting);
   // A relative path on the command line is relative to the working folder. A relative path in the experiment
   // file is relative to the folder of that file.
   if (is_model_file(overrides.model))
@@ -131,7 +133,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     for (const Published& published : experiment.published)
       if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {
             const auto found = result.axes.find(key_value.first);
-            return found != result.axes.end() && found->second == key_value.second;
+            return found != result.axes.end() && canonical(found->second) == canonical(key_value.second);
           }))
         result.published = published.figure;
   return result;
@@ -140,13 +142,9 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
 }  // namespace
 
 std::vector<fs::path> experiment_files() {
-  std::vector<fs::path> folders;
-  if (const char* data = std::getenv("PELAGE_DATA"); data && *data)
-    folders.push_back(fs::path(data) / "experiments");
-  folders.push_back(fs::path(PELAGE_SOURCE_DIR) / "experiments");
-  folders.push_back(fs::path(PELAGE_SHARE_DIR) / "experiments");
   std::vector<fs::path> result;
-  for (const fs::path& folder : folders) {
+  for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR)) {
+    const fs::path folder = data / "experiments";
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".toml" && entry.path().filename() != "models.toml" &&
@@ -184,18 +182,12 @@ const Preset& preset_of(const Experiment& experiment, const std::string& name) {
 
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, const Overrides& overrides) {
   const std::vector<Axis> axes = axes_of(experiment, preset, overrides);
-  for (const Axis& axis : axes)
-    if (axis.key == "reading")
-      for (const std::string& value : axis.values)
-        if (!experiment.at.contains("reading") || !experiment.at.at("reading").contains(value))
-          throw InputError(
-              fmt::format("{}: this experiment has no table [reading.{}]", experiment.name, value));
-
   double count = 1;
   for (const Axis& axis : axes) count *= double(axis.values.size());
   if (count > most_cases)
     throw InputError(fmt::format("{}: the axes have {:.0f} combinations of values; the limit is {} cases",
                                  experiment.name, count, most_cases));
+  check_axes(experiment, preset, overrides, axes);
   std::vector<Case> result;
   std::vector<std::size_t> choice(axes.size(), 0);
   for (bool more = true; more;) {
@@ -222,9 +214,11 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
 Scene scene_of(const Experiment& experiment, const Case& which) {
   std::string text;
   for (const auto& [key, value] : which.settings) text += fmt::format("{} = {}\n", key, value);
-  const std::string source = fmt::format("{} case {}", experiment.file.string(), which.name);
-  Scene scene =
-      parse_scene(text, source, experiment.file.has_parent_path() ? experiment.file.parent_path() : ".");
+  const std::string source = fmt::format(
+      "{} case {}{}", experiment.file.string(), which.name,
+      experiment.scene_file.empty() ? "" : fmt::format(" (scene file {})", experiment.scene_file.string()));
+  Scene scene = parse_scene(
+      text, source, experiment.file.has_parent_path() ? experiment.file.parent_path() : ".", experiment.base);
   for (const auto& [key, value] : which.set)
     apply_set(scene, fmt::format("{}={}", key, value),
               which.axes.contains(key) ? fmt::format("{}: axis {}", experiment.name, key) : "--set");

@@ -19,11 +19,11 @@ using Setting = std::pair<std::string, std::string>;
 
 /// A quantity that varies over the cases of an experiment. The key is "model", "layers" (fur.layers), "size"
 /// (image.width x image.height), "reading" (an interpretation of the paper's text), "variant" (a pipeline
-/// with its options), or a scene key. The values of "reading" and "variant" are names of tables in the
-/// experiment file.
+/// with its options), a scene key, or a name that the author of the file chose. The values of "reading",
+/// "variant" and of an axis with a chosen name are names of tables in the experiment file.
 struct Axis {
   std::string key;
-  std::vector<std::string> values;
+  std::vector<std::string> values;  ///< numbers as they are written in the file or on the command line
 };
 
 /// The number of samples of a case, and the conditions that end its sampling.
@@ -62,8 +62,10 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::filesystem::path file;
-  std::vector<Setting> scene;  ///< scene keys that apply to all cases
-  std::vector<Axis> axes;      ///< in the order of the file; the last axis varies fastest
+  std::filesystem::path scene_file;  ///< the scene file that [scene] names by its key `file`; may be empty
+  Scene base;                        ///< the scene of this file; without a file, the default scene
+  std::vector<Setting> scene;        ///< scene keys that apply to all cases; they override those of `base`
+  std::vector<Axis> axes;            ///< in the order of the file; the last axis varies fastest
   /// For each axis key and each value of the axis, the scene keys that all cases with this value use.
   std::map<std::string, std::map<std::string, std::vector<Setting>>> at;
   /// Name of a variant -> its values of the keys `pipeline`, `mapping` and `opengl`.
@@ -120,14 +122,15 @@ inline constexpr int most_cases = 100'000;
 /// Largest number of characters in the name of a case. Files are named after the case.
 inline constexpr std::size_t longest_case_name = 200;
 
-/// Returns all cases; the last axis of the file varies fastest. Throws InputError for a variant, reading or
-/// size that is not valid, and for two cases of the same name.
+/// Returns all cases; the last axis of the file varies fastest. Throws InputError for an axis or a value of
+/// an axis that is not valid (check_axes()), and for two cases of the same name.
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
                            const Overrides& overrides = {});
 
 /// Returns the case's scene with all keys, after range checks. A relative path in the experiment file is
-/// relative to the file's folder. A relative path in --set is relative to the working folder. Throws
-/// InputError, whose message names the case and the key.
+/// relative to the file's folder, and a relative path in its scene file to the folder of the scene file. A
+/// relative path in --set is relative to the working folder. Throws InputError, whose message names the case,
+/// the key and both files.
 Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the cases whose names contain a match of `regex` (empty: all cases). Throws InputError for a

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -12,13 +13,33 @@
 #include <sstream>
 
 #include "harness/error.hpp"
+#include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "harness/scene/scene_toml.hpp"
 #include "harness/toml_depth.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// An experiment file and its text.
+struct Source {
+  fs::path file;
+  std::string text;
+  std::vector<std::size_t> lines{0};  ///< offset of each line in `text`
+};
+
+/// Keys of experiment files that are not tables of an axis.
+const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper", "table",
+                                                  "hardware", "axes",   "scene", "published",
+                                                  "require",  "preset", "report"};
+
+/// Columns of CSV files and data frames. An axis is a column, too.
+const std::set<std::string, std::less<>> columns{"case",    "clock",  "converged", "device", "experiment",
+                                                 "high_ms", "host",   "identity",  "low_ms", "median_ms",
+                                                 "ms",      "phase",  "overrides", "reason", "repeat",
+                                                 "run_id",  "sample", "samples",   "status"};
 
 [[noreturn]] void refuse(const fs::path& file, const toml::node* node, const std::string& what) {
   const auto line = node ? node->source().begin.line : 0;
@@ -48,6 +69,23 @@ std::string literal(const toml::node& node) {
 std::string plain(const toml::node& node) {
   if (const auto text = node.value_exact<std::string>()) return *text;
   return literal(node);
+}
+
+/// Returns the text of an axis value as it is written in the file: 0.10, not 0.1. Returns
+/// plain() for values that are not numbers.
+std::string as_written(const toml::node& node, const Source& source) {
+  const toml::source_region& at = node.source();
+  if (!node.is_number() || at.begin.line == 0 || at.begin.line != at.end.line) return plain(node);
+  const std::size_t start = source.lines.at(at.begin.line - 1);
+  if (start + at.end.column > source.text.size() + 1) return plain(node);
+  const std::string written =
+      source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
+  // toml++ counts columns in characters, not in bytes. Behind a character of several bytes in the same line,
+  // the text is not the number.
+  double number = 0;
+  const auto [end, code] = std::from_chars(written.data(), written.data() + written.size(), number);
+  const bool whole = code == std::errc{} && end == written.data() + written.size();
+  return whole && number == node.value<double>() ? written : plain(node);
 }
 
 /// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
@@ -83,31 +121,38 @@ double number_at(const fs::path& file, const toml::table& table, std::string_vie
 
 /// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
 /// reads `curl.radius = [1, 2]` as a table `curl` with the key `radius`.
-void find_axes(const fs::path& file, const toml::table& table, const std::string& prefix,
+void find_axes(const Source& source, const toml::table& table, const std::string& prefix,
                std::vector<std::pair<toml::source_position, Axis>>& found) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + std::string(key.str());
     if (const auto* inner = node.as_table()) {
-      find_axes(file, *inner, name + ".", found);
+      find_axes(source, *inner, name + ".", found);
       continue;
     }
     const auto* list = node.as_array();
-    if (!list || list->empty()) refuse(file, &node, fmt::format("axis {} must be a list of values", name));
+    if (!list || list->empty())
+      refuse(source.file, &node, fmt::format("axis {} must be a list of values", name));
+    if (reserved.contains(name) || columns.contains(name))
+      refuse(source.file, &node,
+             fmt::format("an axis cannot have the name {0}, because {0} is {1}", name,
+                         reserved.contains(name) ? "a key of experiment files" : "a column of CSV files"));
     Axis axis{name, {}};
     for (const toml::node& value : *list) {
       if (!value.is_value())
-        refuse(file, &value, fmt::format("the values of axis {} must be numbers or strings", name));
-      axis.values.push_back(plain(value));
+        refuse(source.file, &value, fmt::format("the values of axis {} must be numbers or strings", name));
+      axis.values.push_back(as_written(value, source));
     }
-    if (std::set<std::string>(axis.values.begin(), axis.values.end()).size() != axis.values.size())
-      refuse(file, &node, fmt::format("axis {} contains a value twice", name));
+    std::set<std::string> different;
+    for (const std::string& value : axis.values)
+      if (!different.insert(canonical(value)).second)
+        refuse(source.file, &node, fmt::format("axis {} contains the value {} twice", name, value));
     found.emplace_back(key.source().begin, std::move(axis));
   }
 }
 
-std::vector<Axis> read_axes(const fs::path& file, const toml::table& table) {
+std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   std::vector<std::pair<toml::source_position, Axis>> found;
-  find_axes(file, table, "", found);
+  find_axes(source, table, "", found);
   // toml++ sorts the keys of a table by name. This sort restores the order of the keys in the file from their
   // line and column numbers.
   std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
@@ -161,7 +206,8 @@ View read_view(const fs::path& file, const toml::table& table) {
   return view;
 }
 
-Preset read_preset(const fs::path& file, const toml::table& table) {
+Preset read_preset(const Source& source, const toml::table& table) {
+  const fs::path& file = source.file;
   Preset preset;
   SamplingLimits& limits = preset.limits;
   for (const auto& [key, node] : table) {
@@ -181,7 +227,7 @@ Preset read_preset(const fs::path& file, const toml::table& table) {
     refuse(file, table.get("most"), "the value of 'most' must not be smaller than the value of 'least'");
   if (const toml::node* axes = table.get("axes")) {
     if (!axes->is_table()) refuse(file, axes, "axes must be a table of lists of values");
-    preset.axes = read_axes(file, *axes->as_table());
+    preset.axes = read_axes(source, *axes->as_table());
   }
   return preset;
 }
@@ -232,6 +278,57 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
   }
 }
 
+/// Reads [scene]: the key `file`, and the scene keys that override those of this file.
+void read_scene_table(const fs::path& file, const toml::table& table, Experiment& into) {
+  flatten(table, {}, into.scene);
+  const toml::node* node = table.get("file");
+  if (!node) return;
+  const auto name = node->value_exact<std::string>();
+  if (!name || name->empty())
+    refuse(file, node, "scene.file must be the path of a scene file, relative to the folder of this file");
+  std::erase_if(into.scene, [](const Setting& setting) { return setting.first == "file"; });
+  into.scene_file = (file.parent_path() / *name).lexically_normal();
+  try {
+    into.base = read_scene(into.scene_file);
+  } catch (const InputError& error) {
+    refuse(file, node, fmt::format("scene.file: {}", error.what()));
+  }
+}
+
+/// Reads the tables of an axis with a name that pelage does not know. Refuses a table whose name is not an
+/// axis, and a pair of a table without a value and a value without a table, because one of the two is then
+/// probably misspelled.
+void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
+                             Experiment& into) {
+  std::set<std::string> values;
+  const auto add = [&](const std::vector<Axis>& axes) {
+    for (const Axis& one : axes)
+      if (one.key == axis) values.insert(one.values.begin(), one.values.end());
+  };
+  add(into.axes);
+  for (const auto& [name, preset] : into.presets) add(preset.axes);
+  if (values.empty())
+    refuse(
+        file, &node,
+        fmt::format("unknown key {} (known: axes, hardware, layers, model, name, paper, preset, published, "
+                    "reading, require, scene, size, table, title, variant, and the names of axes; scene "
+                    "keys belong in the table [scene])",
+                    axis));
+  if (!node.is_table()) refuse(file, &node, fmt::format("{} must be a table", axis));
+  read_tables_of_axis(file, axis, *node.as_table(), into);
+  const auto& tables = into.at[axis];
+  for (const auto& [value, inner] : *node.as_table()) {
+    if (values.contains(std::string(value.str()))) continue;
+    for (const std::string& other : values)
+      if (!tables.contains(other))
+        refuse(
+            file, &inner,
+            fmt::format("the axis {0} has no value {1}, and its value {2} has no table [{0}.{2}]: is one of "
+                        "the names misspelled?",
+                        axis, value.str(), other));
+  }
+}
+
 }  // namespace
 
 Metric published_figure(const std::string& text, const std::string& unit) {
@@ -255,12 +352,15 @@ Metric published_figure(const std::string& text, const std::string& unit) {
 
 Experiment read_experiment(const fs::path& file) {
   toml::table table;
+  Source source{file, {}, {0}};
   try {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuse(file, nullptr, "cannot be read");
-    const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    refuse_deep_keys(text, file.string());
-    table = toml::parse(text, file.string());
+    source.text.assign(std::istreambuf_iterator<char>(stream), {});
+    refuse_deep_keys(source.text, file.string());
+    for (std::size_t i = 0; i < source.text.size(); ++i)
+      if (source.text[i] == '\n') source.lines.push_back(i + 1);
+    table = toml::parse(source.text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
@@ -276,15 +376,17 @@ Experiment read_experiment(const fs::path& file) {
     refuse(file, table.get("name"),
            "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
   static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware"};
+  static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
   for (const auto& [key, node] : table) {
     if (texts.contains(key.str())) continue;
+    if (!reserved.contains(key.str()) && !tabled.contains(key.str())) continue;  // see below
     const auto* inner = node.as_table();
     if (!inner) refuse(file, &node, fmt::format("{} must be a table", key.str()));
     if (key == "scene") {
-      flatten(*inner, {}, result.scene);
+      read_scene_table(file, *inner, result);
     } else if (key == "axes") {
-      result.axes = read_axes(file, *inner);
+      result.axes = read_axes(source, *inner);
     } else if (key == "published") {
       result.published = read_published(file, *inner);
     } else if (key == "report") {
@@ -295,18 +397,16 @@ Experiment read_experiment(const fs::path& file) {
     } else if (key == "preset") {
       for (const auto& [name, preset] : *inner) {
         if (!preset.is_table()) refuse(file, &preset, fmt::format("preset.{} must be a table", name.str()));
-        result.presets[std::string(name.str())] = read_preset(file, *preset.as_table());
+        result.presets[std::string(name.str())] = read_preset(source, *preset.as_table());
       }
-    } else if (key == "model" || key == "layers" || key == "size" || key == "reading" || key == "variant") {
-      read_tables_of_axis(file, std::string(key.str()), *inner, result);
     } else {
-      refuse(
-          file, &node,
-          fmt::format("unknown key {} (known: axes, hardware, layers, model, name, paper, preset, published, "
-                      "reading, report, require, scene, size, table, title, variant)",
-                      key.str()));
+      read_tables_of_axis(file, std::string(key.str()), *inner, result);
     }
   }
+  // These tables are read last, because their names are names of axes, which may be in a preset.
+  for (const auto& [key, node] : table)
+    if (!reserved.contains(key.str()) && !tabled.contains(key.str()))
+      read_tables_of_own_axis(file, std::string(key.str()), node, result);
   if (result.axes.empty())
     refuse(file, nullptr, "there is no [axes] table; give it with at least model = [...]");
   if (result.presets.empty())

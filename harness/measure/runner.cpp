@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/journal/provenance.hpp"
@@ -51,6 +52,7 @@ void judge(Row& row, const Picture& picture) {
     row.reason += fmt::format("{}{} against {} is {:.6g}, but must be {} {:.6g}",
                               row.reason.empty() ? "" : "; ", check.metric, check.against, check.value,
                               check.at_least ? "at least" : "at most", check.limit);
+    if (check.metric == windows_metric) row.reason += ": " + window_advice();
   }
 }
 

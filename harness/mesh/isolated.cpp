@@ -52,7 +52,8 @@ std::uint64_t address_space() {
 [[noreturn]] void be_the_child(int pipe, const Limits& limits,
                                const std::function<std::string(const Say&)>& work) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGSEGV, SIGABRT}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGSEGV, SIGABRT, SIGBUS})
+    std::signal(signal, SIG_DFL);
   const int quiet = ::open("/dev/null", O_WRONLY);
   ::dup2(quiet, STDOUT_FILENO);
   rlimit space_of_user{};

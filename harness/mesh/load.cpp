@@ -281,10 +281,7 @@ std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const Me
   const std::filesystem::path cached =
       cache_folder() / "meshes" / fmt::format("{}-{}.mesh", model.name, key_of(model, source, options));
   if (options.cache) {
-    if (auto mesh = read_cached(cached)) {
-      if (source.kind == "file") std::for_each(mesh->notes.begin(), mesh->notes.end(), say);
-      return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
-    }
+    if (auto mesh = read_cached(cached)) return std::make_shared<Mesh>(turned(std::move(*mesh), rotate));
   }
   say(fmt::format("{}: preparing the mesh; this is done once", source.label));
   const std::string bytes = isolated(

@@ -40,7 +40,7 @@ struct MeshOptions {
   bool largest_only = false;  ///< true: keep only the largest component of a file
   bool cache = true;          ///< true: read and write the cache of prepared meshes
   /// Callback that receives progress messages during the preparation, which takes seconds to minutes, and the
-  /// notes of the mesh.
+  /// notes of the mesh. A mesh from the cache sends no message.
   std::function<void(const std::string&)> progress;
   double silent_s = 2;  ///< time in seconds before the first message about a stage of the preparation
 };

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {
@@ -118,9 +119,7 @@ std::vector<Model> read_models(const std::filesystem::path& file) {
 }
 
 std::vector<Model> models() {
-  std::vector<std::filesystem::path> folders{PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR};
-  if (const char* data = std::getenv("PELAGE_DATA")) folders.insert(folders.begin(), data);
-  for (const auto& folder : folders)
+  for (const auto& folder : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
     if (const auto file = folder / "experiments" / "models.toml"; std::filesystem::exists(file))
       return read_models(file);
   throw InputError(

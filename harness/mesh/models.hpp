@@ -27,8 +27,7 @@ struct Model {
 /// Reads all models of a file in the order of the file. Throws InputError with file, line and key if the file
 /// is malformed.
 std::vector<Model> read_models(const std::filesystem::path& file);
-/// Reads the first models.toml found in $PELAGE_DATA/experiments, in the source tree or in the installed
-/// share folder.
+/// Reads experiments/models.toml in the first of the folders of data_folders() that contains this file.
 std::vector<Model> models();
 
 }  // namespace pelage

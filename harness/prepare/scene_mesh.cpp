@@ -1,11 +1,17 @@
 #include "harness/prepare/scene_mesh.hpp"
 
 namespace pelage {
+glm::vec3 rotation_of(const MeshScene& mesh) {
+  // The rotation that turns z upwards is about x, like the first of the three, so the two angles are added.
+  glm::vec3 angles = mesh.rotate;
+  if (mesh.up == "z") angles.x -= angles.x - 90 < -360 && angles.x >= -360 ? -270.0f : 90.0f;
+  return angles;
+}
 
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress) {
   MeshOptions options;
-  options.rotate = scene.mesh.rotate;
+  options.rotate = rotation_of(scene.mesh);
   options.largest_only = scene.mesh.components == "largest";
   options.keep_uv = scene.fur.uv == "file";
   options.progress = progress;
@@ -14,7 +20,7 @@ std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
 
 std::shared_ptr<const Mesh> SceneMeshes::of(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress) {
-  const glm::vec3 turn = scene.mesh.rotate;
+  const glm::vec3 turn = rotation_of(scene.mesh);
   std::shared_ptr<const Mesh>& mesh =
       kept_[{scene.model, scene.fur.uv, scene.mesh.components, turn.x, turn.y, turn.z}];
   if (!mesh) mesh = load_scene_mesh(scene, progress);

@@ -11,6 +11,10 @@
 
 namespace pelage {
 
+/// Returns the rotation of the model by mesh.up and mesh.rotate, in degrees about x, then y, then z. Each
+/// angle is -360 to 360 if the angles of mesh.rotate are.
+glm::vec3 rotation_of(const MeshScene& mesh);
+
 /// Loads the model of `scene` with the scene's mesh options. `progress` receives messages of long
 /// preparations. Throws InputError like load_model().
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,

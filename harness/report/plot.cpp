@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 
 namespace pelage {
@@ -60,13 +61,9 @@ std::string last_line(std::string text) {
 }  // namespace
 
 fs::path plot_program(const std::string& name) {
-  std::vector<fs::path> places;
-  if (const char* data = std::getenv("PELAGE_DATA"); data && *data)
-    places.push_back(fs::path(data) / "plots");
-  places.push_back(fs::path(PELAGE_SOURCE_DIR) / "harness/report/plots");
-  places.push_back(fs::path(PELAGE_SHARE_DIR) / "plots");
-  for (const fs::path& place : places)
-    if (fs::is_regular_file(place / (name + ".py"))) return place / (name + ".py");
+  for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
+    for (const char* folder : {"plots", "harness/report/plots"})  // installed, and in the source tree
+      if (const fs::path file = data / folder / (name + ".py"); fs::is_regular_file(file)) return file;
   throw InputError(fmt::format("plots/{}.py is missing; set PELAGE_DATA to pelage's data folder", name));
 }
 

@@ -239,6 +239,7 @@ struct ImageScene {
 
 /// Options of mesh preparation.
 struct MeshScene {
+  std::string up = "y";            ///< axis of the mesh file that points up: "y" | "z"
   glm::vec3 rotate{0.0f};          ///< rotation of the model about x, then y, then z, in degrees
   std::string components = "all";  ///< connected components of a mesh file that are kept: "all" | "largest"
 };

@@ -56,7 +56,8 @@ std::vector<Key> scene_keys(Scene& s) {
   return {
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
 
-      {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z; y points up in a scene; give [-90, 0, 0] for a model file in which z points up"},
+      {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "axis of the mesh file that points up; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
+      {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
       {.name = "mesh.components", .slot = &mesh.components, .unit = "", .help = "components of a mesh file that are kept: \"all\" keeps every component that is closed or large, each with its own chart in the UV map; \"largest\" keeps the component with the most faces", .choices = {"all", "largest"}},
 
       {"fur.length", &fur.length, "R", 0.001, 1, "strand length L0"},

@@ -230,8 +230,8 @@ std::string trimmed(std::string_view text) {
 
 }  // namespace
 
-Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder) {
-  Scene scene;
+Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder, const Scene& base) {
+  Scene scene = base;
   try {
     refuse_deep_keys(text, name);
     const toml::table table = toml::parse(text, name);
@@ -247,7 +247,8 @@ Scene parse_scene(std::string_view text, const std::string& name, const fs::path
 Scene read_scene(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error))
-    throw InputError(fmt::format("{}: there is no such scene file", path.string()));
+    throw InputError(
+        fmt::format("{}: {}", path.string(), error ? error.message() : "there is no such scene file"));
   if (fs::is_directory(path, error))
     throw InputError(fmt::format("{}: is a folder; give a scene file", path.string()));
   std::ifstream file(path, std::ios::binary);

@@ -17,8 +17,9 @@ namespace pelage {
 Scene read_scene(const std::filesystem::path& path);
 
 /// Parses the text of a scene file like read_scene(). `name` is the name of the file in error texts. Relative
-/// paths are resolved against `folder`.
-Scene parse_scene(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".");
+/// paths are resolved against `folder`. Keys that are absent from the text keep their values in `base`.
+Scene parse_scene(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".",
+                  const Scene& base = {});
 
 /// Overrides one key by an assignment such as "fur.length=0.1". The value is TOML, except that strings need
 /// no quotes. Relative paths are resolved against the working directory. Error texts begin with `source`. The

@@ -51,9 +51,7 @@ class FewerLayers : public Subject {
 
 }  // namespace
 
-std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which) {
-  const auto given = which.settings.find("fur.layers");
-  const int layers = given == which.settings.end() ? 0 : std::atoi(given->second.c_str());
+std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which, int layers) {
   if (layers < 4 || layers % 4 != 0)
     throw InputError(
         fmt::format("{}: fur.layers is {}; give a multiple of 4, because {} also draws pictures with half "
@@ -61,7 +59,7 @@ std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which
                     which.name, layers, which.pipeline));
   const auto with = [&](int number) {
     Case fewer = which;
-    fewer.settings["fur.layers"] = std::to_string(number);
+    fewer.set.emplace_back("fur.layers", std::to_string(number));
     return make(fewer);
   };
   return std::make_unique<FewerLayers>(with(layers), with(layers / 2), with(layers / 4));

@@ -12,7 +12,7 @@ namespace pelage {
 /// frame time with all layers divided by the frame time with half of the layers. Its metric "quarter_ratio"
 /// is the frame time with all layers divided by the frame time with a quarter of the layers. Each metric is a
 /// median over the rounds, with its 95% interval. Throws InputError if the number of layers is not a multiple
-/// of 4.
-std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which);
+/// of 4. `layers` is the number of layers of the case's scene.
+std::unique_ptr<Subject> fewer_layers(const MakeSubject& make, const Case& which, int layers);
 
 }  // namespace pelage

@@ -14,7 +14,8 @@ constexpr Pipeline table[] = {
     {"shells", make_shells},
     {"shells+fewer",
      [](SubjectContext& context, const Case& which) {
-       return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which);
+       return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which,
+                           scene_of(context.experiment, which).fur.layers);
      }},
     {"opengl", make_opengl},
     {"shells+opengl",

@@ -7,43 +7,10 @@
 #include <sstream>
 #include <vector>
 
-#include "tests/cli/shell.hpp"
+#include "tests/cli/document.hpp"
 
 namespace pelage::cli {
 namespace {
-
-struct Block {
-  int line = 0;
-  std::string language, text;
-};
-
-std::vector<Block> blocks_of(const std::filesystem::path& document) {
-  std::ifstream file(document);
-  std::vector<Block> blocks;
-  bool inside = false;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    if (line.rfind("```", 0) == 0) {
-      if (!inside) blocks.push_back({number, line.substr(3), ""});
-      inside = !inside;
-    } else if (inside) {
-      blocks.back().text += line + "\n";
-    }
-  }
-  return blocks;
-}
-
-/// Runs the script in the folder. In the script, the command `pelage` runs `binary`. Returns the script's
-/// exit status.
-int run_in(const Folder& folder, const std::string& script, const std::filesystem::path& binary) {
-  folder.write("block.sh", "set -e\n" + script);
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
-                              PELAGE_SOURCE_DIR "/kernels' PATH=\"" + binary.parent_path().string() +
-                              ":$PATH\" sh block.sh >stdout 2>stderr";
-  return std::system(command.c_str());
-}
 
 /// Applies the diff to copies of the source files in `changes`: replaces the lines "-old" by the lines
 /// "+new". The test fails if the old text does not occur exactly once in the file.

@@ -67,5 +67,34 @@ TEST(MeshKeys, ARotationChangesThePicture) {
   EXPECT_TRUE(holds(mesh.out, "turned by -90, 0 and 0 degrees about x, y and z")) << mesh.out;
 }
 
+TEST(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
+  const Folder folder;
+  const std::string render = std::string("render --pipeline reference --model banisch-dog") + small;
+  EXPECT_EQ(pelage(folder, render + "-o y.png").code, 0);
+  EXPECT_EQ(pelage(folder, render + "-o z.png --up z").code, 0);
+  EXPECT_EQ(pelage(folder, render + "-o key.png --set mesh.up=z").code, 0);
+  EXPECT_EQ(pelage(folder, render + "-o turned.png --set 'mesh.rotate=[-90, 0, 0]'").code, 0);
+  EXPECT_NE(folder.read("y.png"), folder.read("z.png"));
+  EXPECT_EQ(folder.read("key.png"), folder.read("z.png"));
+  EXPECT_EQ(folder.read("turned.png"), folder.read("z.png"));
+  const Outcome mesh = pelage(folder, "mesh banisch-dog --up z --rotate 10,0,0");
+  EXPECT_TRUE(holds(mesh.out, "turned by -80, 0 and 0 degrees about x, y and z")) << mesh.out;
+  EXPECT_EQ(pelage(folder, "mesh banisch-dog --up x").code, 2);
+  EXPECT_EQ(pelage(folder, "mesh banisch-dog --up z --rotate -361,0,0").code, 2);
+  EXPECT_EQ(pelage(folder, "mesh banisch-dog --up z --rotate -360,0,0").code, 0);
+}
+
+TEST(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
+  const Folder folder;
+  // The comment makes the file unique, so that its mesh is not in the cache.
+  folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path().string() + "\n");
+  const std::string render = std::string("render --pipeline reference -o a.png --model t.obj") + small;
+  const Outcome first = pelage(folder, render), second = pelage(folder, render);
+  EXPECT_TRUE(holds(first.err, "dropped 1 degenerate or doubled face")) << first.err;
+  EXPECT_EQ(second.code, 0) << second.err;
+  EXPECT_FALSE(holds(second.err, "dropped")) << second.err;
+  EXPECT_TRUE(holds(pelage(folder, "mesh t.obj").out, "dropped 1 degenerate or doubled face"));
+}
+
 }  // namespace
 }  // namespace pelage::cli

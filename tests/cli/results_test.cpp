@@ -46,6 +46,46 @@ TEST_F(Results, ResumeRefusesAnEditedScene) {
   EXPECT_EQ(resume().code, 0);
 }
 
+// The identity of a row covers the content of the scene file of the experiment.
+TEST_F(Results, ResumeRefusesAnEditedSceneFile) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("fur.length = 0.1"), 16, "file = \"my.toml\"");
+  folder.write("own.toml", text);
+  folder.write("my.toml", "[fur]\nlength = 0.1\n");
+  EXPECT_EQ(resume().code, 0) << "the scene is the same as before";
+  folder.write("my.toml", "# edited\n[fur]\nlength = 0.10\n");
+  EXPECT_EQ(resume().code, 0) << "a comment changes no key";
+  folder.write("my.toml", "[fur]\nlength = 0.12\n");
+  const Outcome edited = resume();
+  EXPECT_EQ(edited.code, 2);
+  EXPECT_NE(edited.err.find("measured something else: scene was "), std::string::npos) << edited.err;
+}
+
+TEST_F(Results, ATooSmallPictureIsExplained) {
+  const Outcome small = pelage(folder, "run own.toml --axis size=64x48 -o small");
+  EXPECT_EQ(small.code, 1);
+  EXPECT_NE(small.err.find(
+                "windows against reference is 12, but must be at least 64: the picture is too small, or fur "
+                "covers too few of its pixels"),
+            std::string::npos)
+      << small.err;
+}
+
+TEST_F(Results, LinkLoopsAndLongNamesAreBadInput) {
+  std::filesystem::create_symlink("loop.toml", folder.path() / "loop.toml");
+  const std::string longest(5000, 'a');
+  for (const std::string& name : {std::string("loop.toml"), longest, longest + ".toml"})
+    for (const std::string& command :
+         {"scene " + name, "run " + name, "list " + name, "mesh " + name, "report first -o " + name,
+          "export " + name, "run own.toml -o " + name, "run own.toml --tuning " + name, "roofline -o " + name,
+          "topology torus --draw " + name}) {
+      const Outcome outcome = pelage(folder, command);
+      EXPECT_EQ(outcome.code, 2) << command.substr(0, 60) << outcome.err;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+  EXPECT_EQ(pelage(folder, "roofline own.toml -o /proc/none --frames 1").code, 2);
+}
+
 TEST_F(Results, ResumeRefusesOtherLimitsOfSampling) {
   std::string text = experiment("0.1");
   text.replace(text.find("most = 2"), 8, "most = 3");

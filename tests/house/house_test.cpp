@@ -25,8 +25,8 @@ std::vector<std::string> written_files() {
   const std::set<std::string> kinds{".cpp", ".hpp", ".in", ".cl", ".clh",  ".h", ".cmake", ".vert",
                                     ".txt", ".sh",  ".py", ".md", ".toml", ".1", ".glsl",  ".frag"};
   std::vector<std::string> files;
-  for (const char* folder :
-       {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs", "bench", ".ci"}) {
+  for (const char* folder : {"harness", "kernels", "shaders", "tests", "experiments", "examples", "docs",
+                             "bench", "python", "cmake", ".ci"}) {
     if (!fs::is_directory(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder))
       if (entry.is_regular_file() &&

@@ -30,6 +30,18 @@ TEST(SceneMesh, IsTurnedAsTheSceneSays) {
   EXPECT_EQ(meshes.of(scene, {}), meshes.of(scene, {}));  // both calls return a pointer to the same mesh
 }
 
+TEST(SceneMesh, ZUpAddsARotationAboutX) {
+  MeshScene mesh;
+  mesh.rotate = {10, 20, 30};
+  EXPECT_EQ(rotation_of(mesh), glm::vec3(10, 20, 30));
+  mesh.up = "z";
+  EXPECT_EQ(rotation_of(mesh), glm::vec3(-80, 20, 30));
+  mesh.rotate.x = -300;  // the sum -390 would be out of the range of load_model()
+  EXPECT_EQ(rotation_of(mesh), glm::vec3(-30, 20, 30));
+  mesh.rotate.x = 361;  // out of range, and stays so
+  EXPECT_GT(rotation_of(mesh).x, 270);
+}
+
 TEST(SceneMesh, HasTheFilesOwnMapWhereTheSceneAsksForIt) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "pelage-scene-mesh.obj";
   std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.25 0.25\nvt 0.75 0.25\nvt 0.75 0.5\n"

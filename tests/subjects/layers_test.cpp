@@ -12,7 +12,8 @@ namespace {
 /// picture fails the check.
 MakeSubject as_many_ms_as_layers(int bad) {
   return [bad](const Case& which) -> std::unique_ptr<Subject> {
-    const int layers = std::stoi(which.settings.at("fur.layers"));
+    EXPECT_EQ(which.set.back().first, "fur.layers");  // the last setting has precedence over all others
+    const int layers = std::stoi(which.set.back().second);
     return std::make_unique<test::FakeSubject>(double(layers), layers == bad ? 40.0 : 80.0);
   };
 }
@@ -20,9 +21,8 @@ MakeSubject as_many_ms_as_layers(int bad) {
 Row row_of(int layers, int bad = 0) {
   RunPlan plan = test::fake_plan(1);
   plan.cases[0].pipeline = "shells+fewer";
-  plan.cases[0].settings["fur.layers"] = std::to_string(layers);
   return run_case(plan, plan.cases[0], {0, 6, 10, 0.5, 1},
-                  [&](const Case& which) { return fewer_layers(as_many_ms_as_layers(bad), which); });
+                  [&](const Case& which) { return fewer_layers(as_many_ms_as_layers(bad), which, layers); });
 }
 
 TEST(Layers, AreTimedInTurnsWithHalfAndAQuarterOfThem) {

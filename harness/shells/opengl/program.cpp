@@ -10,6 +10,7 @@
 #include <iterator>
 #include <utility>
 
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/shells/opengl/context.hpp"
@@ -18,20 +19,13 @@ namespace pelage {
 namespace fs = std::filesystem;
 namespace {
 
-/// Returns the first of these folders that exists: $PELAGE_DATA/shaders, shaders/ of the source tree, and
-/// shaders/ of the installed share folder.
 fs::path shader_folder() {
-  std::vector<fs::path> places;
-  if (const char* data = std::getenv("PELAGE_DATA"); data != nullptr && *data != '\0')
-    places.push_back(fs::path(data) / "shaders");
+  const std::vector<fs::path> places = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR);
   std::error_code ignored;
-  const fs::path binary = fs::read_symlink("/proc/self/exe", ignored);
-  places.push_back(fs::path(PELAGE_SOURCE_DIR) / "shaders");
-  places.push_back(binary.parent_path().parent_path() / "share" / "pelage" / "shaders");
   for (const fs::path& place : places)
-    if (fs::is_directory(place, ignored)) return place;
+    if (fs::is_directory(place / "shaders", ignored)) return place / "shaders";
   throw InputError(fmt::format("no shaders in {}: set PELAGE_DATA to the folder that contains shaders/",
-                               places[places.size() - 2].string()));
+                               places.back().string()));
 }
 
 std::string text_of(const fs::path& file) {

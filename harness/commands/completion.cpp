@@ -1,0 +1,170 @@
+// pelage completion: prints the completion script of a shell. The script is generated from the options as the
+// commands declare them, so that it never differs from --help.
+#include "harness/commands/completion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+#include "harness/experiment/experiment.hpp"
+#include "harness/mesh/models.hpp"
+#include "harness/scene/scene_keys.hpp"
+
+namespace pelage {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The values of an option or of a positional argument.
+struct Values {
+  Words words;
+  bool keys = false;  ///< the words are keys that end with '=', so that no blank follows a word
+};
+
+Words experiment_names() {
+  Words names;
+  for (const auto& file : experiment_files()) names.push_back(file.stem().string());
+  return names;
+}
+
+Words preset_names() {
+  std::set<std::string> names;
+  for (const auto& file : experiment_files())
+    for (const auto& [name, preset] : read_experiment(file).presets) names.insert(name);
+  return {names.begin(), names.end()};
+}
+
+Words model_names() {
+  Words names;
+  for (const Model& model : models()) names.push_back(model.name);
+  return names;
+}
+
+Words keys_with(Words names) {
+  Scene scene;
+  for (const Key& key : scene_keys(scene)) names.emplace_back(key.name);
+  for (std::string& name : names) name += '=';
+  return names;
+}
+
+/// Returns the values that the option declares: "all" and "largest" for the type name "TEXT:{all,largest}".
+Words declared_values(const std::string& type) {
+  const std::size_t from = type.find('{'), to = type.find('}');
+  Words words;
+  if (from == std::string::npos || to == std::string::npos) return words;
+  std::string word;
+  for (const char c : type.substr(from + 1, to - from - 1) + ",") {
+    if (c != ',') {
+      word += c;
+    } else if (!word.empty()) {
+      words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  return words;
+}
+
+Values values_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  if (Words words = declared_values(type); !words.empty()) return {std::move(words)};
+  if (type.starts_with("EXPERIMENT")) return {experiment_names()};
+  if (option.check_lname("preset")) return {preset_names()};
+  if (type == "KEY=VALUE" || type == "key=value") return {keys_with({}), true};
+  if (type == "key=a,b") return {keys_with({"layers", "size", "reading", "variant"}), true};
+  if (type.starts_with("MODEL") || option.check_lname("model") || option.check_name("model"))
+    return {model_names()};
+  if (type.starts_with("defaults")) return {{"defaults"}};
+  return {};
+}
+
+Words option_names(const CLI::App& app) {
+  Words names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// Returns the cases of bash's `case` for the values of the options of `app`, which is the command `name`, or
+/// pelage itself if `name` is "*".
+std::string value_cases(const CLI::App& app, const std::string& name) {
+  std::string text;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_positional() || option->get_items_expected_max() == 0) continue;  // a flag has no value
+    Words patterns;
+    for (const std::string& one : option->get_snames())
+      patterns.push_back(fmt::format("{}' -{}'", name, one));
+    for (const std::string& one : option->get_lnames())
+      patterns.push_back(fmt::format("{}' --{}'", name, one));
+    const Values values = values_of(*option);
+    text += fmt::format("    {}) _pelage_words '{}'{}; return ;;\n", fmt::join(patterns, " | "),
+                        fmt::join(values.words, " "), values.keys ? "; compopt -o nospace" : "");
+  }
+  return text;
+}
+
+std::string bash_script(const CLI::App& app) {
+  Words commands;
+  std::string values = value_cases(app, "*"), words;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+    values += value_cases(*command, command->get_name());
+    Words arguments;
+    for (const CLI::Option* option : command->get_options())
+      if (option->get_positional()) {
+        const Words more = values_of(*option).words;
+        arguments.insert(arguments.end(), more.begin(), more.end());
+      }
+    words += fmt::format("    {}) options='{}' arguments='{}' ;;\n", command->get_name(),
+                         fmt::join(option_names(*command), " "), fmt::join(arguments, " "));
+  }
+  // If there are no matching words, bash completes file names (-o default).
+  return fmt::format(
+      R"(# Completion of pelage's command line for bash. `pelage completion bash` wrote this file.
+_pelage_words() {{
+  COMPREPLY=($(compgen -W "$1" -- "$current"))
+}}
+_pelage() {{
+  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD - 1]}} command='' word
+  local options='{1}' arguments='{0}'
+  if [[ $current == = ]]; then current=''; fi
+  if [[ $previous == = ]]; then previous=${{COMP_WORDS[COMP_CWORD - 2]}}; fi
+  for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
+    case $word in {2}) command=$word; break ;; esac
+  done
+  COMPREPLY=()
+  case "$command $previous" in
+{3}  esac
+  case $command in
+{4}  esac
+  if [[ $current == -* ]]; then _pelage_words "$options"; else _pelage_words "$arguments"; fi
+}}
+complete -o default -F _pelage pelage
+)",
+      fmt::join(commands, " "), fmt::join(option_names(app), " "), fmt::join(commands, " | "), values, words);
+}
+
+}  // namespace
+
+void add_completion(CLI::App& app, Chosen& chosen) {
+  auto shell = std::make_shared<std::string>();
+  CLI::App* command =
+      app.add_subcommand("completion", "Print a script that completes pelage's command line in a shell");
+  command->add_option("shell", *shell, "Name of the shell")
+      ->required()
+      ->check(CLI::IsMember({"bash"}))
+      ->type_name("SHELL");
+  command->callback([shell, &app, &chosen] {
+    chosen = [shell, &app] {
+      fmt::print("{}", bash_script(app));
+      return 0;
+    };
+  });
+}
+
+}  // namespace pelage

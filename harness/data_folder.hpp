@@ -1,0 +1,27 @@
+// Searches for the files that pelage reads at run time: kernels, shaders, experiments, models.toml, and the
+// Python programs that draw plots.
+#pragma once
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace pelage {
+
+/// Returns the folders in which to search, best first: $PELAGE_DATA if it is set, then the data of an
+/// installed pelage or, for a program in a build folder, the source tree. `shared` is the path from the
+/// folder of the program (PREFIX/bin) to the data (PREFIX/share/pelage). An installed pelage thus works from
+/// any prefix, and does not read the source tree from which it was built.
+inline std::vector<std::filesystem::path> data_folders(const std::filesystem::path& source,
+                                                       const std::filesystem::path& shared) {
+  std::vector<std::filesystem::path> folders;
+  if (const char* data = std::getenv("PELAGE_DATA"); data != nullptr && *data != '\0')
+    folders.emplace_back(data);
+  std::error_code ignored;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  const std::filesystem::path installed = (program.parent_path() / shared).lexically_normal();
+  folders.push_back(std::filesystem::is_directory(installed / "kernels", ignored) ? installed : source);
+  return folders;
+}
+
+}  // namespace pelage

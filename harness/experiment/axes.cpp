@@ -1,0 +1,125 @@
+#include "harness/experiment/axes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+using Tables = std::map<std::string, std::vector<Setting>>;  // value of an axis -> scene keys
+
+const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
+  static const Tables none;
+  const auto found = experiment.at.find(axis);
+  return found == experiment.at.end() ? none : found->second;
+}
+
+/// Returns the scene keys that the axis itself varies, without the keys of its tables.
+std::vector<std::string> varied_by(const std::string& axis) {
+  if (axis == "layers") return {"fur.layers"};
+  if (axis == "size") return {"image.width", "image.height"};
+  if (is_scene_key(axis)) return {axis};
+  return {};
+}
+
+/// Adds the values of the axis `key` among `axes` to `values`.
+void add_values(const std::vector<Axis>& axes, const std::string& key, std::set<std::string>& values) {
+  for (const Axis& axis : axes)
+    if (axis.key == key) values.insert(axis.values.begin(), axis.values.end());
+}
+
+/// Returns all values of the axis that the file contains: in [axes], in the presets, and as names of tables.
+std::set<std::string> values_in_file(const Experiment& experiment, const std::string& key) {
+  std::set<std::string> values;
+  add_values(experiment.axes, key, values);
+  for (const auto& [name, preset] : experiment.presets) add_values(preset.axes, key, values);
+  for (const auto& [value, settings] : tables_of(experiment, key)) values.insert(value);
+  return values;
+}
+
+/// Checks an axis whose values are names of tables: "reading", or an axis whose name the author chose.
+void check_named(const Experiment& experiment, const Axis& axis) {
+  if (tables_of(experiment, axis.key).empty()) {
+    const std::string needed = fmt::format(
+        "the file needs a table [{0}.VALUE] with scene keys for at least one value of the axis", axis.key);
+    if (axis.key == "reading") throw InputError(fmt::format("{}: axis reading: {}", experiment.name, needed));
+    try {  // apply_set() finds the scene key that has the most similar name
+      Scene scene;
+      apply_set(scene, axis.key + "=0", fmt::format("{}: axis {}", experiment.name, axis.key));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}; if the name of the axis is your own, {}", error.what(), needed));
+    }
+  }
+  const std::set<std::string> known = values_in_file(experiment, axis.key);
+  for (const std::string& value : axis.values)
+    if (!known.contains(value))
+      throw InputError(fmt::format("{}: axis {} has no value '{}'; the file has the values {}",
+                                   experiment.name, axis.key, value, fmt::join(known, ", ")));
+}
+
+void refuse_contradicting_tables(const Experiment& experiment, const Axis& axis, const Axis& other) {
+  for (const std::string& value : axis.values)
+    for (const std::string& key : varied_by(other.key))
+      if (table_sets(experiment, axis.key, value, key))
+        throw InputError(
+            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove one of the two",
+                        experiment.name, axis.key, value, key, other.key));
+}
+
+}  // namespace
+
+bool is_scene_key(const std::string& key) {
+  static const std::set<std::string> known = [] {
+    std::set<std::string> names{std::string(droplet_list), std::string(light_list)};
+    Scene scene;
+    for (const Key& one : scene_keys(scene)) names.emplace(one.name);
+    return names;
+  }();
+  return known.contains(key);
+}
+
+std::string canonical(const std::string& value) {
+  double number = 0;
+  const auto [end, code] = std::from_chars(value.data(), value.data() + value.size(), number);
+  return code == std::errc{} && end == value.data() + value.size() ? fmt::format("{}", number) : value;
+}
+
+bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,
+                const std::string& key) {
+  const Tables& tables = tables_of(experiment, axis);
+  const auto settings = tables.find(value);
+  return settings != tables.end() &&
+         std::any_of(settings->second.begin(), settings->second.end(),
+                     [&](const Setting& setting) { return setting.first == key; });
+}
+
+void check_axes(const Experiment& experiment, const Preset& preset, const Overrides& overrides,
+                const std::vector<Axis>& axes) {
+  const auto in = [](const std::vector<Axis>& list, const std::string& key) {
+    return std::any_of(list.begin(), list.end(), [&](const Axis& axis) { return axis.key == key; });
+  };
+  for (const Axis& axis : axes) {
+    if (axis.key != "variant" && axis.key != "layers" && axis.key != "size" && !is_scene_key(axis.key))
+      check_named(experiment, axis);
+    for (const Axis& other : axes)
+      if (other.key != axis.key && !in(overrides.axes, other.key) &&
+          (in(experiment.axes, other.key) || in(preset.axes, other.key)))
+        refuse_contradicting_tables(experiment, axis, other);
+    for (const auto& [key, value] : overrides.set)
+      for (const std::string& varied : varied_by(axis.key))
+        if (key == varied)
+          throw InputError(
+              fmt::format("--set {}: the axis {} of {} varies this key; give the values with --axis {}=...",
+                          key, axis.key, experiment.name, axis.key));
+  }
+}
+
+}  // namespace pelage

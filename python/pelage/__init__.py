@@ -1,0 +1,98 @@
+"""Reads results of pelage (folders that `pelage run` writes) as pandas data frames.
+
+    import pelage
+    frame = pelage.read("pelage-results/20261123T120000Z-host")
+    print(frame[frame.status == "ok"].pivot_table(index="model", columns="layers", values="median_ms"))
+"""
+from ._journal import ResultsError, identity_hash, median, median_interval, number, read_rows
+
+__all__ = ["read", "ResultsError"]
+
+
+def _value(text):
+    """Returns an axis value as a number if it is one. Rows store 0.10 as a string, so that it keeps its digits."""
+    if isinstance(text, str):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    return text
+
+
+def _names(row):
+    """Returns the columns that identify a row."""
+    provenance = row["provenance"]
+    axes = {key: _value(value) for key, value in row["axes"].items() if key != "variant"}
+    return {"experiment": row["experiment"], "case": row["case"], "variant": row["variant"], **axes,
+            "overrides": ";".join(f"{key}={value}" for key, value in sorted(row["overrides"].items())),
+            "device": row["device"], "host": provenance.get("host", ""), "run_id": row["run_id"],
+            "repeat": row["repeat"], "preset": provenance.get("preset", ""),
+            "identity": identity_hash(row.get("identity", {})), "status": row["status"], "reason": row["reason"]}
+
+
+def _metrics(row):
+    columns = {}
+    for name, metric in row["metrics"].items():
+        columns[f"metric.{name}"] = number(metric["value"])
+        for end in ("low", "high"):
+            if end in metric:
+                columns[f"metric.{name}.{end}"] = number(metric[end])
+    return columns
+
+
+def _times(row, phase, clock):
+    lists = row["samples"].get(phase, {}) if row["status"] == "ok" else {}
+    return lists.get(f"{clock}_ms", [])
+
+
+def _by_case(row, phase, clock):
+    times = _times(row, phase, clock)
+    low, high = median_interval(times) if times else (None, None)
+    return {**_names(row), "phase": phase, "clock": clock, "samples": len(times),
+            "median_ms": median(times) if times else None, "low_ms": low, "high_ms": high,
+            "converged": row["provenance"].get("converged"), **_metrics(row)}
+
+
+def _by_sample(row, phase, clock):
+    names = _names(row)
+    return [{**names, "phase": phase, "clock": clock, "sample": i, "ms": ms}
+            for i, ms in enumerate(_times(row, phase, clock))]
+
+
+def read(place, *more, phase="frame", clock="wall", samples=False):
+    """Returns the rows of results in folders (at any depth) or journals (*.jsonl) as a pandas data frame.
+
+    The frame has one line per row of results, that is per case and process, also for cases that failed. The columns
+    have the names of the columns of `pelage export`:
+      experiment, case, variant, and one column per axis, such as model, layers, size
+      overrides ("key=value;..." of --set, --axis and --model; "" if the experiment was not changed)
+      device, host, run_id, repeat, preset, status, reason
+      identity: a hash of all inputs of the measurement; lines with different identities measured different things;
+        "" in rows of schema 1, which do not record their inputs
+      phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged
+      metric.NAME, and metric.NAME.low and metric.NAME.high where a metric has an interval
+    Times are NaN if a row is not ok or has no time of the phase.
+
+    phase: a phase of a frame: "frame", "simulate", "wet", "transform", "bin", "raster", "resolve", "opengl", ...
+    clock: "wall", "event" (OpenCL events; phases other than "frame" have only these) or "cpu"
+    samples: if True, the frame has one line per sample, with the columns sample (index) and ms; rows that are not ok
+      have no lines
+
+    A row that several journals contain counts once. A row with the status error is left out if a later row of the same
+    journal has the same case. Raises ResultsError, which names the file and the line, if a line is damaged.
+    """
+    import pandas
+
+    if clock not in ("wall", "event", "cpu"):
+        raise ValueError(f"clock is '{clock}'; give wall, event or cpu")
+    rows = read_rows((place, *more))
+    phases = {name for row in rows for name in row["samples"]}
+    if phases and phase not in phases:
+        raise ValueError(f"no row has the phase '{phase}'; the phases are {', '.join(sorted(phases))}")
+    if samples:
+        lines = [line for row in rows for line in _by_sample(row, phase, clock)]
+    else:
+        lines = [_by_case(row, phase, clock) for row in rows]
+    frame = pandas.DataFrame(lines)
+    ordered = [name for name in frame.columns if not name.startswith("metric.")]
+    return frame[ordered + sorted(set(frame.columns) - set(ordered))]

@@ -1,0 +1,145 @@
+"""Reads journals of results: files with one row of results per line (docs/results.md, docs/row.schema.json)."""
+import json
+import math
+import zlib
+from pathlib import Path
+
+NEWEST_SCHEMA = 2
+CRC_MARK = b',"crc":"'
+FIELDS = ("schema", "run_id", "experiment", "case", "variant", "axes", "overrides", "device", "repeat", "status",
+          "reason", "check", "samples", "metrics", "build_ms", "first_launch_ms", "tuning", "image_hash", "provenance")
+STATUSES = ("ok", "failed-check", "diverged", "unsupported", "skipped", "error")
+
+
+class ResultsError(ValueError):
+    """A file of results is missing, damaged or contradictory. The message names the file and the line."""
+
+
+def number(value):
+    """Returns a number of a row. JSON has no infinity and no NaN, so rows contain them as strings."""
+    return float(value) if isinstance(value, str) else value
+
+
+def holds(check):
+    value, limit = number(check["value"]), number(check["limit"])
+    return value >= limit if check["sense"] == ">=" else value <= limit
+
+
+def parse_line(line):
+    """Returns the row of a line (bytes without the line feed). Raises ResultsError without the file's name."""
+    mark = line.rfind(CRC_MARK)
+    if mark < 0 or len(line) != mark + len(CRC_MARK) + 10 or not line.endswith(b'"}'):
+        raise ResultsError("the row does not end with a checksum")
+    body = line[:mark]
+    if line[mark + len(CRC_MARK):-2] != b"%08x" % zlib.crc32(body):
+        raise ResultsError("the checksum does not match the row")
+    try:
+        row = json.loads(body + b"}")
+    except ValueError as error:
+        raise ResultsError(f"this line is not a row: {error}") from None
+    schema = row.get("schema")
+    if not isinstance(schema, int) or not 1 <= schema <= NEWEST_SCHEMA:
+        raise ResultsError(f"the row has schema {schema}; this version of pelage reads schemas 1 to {NEWEST_SCHEMA}")
+    missing = [field for field in FIELDS + (("identity",) if schema > 1 else ()) if field not in row]
+    if missing:
+        raise ResultsError(f"the row has no field {missing[0]}")
+    if row["status"] not in STATUSES:
+        raise ResultsError(f"unknown status '{row['status']}'")
+    if row["status"] == "ok" and not row["check"]:
+        raise ResultsError("the row is ok, but nothing was checked")
+    for check in row["check"] if row["status"] == "ok" else ():
+        if not holds(check):
+            raise ResultsError(f"the row is ok, but its check {check['metric']} does not hold")
+    return row
+
+
+def key_of(row):
+    """Returns what identifies a row in its journal."""
+    return (row["experiment"], row["case"], row["variant"], row["repeat"], tuple(sorted(row["overrides"].items())))
+
+
+def read_journal(file):
+    """Returns the rows of a journal. Leaves out a row with the status error if a later row has the same key, and a
+    truncated last line, which a killed run leaves behind."""
+    try:
+        text = Path(file).read_bytes()
+    except OSError as error:
+        raise ResultsError(f"{file}: cannot be read: {error.strerror}") from None
+    rows = {}
+    for count, line in enumerate(text.split(b"\n")[:-1], 1):
+        try:
+            row = parse_line(line)
+        except ResultsError as error:
+            raise ResultsError(f"{file}:{count}: damaged: {error}") from None
+        key = key_of(row)
+        if key in rows and rows[key]["status"] != "error":
+            raise ResultsError(f"{file}:{count}: damaged: second row of the case {row['case']}")
+        rows.pop(key, None)  # the new row takes a later place
+        rows[key] = row
+    return list(rows.values())
+
+
+def journals_in(place):
+    place = Path(place)
+    if place.is_dir():
+        files = sorted(path for path in place.rglob("*.jsonl") if path.is_file())
+        if not files:
+            raise ResultsError(f"{place}: contains no results (*.jsonl)")
+        return files
+    if not place.is_file():
+        raise ResultsError(f"{place}: no such folder or file of results")
+    return [place]
+
+
+def read_rows(places):
+    """Returns the rows of all places. A row that several journals contain is returned once."""
+    known = {}
+    for place in places:
+        for file in journals_in(place):
+            for row in read_journal(file):
+                key = (row["run_id"], row["device"], key_of(row))
+                first, other = known.setdefault(key, (row, file))
+                if first != row:
+                    raise ResultsError(f"{other} and {file}: each contains a row of case {row['case']} from the same "
+                                       "run, but the two rows differ. One of the files was changed; give only the "
+                                       "original")
+    return [row for row, file in known.values()]
+
+
+def identity_hash(identity):
+    """Returns the 16 hexadecimal digits that `pelage export` prints for an identity; "" if there is none."""
+    if not identity:
+        return ""
+    value = 0xcbf29ce484222325
+    for text in (text for pair in sorted(identity.items()) for text in pair):
+        data = text.encode()
+        for byte in len(data).to_bytes(8, "little") + data:
+            value = (value ^ byte) * 0x100000001b3 % 2**64
+    return f"{value:016x}"
+
+
+def median(values):
+    ordered = sorted(values)
+    middle = len(ordered) // 2
+    return ordered[middle] if len(ordered) % 2 else (ordered[middle - 1] + ordered[middle]) / 2
+
+
+def interval_rank(count):
+    """Returns the largest rank r (from 0) for which the interval from the value with r smaller values to the value with
+    r larger values contains the true median with 95% probability. Returns 0 if there is none (fewer than 6 values)."""
+    rank, below = 0, 0.0
+    for r in range((count - 1) // 2 + 1):
+        # The probability that r of the values are below the true median.
+        below += math.exp(math.lgamma(count + 1) - math.lgamma(r + 1) - math.lgamma(count - r + 1)
+                          - count * math.log(2))
+        if 2 * below > 0.05 or 2 * r + 1 >= count:
+            break
+        rank = r
+    return rank
+
+
+def median_interval(values):
+    """Returns the 95% interval of the median from order statistics, for any distribution of the values."""
+    ordered = sorted(values)
+    rank = interval_rank(len(ordered))
+    return ordered[rank], ordered[-1 - rank]

@@ -1,0 +1,47 @@
+// Reads the code blocks of a document, and runs blocks of shell commands as a reader would.
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+
+/// A block between two lines that begin with ```.
+struct Block {
+  int line = 0;  ///< line of the block's first ``` in the document
+  std::string language, text;
+};
+
+inline std::vector<Block> blocks_of(const std::filesystem::path& document) {
+  std::ifstream file(document);
+  std::vector<Block> blocks;
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.rfind("```", 0) == 0) {
+      if (!inside) blocks.push_back({number, line.substr(3), ""});
+      inside = !inside;
+    } else if (inside) {
+      blocks.back().text += line + "\n";
+    }
+  }
+  return blocks;
+}
+
+/// Runs the script in the folder. In the script, the command `pelage` runs `binary`. Returns the script's
+/// exit status.
+inline int run_in(const Folder& folder, const std::string& script,
+                  const std::filesystem::path& binary = PELAGE_BINARY) {
+  folder.write("block.sh", "set -e\n" + script);
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && ASAN_OPTIONS=detect_leaks=0 PELAGE_KERNELS='" +
+                              PELAGE_SOURCE_DIR "/kernels' PATH=\"" + binary.parent_path().string() +
+                              ":$PATH\" sh block.sh >stdout 2>stderr";
+  return std::system(command.c_str());
+}
+
+}  // namespace pelage::cli

@@ -1,0 +1,134 @@
+// Installs pelage into a temporary folder, and builds the Debian package. The installed program must work
+// there with its own files, without the source tree.
+#include <gtest/gtest.h>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string build = fs::path(PELAGE_BINARY).lexically_normal().parent_path().string();
+
+std::string output_of(const Folder& folder, const std::string& script, int code = 0) {
+  folder.write("script.sh", "set -e\n" + script);
+  const std::string command =
+      "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 bash script.sh >output 2>errors";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), code) << folder.read("errors") << folder.read("output");
+  return folder.read("output") + folder.read("errors");
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The installation into the folder `inst`, in which files are changed. The program must use the changed
+/// files.
+struct Install : ::testing::Test {
+  static void SetUpTestSuite() {
+    folder = new Folder;
+    output_of(*folder, "cmake --install '" + build + "' --prefix inst");
+  }
+  static void TearDownTestSuite() { delete folder; }
+  static std::string installed(const std::string& arguments, int code = 0) {
+    return output_of(*folder, "inst/bin/pelage " + arguments, code);
+  }
+  static Folder* folder;
+};
+Folder* Install::folder = nullptr;
+
+TEST_F(Install, ExperimentsAndModelsAreTheInstalledOnes) {
+  EXPECT_TRUE(has(installed("list"), "silva2010-table1"));
+  folder->write("inst/share/pelage/experiments/mine.toml",
+                "name = \"mine\"\n[axes]\nmodel = [\"torus\"]\n[preset.quick]\n");
+  EXPECT_TRUE(has(installed("list"), "\nmine\n") || has(installed("list"), "mine\n")) << installed("list");
+  const std::string models = folder->read("inst/share/pelage/experiments/models.toml");
+  folder->write("inst/share/pelage/experiments/models.toml", models + "\n[[model]]\nname = \"\"\n");
+  EXPECT_TRUE(has(installed("mesh torus", 2), "inst/share/pelage/experiments/models.toml"));
+  folder->write("inst/share/pelage/experiments/models.toml", models);
+  EXPECT_TRUE(has(installed("mesh torus"), "faces 9360"));
+}
+
+TEST_F(Install, PicturesNeedTheInstalledKernelsAndTheImageModule) {
+  const std::string render = "render --model torus --size 48x32 --set fur.layers=4 --set fur.texture=32 ";
+  installed(render + "-o a.exr");
+  EXPECT_GT(fs::file_size(folder->path() / "a.exr"), 100u);
+  const std::string kernel = "inst/share/pelage/kernels/rasterize/tile/tile.cl", text = folder->read(kernel);
+  ASSERT_FALSE(text.empty());
+  folder->write(kernel, "this is no kernel\n");
+  installed(render + "--mapping tile -o b.png", 1);
+  folder->write(kernel, text);
+  fs::rename(folder->path() / "inst/share/pelage/shaders", folder->path() / "inst/share/pelage/away");
+  EXPECT_TRUE(has(output_of(*folder, "inst/bin/pelage " + render + "--pipeline opengl -o c.png || true"),
+                  "inst/share/pelage"));
+  fs::rename(folder->path() / "inst/share/pelage/away", folder->path() / "inst/share/pelage/shaders");
+}
+
+TEST_F(Install, ReportsDrawWithTheInstalledPrograms) {
+  const std::string recorded = "'" PELAGE_SOURCE_DIR "/results/silva2010-table1'";
+  output_of(*folder, "for f in inst/share/pelage/plots/*.py; do echo '# installed' >> $f; done");
+  installed("report " + recorded + " -o page");
+  EXPECT_TRUE(fs::exists(folder->path() / "page/index.html"));
+  EXPECT_TRUE(has(output_of(*folder, "grep -rl '# installed' page"), ".py"));
+}
+
+TEST_F(Install, TheManualAndTheDocumentsAreThere) {
+  for (const char* file :
+       {"share/man/man1/pelage.1", "share/doc/pelage/README.md", "share/doc/pelage/docs/results.md",
+        "lib/python3/dist-packages/pelage/__init__.py", "share/pelage/examples/wet.toml"})
+    EXPECT_TRUE(fs::exists(folder->path() / "inst" / file)) << file;
+}
+
+/// Returns the words that bash offers for the last word of a command line.
+std::string completed(const std::string& line) {
+  const std::string words = line.ends_with(' ') ? line + "''" : line;
+  return output_of(
+      *Install::folder,
+      "compopt() { :; }\n. inst/share/bash-completion/completions/pelage\nCOMP_WORDS=(" + words +
+          ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_pelage || true\nprintf ' %s' \"${COMPREPLY[@]}\" ' '");
+}
+
+TEST_F(Install, BashCompletesCommandsOptionsAndValues) {
+  EXPECT_TRUE(has(completed("pelage re"), " render  report ") ||
+              has(completed("pelage re"), " render report "))
+      << completed("pelage re");
+  EXPECT_TRUE(has(completed("pelage run --pre"), " --preset "));
+  EXPECT_TRUE(has(completed("pelage run --preset sm"), " smoke "));
+  EXPECT_TRUE(has(completed("pelage run --preset = sm"), " smoke ")) << "bash splits words at =";
+  EXPECT_TRUE(has(completed("pelage run silva"), " silva2010-table1 "));
+  EXPECT_TRUE(has(completed("pelage mesh --components "), " all largest "));
+  EXPECT_TRUE(has(completed("pelage render --set fur.le"), " fur.length= "));
+  EXPECT_TRUE(has(completed("pelage render --model bu"), " bunny "));
+  EXPECT_FALSE(has(completed("pelage list --"), "--resume"));
+  EXPECT_EQ(completed("pelage render -o pict"), "  ");  // bash then completes the names of files
+}
+
+TEST(Package, HoldsARunningProgramAndItsDependencies) {
+  if (std::system("command -v dpkg-shlibdeps >/dev/null") != 0)
+    GTEST_SKIP() << "cpack -G DEB needs dpkg-shlibdeps (Debian's package dpkg-dev)";
+  const Folder folder;
+  output_of(folder, "cpack -G DEB --config '" + build + "/CPackConfig.cmake' -B .\nmv *.deb pelage.deb");
+  const std::string fields = output_of(folder, "dpkg-deb -f pelage.deb");
+  for (const char* field :
+       {"Package: pelage", "libopenimageio", "ocl-icd-libopencl1", "libc6", "Section: science"})
+    EXPECT_TRUE(has(fields, field)) << field << "\n" << fields;
+  output_of(folder,
+            "dpkg-deb -x pelage.deb .\ntest -f usr/lib/pelage/pelage_image_module.so || test -f "
+            "usr/lib/*/pelage/pelage_image_module.so");
+  EXPECT_TRUE(has(output_of(folder, "usr/bin/pelage list"), "silva2010-table1"));
+  output_of(
+      folder,
+      "usr/bin/pelage render --model torus --size 32x24 --set fur.layers=4 --set fur.texture=32 -o a.exr");
+  if (std::system("/usr/bin/python3 -c 'import pandas' 2>/dev/null") == 0) {
+    EXPECT_TRUE(
+        has(output_of(folder,
+                      "PYTHONPATH=usr/lib/python3/dist-packages /usr/bin/python3 -c 'import pelage; "
+                      "print(pelage.read(\"" PELAGE_SOURCE_DIR "/results/silva2010-table1\").shape)'"),
+            "(32, "));
+  }
+}
+
+}  // namespace
+}  // namespace pelage::cli

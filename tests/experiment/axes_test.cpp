@@ -1,0 +1,125 @@
+// Tests axes with a name of the author's own, whose values are names of tables with scene keys, and the
+// checks of all axes.
+#include "harness/experiment/axes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+const std::string quick = "[preset.quick]\nleast = 3\n";
+const std::string moods =
+    "name = \"e\"\n[axes]\nmodel = [\"torus\"]\nlayers = [8, 16]\nmood = [\"calm\", \"storm\"]\n";
+const std::string storm = "[mood.storm]\ndynamics.wind.strength = 0.01\ncurl.turns = 3\n";
+
+struct Axes : ::testing::Test {
+  Experiment read(const std::string& text) const {
+    test::write_text(folder.path / "e.toml", text);
+    return read_experiment(folder.path / "e.toml");
+  }
+  std::string refusal(const std::string& text, const Overrides& overrides = {}) const {
+    try {
+      const Experiment e = read(text);
+      for (const Case& c : cases_of(e, preset_of(e, "quick"), overrides)) scene_of(e, c);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  void refuses(const std::string& text, const std::string& part, const Overrides& overrides = {}) const {
+    const std::string said = refusal(text, overrides);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+  }
+  test::Folder folder;
+};
+
+TEST_F(Axes, ANamedValueSetsSeveralKeys) {
+  const Experiment e = read(moods + storm + quick);
+  const auto cases = cases_of(e, preset_of(e, "quick"));
+  ASSERT_EQ(cases.size(), 4u);
+  EXPECT_EQ(cases[0].name, "torus-8-calm");
+  EXPECT_EQ(cases[3].name, "torus-16-storm");
+  EXPECT_EQ(cases[3].axes.at("mood"), "storm");
+  EXPECT_TRUE(cases[3].overrides.empty());
+  const Scene calm = scene_of(e, cases[0]), stormy = scene_of(e, cases[1]);
+  EXPECT_FLOAT_EQ(calm.curl.turns, 0);
+  EXPECT_FLOAT_EQ(calm.dynamics.wind.strength, 0);
+  EXPECT_FLOAT_EQ(stormy.curl.turns, 3);
+  EXPECT_FLOAT_EQ(stormy.dynamics.wind.strength, 0.01f);
+}
+
+TEST_F(Axes, TheCommandLineMayChooseAmongTheValuesOfTheFile) {
+  EXPECT_EQ(refusal(moods + storm + quick, {.set = {}, .axes = {{"mood", {"calm"}}}, .model = {}}), "");
+  EXPECT_EQ(refusal(moods + storm + "[mood.calm]\n[mood.fog]\ncurl.turns = 2\n" + quick,
+                    {.set = {}, .axes = {{"mood", {"fog"}}}, .model = {}}),
+            "");
+  refuses(moods + storm + quick, "axis mood has no value 'clam'; the file has the values calm, storm",
+          {.set = {}, .axes = {{"mood", {"clam"}}}, .model = {}});
+}
+
+TEST_F(Axes, ANameNeedsATable) {
+  refuses(moods + quick, "axis mood: mood: no such key");
+  refuses(moods + quick, "the file needs a table [mood.VALUE]");
+  refuses("name = \"e\"\n[axes]\nreading = [\"calm\"]\n" + quick, "the file needs a table [reading.VALUE]");
+  EXPECT_EQ(refusal("name = \"e\"\n[axes]\nreading = [\"calm\", \"b\"]\n[reading.b]\n" + quick), "");
+}
+
+TEST_F(Axes, EveryCaseHasAName) {
+  const Experiment e = read("name = \"e\"\n[axes]\nreading = [\"a\", \"b\"]\n[reading.b]\n" + quick);
+  const auto cases = cases_of(e, preset_of(e, "quick"));
+  EXPECT_EQ(cases[0].name, "e");
+  EXPECT_EQ(cases[1].name, "b");
+}
+
+TEST_F(Axes, MisspelledTablesAreRefusedWithTheirLine) {
+  refuses(moods + "[mood.strom]\ncurl.turns = 3\n" + quick,
+          "e.toml:6: the axis mood has no value strom, and its value calm has no table [mood.calm]");
+  refuses(moods + "[moods.storm]\ncurl.turns = 3\n" + quick, "e.toml:6: unknown key moods (known: axes");
+  refuses(moods + "[mood]\nstorm = 3\n" + quick, "mood.storm must be a table of scene keys");
+  refuses("name = \"e\"\n[axes]\npreset = [\"a\"]\n" + quick,
+          "e.toml:3: an axis cannot have the name preset");
+  refuses("name = \"e\"\n[axes]\ndevice = [\"a\"]\n" + quick, "device is a column of CSV files");
+}
+
+TEST_F(Axes, ATableMustNotContradictAnAxis) {
+  refuses(moods + "[mood.storm]\nfur.layers = 4\n" + quick,
+          "the table [mood.storm] sets fur.layers, which the axis layers varies");
+  refuses(moods + "[model.torus]\nfur.layers = 4\n[mood.storm]\n" + quick, "[model.torus] sets fur.layers");
+  refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
+          {.set = {{"fur.layers", "4"}}, .axes = {}, .model = {}});
+  // A value of the command line has precedence over a table.
+  const Experiment e =
+      read("name = \"e\"\n[axes]\nmood = [\"storm\"]\n[mood.storm]\nfur.layers = 4\n" + quick);
+  const auto cases =
+      cases_of(e, preset_of(e, "quick"), {.set = {}, .axes = {{"layers", {"6"}}}, .model = {}});
+  EXPECT_EQ(scene_of(e, cases.front()).fur.layers, 6);
+}
+
+TEST_F(Axes, NumbersPrintAsTheyAreWritten) {
+  const Experiment e = read(
+      "name = \"e\"\n[axes]\ncurl.radius = [\n  0.0100, # first\n  2e-2,\n  0.05]\nfur.taper = [0.10, 2]\n" +
+      quick);
+  EXPECT_EQ(e.axes[0].values, (std::vector<std::string>{"0.0100", "2e-2", "0.05"}));
+  EXPECT_EQ(e.axes[1].values, (std::vector<std::string>{"0.10", "2"}));
+  EXPECT_EQ(canonical("0.0100"), canonical("1e-2"));
+  EXPECT_NE(canonical("0.01"), canonical("0.02"));
+  EXPECT_EQ(canonical("0x10"), "0x10");
+}
+
+TEST_F(Axes, EqualNumbersAreTheSameValue) {
+  refuses("name = \"e\"\n[axes]\ncurl.radius = [0.0100, 1e-2]\n" + quick, "contains the value 1e-2 twice");
+  const Experiment e = read(
+      "name = \"e\"\n[axes]\ncurl.radius = [0.0100, 0.05]\n[published]\nunit = \"fps\"\n"
+      "keys = [\"curl.radius\"]\ncells = [[0.01, \"20\"]]\n" +
+      quick);
+  const auto cases = cases_of(e, preset_of(e, "quick"));
+  EXPECT_EQ(cases[0].name, "0.0100");
+  ASSERT_TRUE(cases[0].published);
+  EXPECT_FALSE(cases[1].published);
+}
+
+}  // namespace
+}  // namespace pelage

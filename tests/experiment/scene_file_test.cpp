@@ -1,0 +1,92 @@
+// Tests experiments that take a scene file as it is: [scene] file = "my.toml".
+#include <gtest/gtest.h>
+
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "tests/support/fake.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An experiment in the folder e/ that uses the scene file s/my.toml.
+struct SceneFile : ::testing::Test {
+  void SetUp() override {
+    fs::create_directories(folder.path / "e");
+    fs::create_directories(folder.path / "s");
+    scene(
+        "model = \"torus\"\n[fur]\nlength = 0.05\nlayers = 8\n[coat]\nimage = \"coat.png\"\n"
+        "[[shading.light]]\ndirection = [0, 1, 0]\n");
+  }
+  void scene(const std::string& text) const { test::write_text(folder.path / "s/my.toml", text); }
+  Experiment read(const std::string& keys, const std::string& file = "../s/my.toml") const {
+    test::write_text(folder.path / "e/e.toml",
+                     "name = \"e\"\n[axes]\ncurl.turns = [1, 2]\n[scene]\nfile = \"" + file + "\"\n" + keys +
+                         "\n[preset.quick]\n");
+    return read_experiment(folder.path / "e/e.toml");
+  }
+  Scene first(const Experiment& e, const Overrides& overrides = {}) const {
+    return scene_of(e, cases_of(e, preset_of(e, "quick"), overrides).front());
+  }
+  std::string refusal(const std::string& keys, const std::string& file = "../s/my.toml") const {
+    try {
+      first(read(keys, file));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  test::Folder folder;
+};
+
+TEST_F(SceneFile, IsTakenAsItIs) {
+  Scene expected = read_scene(folder.path / "s/my.toml");
+  expected.curl.turns = 1;
+  EXPECT_EQ(write_scene(first(read(""))), write_scene(expected));
+  // A relative path in the scene file starts at the folder of the scene file.
+  EXPECT_EQ(first(read("")).coat.image, folder.path / "s/coat.png");
+}
+
+TEST_F(SceneFile, IsOverriddenByKeysTablesAxesAndSet) {
+  const Experiment e = read(
+      "fur.length = 0.06\ncoat.image = \"own.png\"\n[reading.a]\nfur.layers = 12\n[preset.set]\n"
+      "axes.reading = [\"a\"]\naxes.fur.taper = [2.5]\n");
+  EXPECT_FLOAT_EQ(first(e).fur.length, 0.06f);
+  EXPECT_EQ(first(e).fur.layers, 8);
+  EXPECT_EQ(first(e).shading.lights.size(), 1u);
+  EXPECT_EQ(first(e).coat.image, folder.path / "e/own.png");
+  const Scene set = scene_of(
+      e, cases_of(e, preset_of(e, "set"), {.set = {{"fur.strands", "7"}}, .axes = {}, .model = {}}).front());
+  EXPECT_EQ(set.fur.layers, 12);
+  EXPECT_FLOAT_EQ(set.fur.taper, 2.5f);
+  EXPECT_EQ(set.fur.strands, 7);
+}
+
+TEST_F(SceneFile, ChangesTheHashOfTheCase) {
+  const std::string before = scene_hash(first(read("")));
+  scene("model = \"torus\"\n[fur]\nlength = 0.07\nlayers = 8\n");
+  EXPECT_NE(scene_hash(first(read(""))), before);
+}
+
+TEST_F(SceneFile, ErrorsNameBothFiles) {
+  const auto names_both = [&](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find("e/e.toml"), std::string::npos) << text;
+    EXPECT_NE(text.find("s/my.toml"), std::string::npos) << text;
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  names_both(refusal("fur.lenght = 1"), "did you mean fur.length?");
+  const std::string missing = refusal("", "../s/mine.toml");
+  EXPECT_NE(missing.find("e.toml:5: scene.file: "), std::string::npos) << missing;
+  EXPECT_NE(missing.find("s/mine.toml: there is no such scene file"), std::string::npos) << missing;
+  scene("model = \"torus\"\n[fur]\nlength = 9\n");
+  names_both(refusal(""), "my.toml:3: fur.length: 9 is out of range");
+  scene("model = ");
+  names_both(refusal(""), "my.toml:1: not TOML");
+  EXPECT_NE(refusal("file.x = 1").find("e.toml"), std::string::npos);
+  EXPECT_NE(refusal("", "").find("scene.file must be the path of a scene file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage

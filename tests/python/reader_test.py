@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+"""Tests the Python package pelage (python/pelage), which reads results as pandas data frames, and the code blocks of
+docs/results.md.
+
+usage: reader_test.py SOURCE PELAGE: SOURCE is the source tree, PELAGE the program. Exits with 77 without pandas.
+"""
+import io
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from contextlib import redirect_stdout
+from pathlib import Path
+
+try:
+    import pandas
+except ImportError:
+    print("pandas is not installed, so the Python package is not tested")
+    sys.exit(77)
+
+SOURCE, PELAGE = Path(sys.argv[1]), sys.argv[2]
+sys.path.insert(0, str(SOURCE / "python"))
+import pelage  # noqa: E402
+
+RECORDED = SOURCE / "results"
+
+
+def row(**changes):
+    base = {"schema": 2, "run_id": "20261123T000000Z-1", "experiment": "own", "case": "torus-8-calm",
+            "variant": "shells/tile", "axes": {"layers": 8, "mood": "calm", "curl.radius": "0.10"}, "overrides": {},
+            "device": "a device", "repeat": 0, "status": "ok", "reason": "",
+            "check": [{"against": "reference", "metric": "psnr", "value": "inf", "limit": 60, "sense": ">="}],
+            "samples": {"frame": {"event_ms": [], "wall_ms": [3.0, 1.0, 2.0, 4.0, 6.0, 5.0, 7.0, 100.0]},
+                        "bin": {"event_ms": [0.5], "wall_ms": []}},
+            "metrics": {"triangles": {"value": 12, "unit": "triangles"},
+                        "ratio": {"value": 2, "unit": "times", "low": 1, "high": 3}},
+            "build_ms": 1, "first_launch_ms": 1, "tuning": {}, "image_hash": "",
+            "provenance": {"host": "here", "preset": "quick", "converged": True},
+            "identity": {"scene": "0123456789abcdef"}}
+    return {**base, **changes}
+
+
+def line(values):
+    body = json.dumps(values, separators=(",", ":"))[:-1]
+    return f'{body},"crc":"{zlib.crc32(body.encode()):08x}"}}\n'
+
+
+def failed(**changes):
+    return row(status="error", reason="out of memory", samples={}, check=[], metrics={}, **changes)
+
+
+class Reader(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="pelage-reader-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def journal(self, text, name="own/a.jsonl"):
+        file = self.folder / name
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        return file
+
+    def refuses(self, pattern, *places):
+        with self.assertRaisesRegex(pelage.ResultsError, pattern):
+            pelage.read(*places)
+
+    def test_a_row_is_a_line_of_the_frame(self):
+        self.journal(line(row()) + line(failed(case="torus-16-calm", axes={"layers": 16, "mood": "calm"})))
+        frame = pelage.read(self.folder)
+        self.assertEqual(len(frame), 2)
+        good, bad = frame.iloc[0], frame.iloc[1]
+        self.assertEqual((good.case, good.layers, good.mood, good["curl.radius"]), ("torus-8-calm", 8, "calm", 0.1))
+        self.assertEqual((good.median_ms, good.samples, good.host, good.preset), (4.5, 8, "here", "quick"))
+        self.assertEqual((good.low_ms, good.high_ms), (1, 100))  # 8 samples: the smallest and the largest
+        self.assertEqual((good["metric.ratio"], good["metric.ratio.low"], good["metric.ratio.high"]), (2, 1, 3))
+        self.assertEqual((bad.status, bad.reason, bad.samples), ("error", "out of memory", 0))
+        self.assertTrue(pandas.isna(bad.median_ms))
+
+    def test_phases_and_samples(self):
+        self.journal(line(row()))
+        self.assertEqual(pelage.read(self.folder, phase="bin", clock="event").median_ms[0], 0.5)
+        samples = pelage.read(self.folder, samples=True)
+        self.assertEqual(list(samples.ms), row()["samples"]["frame"]["wall_ms"])
+        for options in ({"phase": "nap"}, {"clock": "sun"}):
+            with self.assertRaises(ValueError):
+                pelage.read(self.folder, **options)
+
+    def test_error_rows_are_replaced_and_copies_count_once(self):
+        text = line(failed()) + line(row(run_id="20261123T000001Z-2"))
+        self.journal(text)
+        self.journal(text, "copy/a.jsonl")
+        self.assertEqual(list(pelage.read(self.folder, self.folder).status), ["ok"])
+
+    def test_a_truncated_last_line_is_left_out(self):
+        self.journal(line(row()) + line(row(case="next"))[:-20])
+        self.assertEqual(len(pelage.read(self.folder)), 1)
+
+    def test_damage_is_an_error_that_names_the_line(self):
+        damaged = {line(row()).replace("calm", "clam", 1): "checksum does not match",
+                   "nonsense\n": "does not end with a checksum",
+                   line(row()) + line(row()): "a.jsonl:2: damaged: second row of the case torus-8-calm",
+                   line(row(schema=3)): "schema 3; this version of pelage reads schemas 1 to 2",
+                   line(row(status="fine")): "unknown status 'fine'",
+                   line(row(check=[])): "nothing was checked",
+                   line(row(check=[{**row()["check"][0], "value": 50}])): "check psnr does not hold",
+                   line({key: value for key, value in row().items() if key != "axes"}): "no field axes"}
+        for text, pattern in damaged.items():
+            self.refuses(pattern if ":2:" in pattern else "a.jsonl:1: damaged: .*" + pattern, self.journal(text))
+        self.refuses("no such folder or file", self.folder / "none")
+        (self.folder / "empty").mkdir()
+        self.refuses("contains no results", self.folder / "empty")
+
+    def test_contradicting_copies_are_an_error(self):
+        self.journal(line(row()))
+        self.journal(line(row(image_hash="1")), "other/a.jsonl")
+        self.refuses("the two rows differ", self.folder)
+
+    def test_all_recordings_are_read_as_export_writes_them(self):
+        for place in sorted(path for path in RECORDED.iterdir() if path.is_dir() and list(path.glob("*.jsonl"))):
+            exported = subprocess.run([PELAGE, "export", place], check=True, capture_output=True, text=True).stdout
+            lines = pandas.read_csv(io.StringIO(exported), keep_default_na=False, na_values=[""])
+            lines = lines[(lines.phase == "frame") & (lines.clock == "wall")].reset_index(drop=True)
+            frame = pelage.read(place)
+            self.assertEqual(list(frame.case), list(lines.case), place)
+            self.assertEqual(list(frame.identity.fillna("")), list(lines.identity.fillna("")))
+            for name in ("median_ms", "low_ms", "high_ms", "samples", "repeat", "metric.triangles"):
+                if name in lines:
+                    pandas.testing.assert_series_equal(frame[name], lines[name], check_dtype=False, rtol=1e-9)
+
+    def test_a_new_run_has_the_identity_that_export_prints(self):
+        self.journal(line(row()))
+        exported = subprocess.run([PELAGE, "export", self.folder], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(pandas.read_csv(io.StringIO(exported)).identity[0], pelage.read(self.folder).identity[0])
+
+
+class Document(unittest.TestCase):
+    """Runs the code blocks of docs/results.md in a folder with the recorded results of Table 1."""
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="pelage-document-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.folder)
+        shutil.copytree(RECORDED / "silva2010-table1", "table1")
+        subprocess.run([PELAGE, "export", "table1", "--csv", "out.csv"], check=True)
+
+    def blocks(self, language):
+        return re.findall(f"```{language}\n(.*?)```", (SOURCE / "docs/results.md").read_text(), re.DOTALL)
+
+    def test_python(self):
+        blocks = self.blocks("python")
+        self.assertGreaterEqual(len(blocks), 2)
+        for block in blocks:
+            said = io.StringIO()
+            with redirect_stdout(said):
+                exec(compile(block, "docs/results.md", "exec"), {})  # pylint: disable=exec-used
+            self.assertIn("lion", said.getvalue())
+            self.assertRegex(said.getvalue(), "5[.]27")  # frames per second of the lion with 16 layers, 1680x1050
+
+    def test_r(self):
+        blocks = self.blocks("r")
+        self.assertEqual(len(blocks), 1)
+        if not shutil.which("Rscript"):
+            self.skipTest("R is not installed")
+        Path("block.R").write_text(blocks[0])
+        said = subprocess.run(["Rscript", "block.R"], check=True, capture_output=True, text=True).stdout
+        self.assertIn("lion", said)
+        self.assertRegex(said, "5[.]27")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
