@@ -102,12 +102,12 @@ template <class T>
 void product(const Arrays<T>& a, T* const x[3], int threads) {
   const Gradients<T>& g = a.gradients;
   const auto share = [&](int part, int count) { return begin_of(part, threads, count); };
-  in_parts(threads,
+  in_parts(threads, a.sticks,
            [&](int part) { diagonal_product<T>(a, x, share(part, a.sticks), share(part + 1, a.sticks)); });
-  in_parts(threads,
+  in_parts(threads, a.sticks,
            [&](int part) { edge_product<T>(a, x, part, share(part, a.edges), share(part + 1, a.edges)); });
   if (threads > 1)
-    in_parts(threads, [&](int part) {
+    in_parts(threads, a.sticks, [&](int part) {
       gather_parts<T>(g.product[0], g.product[1], share(part, a.sticks), share(part + 1, a.sticks));
     });
 }
@@ -160,23 +160,23 @@ long gradient_step(const Arrays<T>& a, const Constants<T>& p, const Course& cour
     for (int part = 0; part < threads; ++part) all += sum[row][part];
     return all;
   };
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     for (int i = share(part); i < share(part + 1); ++i) {
       put(g.product[0], i, V<T>{0, 0, 0});
       for (int c = 0; c < 6; ++c) g.diagonal[0][c][i] = T(0);
     }
   });
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     edge_rows<T>(a, p, part, begin_of(part, threads, a.edges), begin_of(part + 1, threads, a.edges));
   });
-  in_parts(threads, [&](int part) { stick_rows<T>(a, p, threads, share(part), share(part + 1)); });
+  in_parts(threads, a.sticks, [&](int part) { stick_rows<T>(a, p, threads, share(part), share(part + 1)); });
   product<T>(a, g.change, threads);  // the initial guess is the change of the previous step
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     sum[1][part] = dots<T>(g.load, g.load, share(part), share(part + 1));
     for (int i = share(part); i < share(part + 1); ++i) put(g.residual, i, at(g.load, i));
   });
   const T enough = T(course.residual) * T(course.residual) * total(1);
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     advance_residual<T>(a, T(1), share(part), share(part + 1), sum[0][part], sum[1][part]);
     for (int i = share(part); i < share(part + 1); ++i) put(g.way, i, at(g.precond, i));
   });
@@ -184,18 +184,19 @@ long gradient_step(const Arrays<T>& a, const Constants<T>& p, const Course& cour
   long done = 0;
   for (; rr > enough && done < course.most_iterations; ++done) {
     product<T>(a, g.way, threads);
-    in_parts(threads,
+    in_parts(threads, a.sticks,
              [&](int part) { sum[0][part] = dots<T>(g.way, g.product[0], share(part), share(part + 1)); });
     const T alpha = rz / total(0);
-    in_parts(threads, [&](int part) {
+    in_parts(threads, a.sticks, [&](int part) {
       advance_residual<T>(a, alpha, share(part), share(part + 1), sum[0][part], sum[1][part]);
     });
     const T next = total(0);
     rr = total(1);
-    in_parts(threads, [&](int part) { turn_way<T>(a, alpha, next / rz, share(part), share(part + 1)); });
+    in_parts(threads, a.sticks,
+             [&](int part) { turn_way<T>(a, alpha, next / rz, share(part), share(part + 1)); });
     rz = next;
   }
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     for (int i = share(part); i < share(part + 1); ++i) {
       const V<T> v = at(a.v, i) + at(g.change, i);
       put(a.v, i, v);

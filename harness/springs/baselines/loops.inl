@@ -126,11 +126,12 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
   return b;
 }
 
-// Runs `work` for the parts 0 to threads - 1, each on a thread of its own.
+// Runs `work` for the parts 0 to threads - 1. If `items` is large enough, each part has a thread of its own.
+// Otherwise one thread runs all parts, because waking a second thread would take longer than the work.
 template <class Work>
-void in_parts(int threads, const Work& work) {
+void in_parts(int threads, int items, const Work& work) {
   if (threads == 1) return work(0);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
+#pragma omp parallel for num_threads(threads) schedule(static, 1) if (items > tile)
   for (int part = 0; part < threads; ++part) work(part);
 }
 // The first item of a part, if `count` items are divided among `threads` threads.
@@ -172,7 +173,7 @@ template <class T, int N, Scheme scheme, bool moving>
 void through_blocks(const Arrays<T>& a, const Course& course) {
   const Constants<T> p = constants<T>(course.params);
   const int blocks = a.sticks / N, tiles = (blocks + tile - 1) / tile;
-  in_parts(course.threads, [&](int part) {
+  in_parts(course.threads, blocks, [&](int part) {
     for (int n = begin_of(part, course.threads, tiles); n < begin_of(part + 1, course.threads, tiles); ++n)
       through_tile<T, N, scheme, moving>(a, p, course, n * tile, n < tiles - 1 ? (n + 1) * tile : blocks);
   });
@@ -230,14 +231,14 @@ template <class T, bool moving>
 void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment, const Lists<T>& state,
                 int threads) {
   const auto share = [&](int part, int count) { return begin_of(part, threads, count); };
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     stick_forces<T, moving>(a, p, moment, state, share(part, a.sticks), share(part + 1, a.sticks));
   });
-  in_parts(threads, [&](int part) {
+  in_parts(threads, a.sticks, [&](int part) {
     edge_forces<T>(a, p, state, a.force[part], share(part, a.edges), share(part + 1, a.edges));
   });
   if (threads > 1)
-    in_parts(threads, [&](int part) {
+    in_parts(threads, a.sticks, [&](int part) {
       gather_parts<T>(a.force[0], a.force[1], share(part, a.sticks), share(part + 1, a.sticks));
     });
 }
@@ -299,14 +300,14 @@ long through_prisms(const Arrays<T>& a, const Course& course) {
       iterations += gradient_step<T>(a, p, course);
     } else if (!course.solver.multistage()) {
       all_forces<T, moving>(a, p, t[0], state, threads);
-      in_parts(threads, [&](int part) {
+      in_parts(threads, a.sticks, [&](int part) {
         euler_move<T>(a, h, h * p.inverse_mass, course.solver.in_turn, share(part), share(part + 1));
       });
     } else {
       for (int stage = 0; stage < 4; ++stage) {
         const Lists<T>& now = stage == 0 ? state : staged;
         all_forces<T, moving>(a, p, t[(stage + 1) / 2], now, threads);
-        in_parts(threads, [&](int part) {
+        in_parts(threads, a.sticks, [&](int part) {
           rk4_move<T>(a, now, h, p.inverse_mass, stage, share(part), share(part + 1));
         });
       }

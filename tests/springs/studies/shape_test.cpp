@@ -13,6 +13,7 @@
 
 #include "harness/compare/tolerances.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/springs/reference/reference.hpp"
 #include "tests/springs/support/device.hpp"
 #include "tests/springs/support/meshes.hpp"
 #include "tests/springs/support/scenes.hpp"
