@@ -83,7 +83,7 @@ class ShapeStudy : public Study {
     for (long i = 0; i < masses_.steps(); ++i) state = reference::step(system, state, i);
     std::vector<glm::vec3> expected;
     for (const glm::dvec3& q : reference::offsets(topology, state)) expected.emplace_back(q);
-    return agreement_checks(topology.kind, "reference",
+    return agreement_checks(topology.kind, against_reference,
                             spread(masses_.offsets(queue_), expected, double(topology.length)));
   }
   void describe(Row& row) override {
