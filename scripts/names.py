@@ -39,6 +39,10 @@ FAMILIES = {
         "springs-error": (r"make_solver_error", ["harness/springs/studies/study"]),
         "springs-limit": (r"make_solver_limit", ["harness/springs/studies/study"]),
         "springs-energy": (r"make_solver_energy", ["harness/springs/studies/study"]),
+        "springs-drift": (r"make_solver_drift", ["harness/springs/studies/study", "harness/springs/studies/energy"]),
+        "springs-shape": (r"make_solver_shape", ["harness/springs/studies/study", "harness/springs/studies/shape"]),
+        "springs-turns": (r"make_solver_turns", ["harness/springs/studies/study", "harness/springs/studies/turns"]),
+        "springs-jacobian": (r"make_solver_jacobian", ["harness/springs/studies/study"]),
     # In lines that match this pattern, "springs" is not the pipeline but a metric or a file. The lines are not counted.
     }, r'metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {

@@ -8,8 +8,9 @@
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
 #     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
-#   pelage run banisch2006-{update-time,equal-steps,work-precision,longest-step,energy,mesh-size} --anonymous \
+#   pelage run banisch2006-{update-time,equal-steps,work-precision,longest-step,energy,mesh-size,lean} --anonymous \
 #     -o RESULTS
+#   pelage run topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling} --anonymous -o RESULTS
 #
 # These commands write the results for docs/rivals in about 25 minutes:
 #

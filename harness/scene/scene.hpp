@@ -104,6 +104,9 @@ struct WindScene {
   float gust = 0.0f;        ///< fraction of strength
   float frequency = 1.0f;   ///< Hz
   float wavelength = 2.0f;  ///< distance between gusts along the wind's direction, R
+  /// Position that determines the phase of the gusts on a stick of a separable topology: "stick" (base of the
+  /// stick) | "triangle" (centroid of the stick's triangle). No other model of motion uses this value.
+  std::string gust_at = "stick";
 };
 
 /// Springs of the mass-spring topologies (docs/topology.md). Silva's strand does not use these values.
@@ -114,6 +117,11 @@ struct SpringsScene {
   float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
+  /// Derivatives of the forces that backward Euler uses: "pruned" | "full" (docs/topology.md).
+  std::string jacobian = "pruned";
+  /// If above 0, the constants of a stick hold for a stick on this area of the surface, in R^2; on another
+  /// mesh they are multiplied by the mesh's area per stick divided by this area.
+  float reference_area = 0;
 };
 
 /// Motion of the object. It causes inertial forces on the masses of a mass-spring topology. The camera moves

@@ -28,6 +28,10 @@ constexpr Pipeline table[] = {
     {"springs-error", springs::make_solver_error},
     {"springs-limit", springs::make_solver_limit},
     {"springs-energy", springs::make_solver_energy},
+    {"springs-drift", springs::make_solver_drift},
+    {"springs-shape", springs::make_solver_shape},
+    {"springs-turns", springs::make_solver_turns},
+    {"springs-jacobian", springs::make_solver_jacobian},
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
   const springs::SpringNetwork topology = springs::topology_of(input);
   springs::MassSpringOptions options;
   options.lanes = lanes;
-  springs::MassSprings masses(queue, topology, springs::dynamics_of(input.scene.dynamics), options);
+  springs::MassSprings masses(queue, topology, springs::dynamics_of(input.scene.dynamics, topology), options);
   masses.push(queue, springs::pushes(topology, *input.mesh, input.scene.dynamics.poke));
   return masses;
 }

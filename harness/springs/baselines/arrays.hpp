@@ -5,6 +5,18 @@
 
 namespace pelage::springs {
 
+/// Pointers to the arrays with which backward Euler on shared prisms solves the equations A x = b by
+/// conjugate gradients. A symmetric 3 x 3 matrix has the columns xx, yy, zz, xy, xz and yz. Lists with two
+/// entries have one list per thread; the second one holds zeros between the parts of a step.
+template <class T>
+struct Gradients {
+  T *change[3]{}, *load[3]{}, *residual[3]{}, *precond[3]{},
+      *way[3]{};                       ///< x, b, r = b - A x, z, direction d
+  T* product[2][3]{};                  ///< A d
+  T *diagonal[2][6]{}, *inverse[6]{};  ///< diagonal blocks of A, and their inverses
+  T* coupling[4]{};                    ///< per edge: even, and the vector g, of its block -(even I + g g^T)
+};
+
 /// Pointers to the arrays of a system; the struct owns no memory. fast_loops.cpp is compiled with
 /// -march=native and -ffast-math. This struct and the loops therefore use no types of the standard library.
 /// Otherwise the compiler would compile inline functions of the standard library with these flags, and the
@@ -19,8 +31,11 @@ struct Arrays {
   /// f. rest[c * F + f] is the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
-  T *q[3]{}, *v[3]{};          ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
-  T *force[3]{}, *work[12]{};  ///< only on shared prisms: forces, and work arrays of RK4
+  T *q[3]{}, *v[3]{};  ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
+  /// Only on shared prisms: forces (force[1] is the list of the second thread and holds zeros between two
+  /// steps) and work arrays of RK4.
+  T *force[2][3]{}, *work[12]{};
+  Gradients<T> gradients;
 };
 
 /// One call of a function of Loops computes these time steps. moments[2 * i] holds wind, gravity and the
@@ -30,6 +45,9 @@ struct Course {
   TopologyParams params{};
   const Moment* moments = nullptr;
   int steps = 0;
+  int threads = 1;            ///< 1 or 2
+  double residual = 1e-5;     ///< conjugate gradients stop at this relative residual |r| / |b|
+  int most_iterations = 500;  ///< largest number of conjugate gradient iterations per step
 };
 
 /// Functions that advance the state by the steps of a Course, one function per kind of topology. All are
@@ -38,10 +56,10 @@ template <class T>
 struct Loops {
   /// Advances sticks and separable-sticks (no springs between top masses) by any of the four solvers.
   void (*sticks)(const Arrays<T>&, const Course&);
-  /// Advances separable-prisms by any solver except backward Euler.
+  /// Advances separable-prisms by any of the four solvers.
   void (*triangles)(const Arrays<T>&, const Course&);
-  /// Advances shared prisms by any solver except backward Euler.
-  void (*prisms)(const Arrays<T>&, const Course&);
+  /// Advances shared prisms by any of the four solvers. Returns the number of conjugate gradient iterations.
+  long (*prisms)(const Arrays<T>&, const Course&);
 };
 
 /// Returns the functions of loops.inl, compiled with -O3 and without further optimization flags. The

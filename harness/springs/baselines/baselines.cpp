@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -15,7 +16,8 @@ namespace {
 
 double phase_at(const SpringNetwork& topology, const Wind& wind, std::size_t stick) {
   const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
-  return 2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[stick]), along) / double(wind.wavelength);
+  return 2 * std::numbers::pi * glm::dot(glm::dvec3(topology.gust_at[stick]), along) /
+         double(wind.wavelength);
 }
 
 template <class T>
@@ -24,8 +26,11 @@ using Columns = std::array<std::vector<T>, 3>;
 template <class T>
 class SerialRival : public SolverRival {
  public:
-  SerialRival(const SpringNetwork& topology, const Dynamics& dynamics, const Loops<T>& loops)
+  SerialRival(const SpringNetwork& topology, const Dynamics& dynamics, const Loops<T>& loops, int threads = 1)
       : kind_(topology.kind), course_{dynamics.solver, params(dynamics, topology.length)}, loops_(loops) {
+    course_.threads = threads;
+    course_.residual = double(dynamics.residual);
+    course_.most_iterations = dynamics.most_iterations;
     const std::size_t sticks = topology.sticks(), triangles = topology.corner.size();
     for (std::size_t i = 0; i < sticks; ++i)
       place_.push_back(kind_.own_edges() ? i % 3 * triangles + i / 3 : i);
@@ -47,12 +52,17 @@ class SerialRival : public SolverRival {
         to_.push_back(int(edge.y) - int(sticks));
       }
       for (std::vector<T>& column : force_) column.resize(sticks);
+      if (dynamics.solver.implicit) {
+        for (std::vector<T>& column : vectors_) column.resize(sticks);
+        for (std::vector<T>& column : coupling_) column.resize(rest_.size());
+      }
       for (std::vector<T>& column : work_) column.resize(dynamics.solver.multistage() ? sticks : 0);
     }
   }
 
   void set(const Motions& state) override {
     for (std::size_t i = 0; i < place_.size(); ++i) put(q_, i, state.offset[i]), put(v_, i, state.speed[i]);
+    for (std::vector<T>& column : vectors_) std::fill(column.begin(), column.end(), T(0));
   }
 
   void advance(const std::vector<Moment>& moments, int steps) override {
@@ -60,12 +70,14 @@ class SerialRival : public SolverRival {
     course_.steps = steps;
     const Arrays<T> a = arrays();
     if (kind_.shared_edges())
-      loops_.prisms(a, course_);
+      iterations_ += loops_.prisms(a, course_);
     else if (kind_.own_edges())
       loops_.triangles(a, course_);
     else
       loops_.sticks(a, course_);
   }
+
+  long iterations() const override { return iterations_; }
 
   Motions state() const override {
     Motions found;
@@ -85,8 +97,16 @@ class SerialRival : public SolverRival {
     a.sticks = int(place_.size()), a.edges = int(rest_.size());
     for (std::size_t c = 0; c < 3; ++c) {
       a.root[c] = root_[c].data(), a.normal[c] = normal_[c].data();
-      a.q[c] = q_[c].data(), a.v[c] = v_[c].data(), a.force[c] = force_[c].data();
+      a.q[c] = q_[c].data(), a.v[c] = v_[c].data();
+      a.force[0][c] = force_[c].data(), a.force[1][c] = force_[3 + c].data();
     }
+    std::size_t next = 0;
+    Gradients<T>& g = a.gradients;
+    for (T** list : {g.change, g.load, g.residual, g.precond, g.way, g.product[0], g.product[1]})
+      for (int c = 0; c < 3; ++c) list[c] = vectors_[next++].data();
+    for (T** list : {g.diagonal[0], g.diagonal[1], g.inverse})
+      for (int c = 0; c < 6; ++c) list[c] = vectors_[next++].data();
+    for (std::size_t c = 0; c < coupling_.size(); ++c) g.coupling[c] = coupling_[c].data();
     for (std::size_t c = 0; c < work_.size(); ++c) a.work[c] = work_[c].data();
     a.phase_cos = phase_cos_.data(), a.phase_sin = phase_sin_.data();
     a.from = from_.data(), a.to = to_.data(), a.rest = rest_.data();
@@ -97,8 +117,12 @@ class SerialRival : public SolverRival {
   Course course_;
   Loops<T> loops_;
   std::vector<std::size_t> place_;  // index of each stick in the arrays
-  Columns<T> root_, normal_, q_, v_, force_;
+  Columns<T> root_, normal_, q_, v_;
+  std::array<std::vector<T>, 6> force_;
   std::array<std::vector<T>, 12> work_;
+  std::array<std::vector<T>, 21 + 18> vectors_;  // the arrays of conjugate gradients with one value per stick
+  std::array<std::vector<T>, 4> coupling_;
+  long iterations_ = 0;
   std::vector<T> phase_cos_, phase_sin_, rest_;
   std::vector<int> from_, to_;
 };
@@ -172,20 +196,21 @@ std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, con
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct) {
   std::vector<NamedRival> rivals;
+  if (dynamics.solver.implicit && dynamics.full_jacobian) return rivals;
   const bool fast = fast_loops_run_here();
-  const auto serial = [&]<class T>(const char* name, const Loops<T>& loops) {
-    rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops)});
+  const auto serial = [&]<class T>(const char* name, const Loops<T>& loops, int threads = 1) {
+    rivals.push_back({name, std::make_unique<SerialRival<T>>(topology, dynamics, loops, threads)});
   };
-  if (!dynamics.solver.implicit) {
-    serial("serial-o3", plain_loops(0.0f));
-    if (fast) serial("serial-fast", fast_loops(0.0f));
-    return rivals;
-  }
-  if (!topology.kind.edges) {
+  if (dynamics.solver.implicit)
     serial("serial-o3-double", plain_loops(0.0));
-    if (fast) serial("serial-fast-double", fast_loops(0.0)), serial("serial-fast", fast_loops(0.0f));
-    return rivals;
+  else
+    serial("serial-o3", plain_loops(0.0f));
+  if (fast) {
+    if (dynamics.solver.implicit) serial("serial-fast-double", fast_loops(0.0));
+    serial("serial-fast", fast_loops(0.0f));
+    serial("parallel-fast-2", fast_loops(0.0f), 2);
   }
+  if (!dynamics.solver.implicit || !topology.kind.edges) return rivals;
   if (!fast) return rivals;
   if (topology.kind.own_edges()) {
     add_eigen<double>(rivals, topology, dynamics, EigenWay::blocks, "llt", true);

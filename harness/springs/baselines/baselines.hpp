@@ -28,8 +28,9 @@ class SolverRival {
   virtual long iterations() const { return 0; }  ///< number of conjugate gradient iterations so far
 };
 
-/// A baseline and its name: "serial-o3", "serial-fast", "serial-o3-double", "eigen-llt-double-2" (two
-/// threads), "eigen-cg-block-float-1" (one thread), ...
+/// A baseline and its name: "serial-o3", "serial-fast", "serial-o3-double", "parallel-fast-2" (the loops of
+/// serial-fast on two threads), "eigen-llt-double-2" (two threads), "eigen-cg-block-float-1" (one thread),
+/// ...
 struct NamedRival {
   std::string name;
   std::unique_ptr<SolverRival> rival;
@@ -38,12 +39,12 @@ struct NamedRival {
 /// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
 /// factorization takes seconds and gigabytes on large systems, so it is included only for fewer than
 /// `most_direct` sticks. Some baselines are compiled for the processor of the machine that built pelage. They
-/// are omitted if the processor that runs pelage does not support the same vector instructions.
+/// are omitted if the processor that runs pelage does not support the same vector instructions. No baseline
+/// solves backward Euler with the full Jacobian.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 
-/// Returns the serial C++ baseline in double precision. It does not support backward Euler on shared or
-/// separable prisms.
+/// Returns the serial C++ baseline in double precision.
 std::unique_ptr<SolverRival> serial_in_double(const SpringNetwork& topology, const Dynamics& dynamics);
 
 }  // namespace pelage::springs

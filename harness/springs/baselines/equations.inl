@@ -1,7 +1,8 @@
 // The equations of docs/topology.md in scalar C++. Each function computes one stick or one edge; the compiler
 // may vectorize the loops that call it. Files that are compiled with special flags include this file inside
 // an unnamed namespace.
-#define PELAGE_INLINE [[gnu::always_inline]] inline  // a function call in a loop would prevent its vectorization
+#define PELAGE_INLINE \
+  [[gnu::always_inline]] inline  // a function call in a loop would prevent its vectorization
 
 template <class T>
 struct V {
@@ -36,7 +37,7 @@ struct Constants {
 template <class T>
 PELAGE_INLINE Constants<T> constants(const TopologyParams& p) {
   return {T(p.length),       T(p.mass), T(1) / T(p.mass),   T(p.stiffness), T(p.damping), T(p.edge_stiffness),
-          T(p.edge_damping), T(p.drag), T(p.return_weight),      T(p.step),    p.moving != 0};
+          T(p.edge_damping), T(p.drag), T(p.return_weight), T(p.step),      p.moving != 0};
 }
 
 template <class T>
@@ -46,9 +47,12 @@ struct Outside {
 };
 template <class T>
 PELAGE_INLINE Outside<T> outside(const Moment& m) {
-  return {{T(m.steady_x), T(m.steady_y), T(m.steady_z)}, {T(m.gust_x), T(m.gust_y), T(m.gust_z)},
-          {T(m.turn_x), T(m.turn_y), T(m.turn_z)}, {T(m.turn_up_x), T(m.turn_up_y), T(m.turn_up_z)},
-          T(m.gust_sin), T(m.gust_cos)};
+  return {{T(m.steady_x), T(m.steady_y), T(m.steady_z)},
+          {T(m.gust_x), T(m.gust_y), T(m.gust_z)},
+          {T(m.turn_x), T(m.turn_y), T(m.turn_z)},
+          {T(m.turn_up_x), T(m.turn_up_y), T(m.turn_up_z)},
+          T(m.gust_sin),
+          T(m.gust_cos)};
 }
 
 template <class T>
@@ -101,8 +105,8 @@ PELAGE_INLINE Symmetric<T> symmetric(T a, T b, V<T> s, T c, V<T> t) {
 }
 
 // The equation of backward Euler for the top mass of one stick, if no springs connect it to other top masses:
-// block * dv = load. The unknown dv is the change of the mass's velocity, `block` is a 3 x 3 matrix, and `load` is
-// the right-hand side.
+// block * dv = load. The unknown dv is the change of the mass's velocity, `block` is a 3 x 3 matrix, and
+// `load` is the right-hand side.
 template <class T>
 struct Row {
   Symmetric<T> block;
@@ -121,12 +125,12 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
           h * force - pulled};
 }
 
-// An edge is a spring between two top masses. This struct contains the terms that one edge adds to the equations of
-// backward Euler. The 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of both ends and
-// subtracted from the two blocks that couple the ends. The vector `drawn` is added to the right-hand side
-// of the first end and subtracted from the right-hand side of the second end. It is h^2 K dv. h is the time
-// step. K is the edge's stiffness matrix: h^2 K is the above matrix without the damping part of `along`. dv
-// is the velocity of the second end minus the velocity of the first end.
+// An edge is a spring between two top masses. This struct contains the terms that one edge adds to the
+// equations of backward Euler. The 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of
+// both ends and subtracted from the two blocks that couple the ends. The vector `drawn` is added to the
+// right-hand side of the first end and subtracted from the right-hand side of the second end. It is h^2 K dv.
+// h is the time step. K is the edge's stiffness matrix: h^2 K is the above matrix without the damping part of
+// `along`. dv is the velocity of the second end minus the velocity of the first end.
 template <class T>
 struct Coupling {
   V<T> s, drawn;
@@ -140,12 +144,88 @@ PELAGE_INLINE Coupling<T> coupling_of(const Constants<T>& p, V<T> d, V<T> dv, T 
   return {a.s, even * dv + (stiff * dot(a.s, dv)) * a.s, even, stiff + p.step * p.edge_damping};
 }
 
-// Solves m x = b for a symmetric 3 x 3 matrix m by its LDL^T factorization.
+// The factorization m = L diag(d) L^T of a symmetric 3 x 3 matrix, where the diagonal of L is 1.
 template <class T>
-PELAGE_INLINE V<T> solved(const Symmetric<T>& m, V<T> b) {
+struct Factors {
+  T over_x, over_y, over_z;  // elements of 1 / d
+  T yx, zx, zy;              // elements of L
+};
+template <class T>
+PELAGE_INLINE Factors<T> factored(const Symmetric<T>& m) {
   const T over_x = T(1) / m.xx, yx = m.xy * over_x, zx = m.xz * over_x;
   const T over_y = T(1) / (m.yy - yx * m.xy), rest = m.yz - zx * m.xy, zy = rest * over_y;
-  const T over_z = T(1) / (m.zz - zx * m.xz - zy * rest);
-  const T y = b.y - yx * b.x, z = (b.z - zx * b.x - zy * y) * over_z, new_y = y * over_y - zy * z;
-  return {b.x * over_x - yx * new_y - zx * z, new_y, z};
+  return {over_x, over_y, T(1) / (m.zz - zx * m.xz - zy * rest), yx, zx, zy};
+}
+template <class T>
+PELAGE_INLINE V<T> solved(const Factors<T>& f, V<T> b) {
+  const T y = b.y - f.yx * b.x, z = (b.z - f.zx * b.x - f.zy * y) * f.over_z, new_y = y * f.over_y - f.zy * z;
+  return {b.x * f.over_x - f.yx * new_y - f.zx * z, new_y, z};
+}
+// Solves m x = b for a symmetric 3 x 3 matrix m.
+template <class T>
+PELAGE_INLINE V<T> solved(const Symmetric<T>& m, V<T> b) {
+  return solved(factored(m), b);
+}
+
+template <class T>
+PELAGE_INLINE V<T> operator*(const Symmetric<T>& m, V<T> a) {
+  return {m.xx * a.x + m.xy * a.y + m.xz * a.z, m.xy * a.x + m.yy * a.y + m.yz * a.z,
+          m.xz * a.x + m.yz * a.y + m.zz * a.z};
+}
+template <class T>
+PELAGE_INLINE Symmetric<T> operator+(const Symmetric<T>& a, const Symmetric<T>& b) {
+  return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
+}
+template <class T>
+PELAGE_INLINE Symmetric<T> inverse(const Symmetric<T>& m) {
+  const Factors<T> f = factored(m);
+  const V<T> x = solved(f, V<T>{1, 0, 0}), y = solved(f, V<T>{0, 1, 0}), z = solved(f, V<T>{0, 0, 1});
+  return {x.x, y.y, z.z, x.y, x.z, y.z};
+}
+
+// A 3 x 3 matrix, stored by columns.
+template <class T>
+struct Matrix {
+  V<T> x, y, z;
+};
+template <class T>
+PELAGE_INLINE Matrix<T> columns(const Symmetric<T>& m) {
+  return {{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}};
+}
+template <class T>
+PELAGE_INLINE Matrix<T> solved(const Factors<T>& f, const Matrix<T>& m) {
+  return {solved(f, m.x), solved(f, m.y), solved(f, m.z)};
+}
+template <class T>
+PELAGE_INLINE V<T> operator*(const Matrix<T>& m, V<T> a) {
+  return a.x * m.x + a.y * m.y + a.z * m.z;
+}
+template <class T>
+PELAGE_INLINE V<T> transposed_times(const Matrix<T>& m, V<T> a) {
+  return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
+}
+// Returns a - b^T c, which must be symmetric.
+template <class T>
+PELAGE_INLINE Symmetric<T> less_product(const Symmetric<T>& a, const Matrix<T>& b, const Matrix<T>& c) {
+  return {a.xx - dot(b.x, c.x), a.yy - dot(b.y, c.y), a.zz - dot(b.z, c.z),
+          a.xy - dot(b.x, c.y), a.xz - dot(b.x, c.z), a.yz - dot(b.y, c.z)};
+}
+
+// Solves the nine equations of the three top masses of a separable prism by block elimination. `row` holds
+// the diagonal blocks and the right-hand sides. side[c] is -1 times the block that couples corner c to corner
+// (c + 1) mod 3.
+template <class T>
+PELAGE_INLINE void solve_triangle(const Row<T> row[3], const Symmetric<T> side[3], V<T> change[3]) {
+  const Matrix<T> m01 = columns(side[0]), m12 = columns(side[1]), m02 = columns(side[2]);
+  const Factors<T> f0 = factored(row[0].block);
+  const Matrix<T> n01 = solved(f0, m01), n02 = solved(f0, m02);
+  const Factors<T> f1 = factored(less_product(row[1].block, m01, n01));
+  const Matrix<T> left = {m12.x + side[0] * n02.x, m12.y + side[0] * n02.y, m12.z + side[0] * n02.z};
+  const Matrix<T> n12 = solved(f1, left);
+  const Factors<T> f2 = factored(less_product(less_product(row[2].block, m02, n02), left, n12));
+  const V<T> load1 = row[1].load + transposed_times(n01, row[0].load);
+  const V<T> load2 = row[2].load + transposed_times(n02, row[0].load) + transposed_times(n12, load1);
+  change[2] = solved(f2, load2);
+  change[1] = solved(f1, load1) + n12 * change[2];
+  change[0] = solved(f0, row[0].load) + (n01 * change[1] + n02 * change[2]);
 }

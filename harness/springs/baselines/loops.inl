@@ -1,6 +1,7 @@
 // The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). The loops over sticks
 // and over triangles run all steps for one tile of 256 sticks or triangles before they start the next tile,
-// so that the tile's state stays in the first-level cache.
+// so that the tile's state stays in the first-level cache. With several threads, each thread takes a part of
+// the tiles.
 
 constexpr int tile = 256;
 
@@ -21,6 +22,15 @@ PELAGE_INLINE V<T> at(const T* const column[3], int i) {
 template <class T>
 PELAGE_INLINE void put(T* const column[3], int i, V<T> a) {
   column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
+}
+// The positions and the velocities of the top masses.
+template <class T>
+struct Lists {
+  T *q[3], *v[3];
+};
+template <class T>
+Lists<T> lists_of(T* const q[3], T* const v[3]) {
+  return {{q[0], q[1], q[2]}, {v[0], v[1], v[2]}};
 }
 template <class T>
 PELAGE_INLINE Place<T> place(const Arrays<T>& a, int i) {
@@ -86,125 +96,224 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
     }
   } else {
     forces<T, N>(p, t[2], g, a, f);
+    Row<T> row[N];
+    V<T> change[N];
+#pragma GCC unroll 3
+    for (int c = 0; c < N; ++c) row[c] = stick_row(p, g.place[c], a.q[c], a.v[c], f[c]);
+    if constexpr (N == 1) {
+      change[0] = solved(row[0].block, row[0].load);
+    } else {
+      Symmetric<T> side[3];
+#pragma GCC unroll 3
+      for (int c = 0; c < 3; ++c) {
+        const int to = c < 2 ? c + 1 : 0;
+        const V<T> d = (g.place[to].root - g.place[c].root) + (a.q[to] - a.q[c]);
+        const Coupling<T> k = coupling_of(p, d, a.v[to] - a.v[c], g.rest[c]);
+        side[c] = symmetric(k.even, k.along, k.s, T(0), k.s);
+        row[c].block = row[c].block + side[c];
+        row[to].block = row[to].block + side[c];
+        row[c].load = row[c].load + k.drawn;
+        row[to].load = row[to].load - k.drawn;
+      }
+      solve_triangle(row, side, change);
+    }
 #pragma GCC unroll 3
     for (int c = 0; c < N; ++c) {
-      const Row<T> row = stick_row(p, g.place[c], a.q[c], a.v[c], f[c]);
-      b.v[c] = a.v[c] + solved(row.block, row.load);
+      b.v[c] = a.v[c] + change[c];
       b.q[c] = a.q[c] + h * b.v[c];
     }
   }
   return b;
 }
 
+// Runs `work` for the parts 0 to threads - 1. If `items` is large enough, each part has a thread of its own.
+// Otherwise one thread runs all parts, because waking a second thread would take longer than the work.
+template <class Work>
+void in_parts(int threads, int items, const Work& work) {
+  if (threads == 1) return work(0);
+#pragma omp parallel for num_threads(threads) schedule(static, 1) if (items > tile)
+  for (int part = 0; part < threads; ++part) work(part);
+}
+// The first item of a part, if `count` items are divided among `threads` threads.
+inline int begin_of(int part, int threads, int count) {
+  return int(std::int64_t(part) * count / threads);
+}
+
+// Runs all steps of the blocks first to end - 1.
 template <class T, int N, Scheme scheme, bool moving>
-void through_blocks(const Arrays<T>& given, const Course& course) {
-  const Arrays<T> a = given;
-  Constants<T> p = constants<T>(course.params);
+void through_tile(const Arrays<T> a, const Constants<T> constants, const Course& course, int first, int end) {
+  Constants<T> p = constants;
   p.moving = moving;
   const int blocks = a.sticks / N;
-  for (int first = 0; first < blocks; first += tile) {
-    const int end = first + tile < blocks ? first + tile : blocks;
-    for (int i = 0; i < course.steps; ++i) {
-      const Moment* moment = course.moments + 2 * std::size_t(i);
-      const Outside<T> t[3] = {outside<T>(moment[0]), outside<T>(moment[1]), outside<T>(moment[2])};
+  for (int i = 0; i < course.steps; ++i) {
+    const Moment* moment = course.moments + 2 * std::size_t(i);
+    const Outside<T> t[3] = {outside<T>(moment[0]), outside<T>(moment[1]), outside<T>(moment[2])};
 #pragma GCC ivdep
-      for (int k = first; k < end; ++k) {
-        Ground<T, N> g;
-        Block<T, N> b;
+    for (int k = first; k < end; ++k) {
+      Ground<T, N> g;
+      Block<T, N> b;
 #pragma GCC unroll 3
-        for (int c = 0; c < N; ++c) {
-          g.place[c] = place(a, c * blocks + k);
-          g.rest[c] = N == 3 ? a.rest[c * blocks + k] : T(0);
-          b.q[c] = at(a.q, c * blocks + k);
-          b.v[c] = at(a.v, c * blocks + k);
-        }
-        b = stepped<T, N, scheme>(p, t, g, b);
+      for (int c = 0; c < N; ++c) {
+        g.place[c] = place(a, c * blocks + k);
+        g.rest[c] = N == 3 ? a.rest[c * blocks + k] : T(0);
+        b.q[c] = at(a.q, c * blocks + k);
+        b.v[c] = at(a.v, c * blocks + k);
+      }
+      b = stepped<T, N, scheme>(p, t, g, b);
 #pragma GCC unroll 3
-        for (int c = 0; c < N; ++c) {
-          put(a.q, c * blocks + k, b.q[c]);
-          put(a.v, c * blocks + k, b.v[c]);
-        }
+      for (int c = 0; c < N; ++c) {
+        put(a.q, c * blocks + k, b.q[c]);
+        put(a.v, c * blocks + k, b.v[c]);
       }
     }
   }
 }
 
-// Computes all forces on shared prisms (adjacent prisms share their sticks). For each tile of edges, it
-// computes the spring forces and then adds them to the forces on both ends of the edges.
+template <class T, int N, Scheme scheme, bool moving>
+void through_blocks(const Arrays<T>& a, const Course& course) {
+  const Constants<T> p = constants<T>(course.params);
+  const int blocks = a.sticks / N, tiles = (blocks + tile - 1) / tile;
+  in_parts(course.threads, blocks, [&](int part) {
+    for (int n = begin_of(part, course.threads, tiles); n < begin_of(part + 1, course.threads, tiles); ++n)
+      through_tile<T, N, scheme, moving>(a, p, course, n * tile, n < tiles - 1 ? (n + 1) * tile : blocks);
+  });
+}
+
+// Computes the forces on the sticks first to end - 1 of shared prisms (adjacent prisms share their sticks),
+// without the springs between top masses.
 template <class T, bool moving>
-void all_forces(const Arrays<T>& given, const Constants<T>& constants, const Moment& moment, T* const qs[3],
-                T* const vs[3]) {
-  const Arrays<T> a = given;
+void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment& moment, const Lists<T> state,
+                  int first, int end) {
   Constants<T> p = constants;
   p.moving = moving;
-  T *const q[3] = {qs[0], qs[1], qs[2]}, *const v[3] = {vs[0], vs[1], vs[2]};
   const Outside<T> t = outside<T>(moment);
 #pragma GCC ivdep
-  for (int i = 0; i < a.sticks; ++i) put(a.force, i, stick_force(p, t, place(a, i), at(q, i), at(v, i)));
+  for (int i = first; i < end; ++i)
+    put(a.force[0], i, stick_force(p, t, place(a, i), at(state.q, i), at(state.v, i)));
+}
+
+// Adds the forces of the edges first to end - 1 to `force`. For each tile of edges, it computes the spring
+// forces and then adds them to the forces on both ends of the edges.
+template <class T>
+void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, T* const force[3], int first,
+                 int end) {
   T pull[3][tile];
-  for (int first = 0; first < a.edges; first += tile) {
-    const int count = first + tile < a.edges ? tile : a.edges - first;
+  for (; first < end; first += tile) {
+    const int count = first + tile < end ? tile : end - first;
 #pragma GCC ivdep
     for (int k = 0; k < count; ++k) {
       const int from = a.from[first + k], to = a.to[first + k];
-      const V<T> d = (at(a.root, to) - at(a.root, from)) + (at(q, to) - at(q, from));
-      const V<T> f = edge_force(p, d, at(v, to) - at(v, from), a.rest[first + k]);
+      const V<T> d = (at(a.root, to) - at(a.root, from)) + (at(state.q, to) - at(state.q, from));
+      const V<T> f = edge_force(p, d, at(state.v, to) - at(state.v, from), a.rest[first + k]);
       pull[0][k] = f.x, pull[1][k] = f.y, pull[2][k] = f.z;
     }
     for (int k = 0; k < count; ++k) {
       const int from = a.from[first + k], to = a.to[first + k];
 #pragma GCC unroll 3
-      for (int c = 0; c < 3; ++c) a.force[c][from] += pull[c][k], a.force[c][to] -= pull[c][k];
+      for (int c = 0; c < 3; ++c) force[c][from] += pull[c][k], force[c][to] -= pull[c][k];
     }
   }
 }
 
+// Adds the second list of the vectors first to end - 1 to the first list, and sets the second list to 0.
+template <class T>
+void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
+  for (int c = 0; c < 3; ++c) {
+    T *a = sum[c], *b = other[c];
+#pragma GCC ivdep
+    for (int i = first; i < end; ++i) a[i] += b[i], b[i] = T(0);
+  }
+}
+
+// Computes all forces on shared prisms. With two threads, each thread adds the forces of half of the edges to
+// a list of its own; force[1] holds zeros before and after the call.
 template <class T, bool moving>
-void through_prisms(const Arrays<T>& a, const Course& course) {
-  const Constants<T> p = constants<T>(course.params);
-  const T h = p.step;
-  for (int i = 0; i < course.steps; ++i) {
-    const Moment* t = course.moments + 2 * std::size_t(i);
-    if (!course.solver.multistage()) {
-      all_forces<T, moving>(a, p, t[0], a.q, a.v);
-      const bool in_turn = course.solver.in_turn;
+void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment, const Lists<T>& state,
+                int threads) {
+  const auto share = [&](int part, int count) { return begin_of(part, threads, count); };
+  in_parts(threads, a.sticks, [&](int part) {
+    stick_forces<T, moving>(a, p, moment, state, share(part, a.sticks), share(part + 1, a.sticks));
+  });
+  in_parts(threads, a.sticks, [&](int part) {
+    edge_forces<T>(a, p, state, a.force[part], share(part, a.edges), share(part + 1, a.edges));
+  });
+  if (threads > 1)
+    in_parts(threads, a.sticks, [&](int part) {
+      gather_parts<T>(a.force[0], a.force[1], share(part, a.sticks), share(part + 1, a.sticks));
+    });
+}
+
+// Moves the tops first to end - 1 by one step of explicit or semi-implicit Euler.
+template <class T>
+void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end) {
 #pragma GCC unroll 3
-      for (int c = 0; c < 3; ++c) {
-        T *q = a.q[c], *v = a.v[c];
-        const T* f = a.force[c];
+  for (int c = 0; c < 3; ++c) {
+    T *q = a.q[c], *v = a.v[c];
+    const T* f = a.force[0][c];
 #pragma GCC ivdep
-        for (int k = 0; k < a.sticks; ++k) {
-          const T speed = v[k] + (h * p.inverse_mass) * f[k];
-          q[k] += h * (in_turn ? speed : v[k]);
-          v[k] = speed;
-        }
-      }
-      continue;
+    for (int k = first; k < end; ++k) {
+      const T speed = v[k] + rate * f[k];
+      q[k] += h * (in_turn ? speed : v[k]);
+      v[k] = speed;
     }
-    T *const *stage_q = a.work, *const *stage_v = a.work + 3, *const *sum_q = a.work + 6,
-             *const *sum_v = a.work + 9;
-    for (int stage = 0; stage < 4; ++stage) {
-      T *const *q = stage == 0 ? a.q : stage_q, *const *v = stage == 0 ? a.v : stage_v;
-      all_forces<T, moving>(a, p, t[(stage + 1) / 2], q, v);
-      const T weight = stage == 0 || stage == 3 ? h / T(6) : h / T(3), reach = stage < 2 ? h / T(2) : h;
+  }
+}
+
+// Moves the tops first to end - 1 by one stage of RK4.
+template <class T>
+void rk4_move(const Arrays<T> a, const Lists<T> state, T h, T inverse_mass, int stage, int first, int end) {
+  T *const *stage_q = a.work, *const *stage_v = a.work + 3, *const *sum_q = a.work + 6,
+           *const *sum_v = a.work + 9;
+  const T weight = stage == 0 || stage == 3 ? h / T(6) : h / T(3), reach = stage < 2 ? h / T(2) : h;
 #pragma GCC unroll 3
-      for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < 3; ++c) {
 #pragma GCC ivdep
-        for (int k = 0; k < a.sticks; ++k) {
-          const T speed = v[c][k], rate = p.inverse_mass * a.force[c][k];
-          sum_q[c][k] = (stage == 0 ? a.q[c][k] : sum_q[c][k]) + weight * speed;
-          sum_v[c][k] = (stage == 0 ? a.v[c][k] : sum_v[c][k]) + weight * rate;
-          if (stage < 3) {
-            stage_q[c][k] = a.q[c][k] + reach * speed;
-            stage_v[c][k] = a.v[c][k] + reach * rate;
-          } else {
-            a.q[c][k] = sum_q[c][k];
-            a.v[c][k] = sum_v[c][k];
-          }
-        }
+    for (int k = first; k < end; ++k) {
+      const T speed = state.v[c][k], rate = inverse_mass * a.force[0][c][k];
+      sum_q[c][k] = (stage == 0 ? a.q[c][k] : sum_q[c][k]) + weight * speed;
+      sum_v[c][k] = (stage == 0 ? a.v[c][k] : sum_v[c][k]) + weight * rate;
+      if (stage < 3) {
+        stage_q[c][k] = a.q[c][k] + reach * speed;
+        stage_v[c][k] = a.v[c][k] + reach * rate;
+      } else {
+        a.q[c][k] = sum_q[c][k];
+        a.v[c][k] = sum_v[c][k];
       }
     }
   }
+}
+
+#include "harness/springs/baselines/gradients.inl"
+
+template <class T, bool moving>
+long through_prisms(const Arrays<T>& a, const Course& course) {
+  const Constants<T> p = constants<T>(course.params);
+  const T h = p.step;
+  const int threads = course.threads;
+  const auto share = [&](int part) { return begin_of(part, threads, a.sticks); };
+  const Lists<T> state = lists_of(a.q, a.v), staged = lists_of(a.work, a.work + 3);
+  long iterations = 0;
+  for (int i = 0; i < course.steps; ++i) {
+    const Moment* t = course.moments + 2 * std::size_t(i);
+    if (course.solver.implicit) {
+      all_forces<T, moving>(a, p, t[2], state, threads);
+      iterations += gradient_step<T>(a, p, course);
+    } else if (!course.solver.multistage()) {
+      all_forces<T, moving>(a, p, t[0], state, threads);
+      in_parts(threads, a.sticks, [&](int part) {
+        euler_move<T>(a, h, h * p.inverse_mass, course.solver.in_turn, share(part), share(part + 1));
+      });
+    } else {
+      for (int stage = 0; stage < 4; ++stage) {
+        const Lists<T>& now = stage == 0 ? state : staged;
+        all_forces<T, moving>(a, p, t[(stage + 1) / 2], now, threads);
+        in_parts(threads, a.sticks, [&](int part) {
+          rk4_move<T>(a, now, h, p.inverse_mass, stage, share(part), share(part + 1));
+        });
+      }
+    }
+  }
+  return iterations;
 }
 
 template <class T, int N, bool moving>
@@ -214,7 +323,7 @@ void blocks_by(const Arrays<T>& a, const Course& course) {
   if (!solver.implicit)
     return solver.in_turn ? through_blocks<T, N, Scheme{.in_turn = true}, moving>(a, course)
                           : through_blocks<T, N, Scheme{}, moving>(a, course);
-  if constexpr (N == 1) through_blocks<T, N, Scheme{.implicit = true}, moving>(a, course);
+  through_blocks<T, N, Scheme{.implicit = true}, moving>(a, course);
 }
 
 template <class T>
@@ -226,6 +335,6 @@ Loops<T> loops() {
             c.params.moving ? blocks_by<T, 3, true>(a, c) : blocks_by<T, 3, false>(a, c);
           },
           [](const Arrays<T>& a, const Course& c) {
-            c.params.moving ? through_prisms<T, true>(a, c) : through_prisms<T, false>(a, c);
+            return c.params.moving ? through_prisms<T, true>(a, c) : through_prisms<T, false>(a, c);
           }};
 }

@@ -85,6 +85,10 @@ void check(const Dynamics& d) {
   if (d.most_iterations < 1)
     throw InputError(
         fmt::format("limit of conjugate gradient iterations: {}; it must be at least 1", d.most_iterations));
+  finite("length at which a stick has diverged (rest lengths)", d.lost_stretch);
+  if (!(d.lost_stretch > 1))
+    throw InputError(fmt::format("length at which a stick has diverged: {} rest lengths; it must be above 1",
+                                 d.lost_stretch));
   finite("gravity (m/s^2)", d.gravity);
   direction("direction of the wind", d.wind.direction);
   finite("speed of the wind (m/s)", d.wind.speed);
@@ -123,7 +127,7 @@ TopologyParams params(const Dynamics& d, float length) {
   p.drag = d.drag;
   p.return_weight = d.return_weight;
   p.step = d.step;
-  p.most_square = most_stretch * length * most_stretch * length;
+  p.most_square = d.lost_stretch * length * d.lost_stretch * length;
   p.moving = turns(d);
   return p;
 }

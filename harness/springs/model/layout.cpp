@@ -99,7 +99,7 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
   const glm::dvec3 along = glm::normalize(glm::dvec3(wind.direction));
   for (std::size_t i = 0; i < sticks; ++i)
     stand(layout.place[i], topology.mass[i], topology.normal[i],
-          2 * std::numbers::pi * glm::dot(glm::dvec3(topology.mass[i]), along) / double(wind.wavelength));
+          2 * std::numbers::pi * glm::dot(glm::dvec3(topology.gust_at[i]), along) / double(wind.wavelength));
   if (topology.kind.shared_edges()) lay_out_springs(around, layout);
   if (topology.kind.own_edges()) {
     layout.sides.assign(places, 0);

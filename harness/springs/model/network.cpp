@@ -41,13 +41,22 @@ std::vector<glm::uvec2> edges_of(Kind kind, const Corners& corners) {
   return edges;
 }
 
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
+    area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  return area;
+}
+
 glm::dvec3 rest_top(const SpringNetwork& topology, std::uint32_t stick) {
   return glm::dvec3(topology.mass[stick]) + glm::dvec3(topology.length * topology.normal[stick]);
 }
 
 }  // namespace
 
-SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices) {
+SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices, Gusts gusts) {
   if (mesh.triangle.empty())
     throw InputError(fmt::format("{}: the mesh has no triangle; a topology needs at least one", mesh.name));
   if (!(length > 0) || !std::isfinite(length))
@@ -77,12 +86,20 @@ SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices
     const glm::vec3 base = mesh.position[topology.copy[i]];
     const glm::vec3 normal(skin.normal[mesh.weld[topology.copy[i]]]);
     topology.normal.push_back(normal);
+    topology.point.push_back(mesh.weld[topology.copy[i]]);
+    topology.gust_at.push_back(base);
     topology.mass[i] = base;
     topology.mass[sticks + i] = base + length * normal;
     topology.spring.push_back({std::uint32_t(i), std::uint32_t(sticks + i)});
     topology.rest.push_back(length);
   }
   topology.length = length;
+  topology.stick_area = area_of(mesh) / double(sticks);
+  if (separable(kind) && gusts == Gusts::triangles)
+    for (const glm::uvec3& t : corners) {
+      const glm::vec3 centroid = (topology.mass[t.x] + topology.mass[t.y] + topology.mass[t.z]) / 3.0f;
+      for (int c = 0; c < 3; ++c) topology.gust_at[t[c]] = centroid;
+    }
   const auto shift = std::uint32_t(sticks);
   for (const glm::uvec2 edge : edges_of(kind, corners)) {
     topology.spring.push_back(edge + shift);

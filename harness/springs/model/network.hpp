@@ -18,10 +18,17 @@ namespace pelage::springs {
 /// Selects the places of the sticks in the topologies sticks and prisms. `points` places one stick on each
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
 /// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so the topology is split
-/// along the seams. Like `copies`, Banisch and Wuethrich count such a point once per side. The
+/// along the seams. Banisch and Wuethrich do not state which of the two they count (docs/topology.md). The
 /// topologies separable-sticks and separable-prisms always have one stick at each corner of each triangle, so
 /// they ignore this choice.
 enum class Vertices { points, copies };
+
+/// Selects the position x that determines the phase of the gusts on a stick. `sticks` takes the base of the
+/// stick. `triangles` takes the centroid of the triangle to which the stick belongs. The topologies sticks
+/// and prisms share their sticks among triangles, so they always take the base of the stick. With `sticks`,
+/// all sticks at one surface point feel the same wind. With `triangles`, they feel different gusts and can
+/// part.
+enum class Gusts { sticks, triangles };
 
 /// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +
 /// sticks(), its top mass on the outermost layer. The first sticks() springs are the sticks. The other
@@ -30,13 +37,16 @@ enum class Vertices { points, copies };
 /// between the top masses of triangle f connect corners (0, 1), (1, 2) and (2, 0), in that order.
 struct SpringNetwork {
   Kind kind = Kind::sticks;
-  std::vector<glm::vec3> mass;      ///< rest position of each mass in R
-  std::vector<glm::vec3> normal;    ///< for each stick, its direction at rest (unit vector)
-  std::vector<std::uint32_t> copy;  ///< for each stick, the index of the mesh vertex at its base
-  std::vector<glm::uvec2> spring;   ///< indices of the two masses of each spring
-  std::vector<float> rest;          ///< rest length of each spring in R
-  std::vector<glm::uvec3> corner;   ///< for each mesh triangle, the indices of the sticks at its corners
-  float length = 0;                 ///< rest length L0 of the sticks in R
+  std::vector<glm::vec3> mass;       ///< rest position of each mass in R
+  std::vector<glm::vec3> normal;     ///< for each stick, its direction at rest (unit vector)
+  std::vector<std::uint32_t> copy;   ///< for each stick, the index of the mesh vertex at its base
+  std::vector<std::uint32_t> point;  ///< for each stick, the index of the surface point at its base
+  std::vector<glm::vec3> gust_at;    ///< for each stick, the position in R that determines the gusts' phase
+  std::vector<glm::uvec2> spring;    ///< indices of the two masses of each spring
+  std::vector<float> rest;           ///< rest length of each spring in R
+  std::vector<glm::uvec3> corner;    ///< for each mesh triangle, the indices of the sticks at its corners
+  float length = 0;                  ///< rest length L0 of the sticks in R
+  double stick_area = 0;             ///< area of the surface divided by the number of sticks, R^2
 
   std::size_t sticks() const { return normal.size(); }
   std::size_t top(std::size_t stick) const { return sticks() + stick; }
@@ -47,7 +57,8 @@ struct SpringNetwork {
 /// at one surface point have the same rest position, so the layers of separable-sticks and
 /// separable-prisms have no gaps at rest. If a triangle edge connects a surface point with itself, no spring
 /// is built for it. Throws InputError if the mesh has no triangle or the length is not above 0.
-SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points);
+SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points,
+                    Gusts gusts = Gusts::sticks);
 
 /// Returns the index of the first triangle of `mesh` that the ray from `origin` (in R) along `direction`
 /// hits. Both sides of a triangle can be hit. Returns nothing if the ray hits no triangle.

@@ -31,7 +31,7 @@ Aim aimed(const Mesh& mesh, const PokeScene& poke) {
 
 }  // namespace
 
-Dynamics dynamics_of(const DynamicsScene& scene) {
+Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology) {
   Dynamics d;
   d.solver = solver_of(scene.solver);
   d.step = scene.step;
@@ -43,17 +43,27 @@ Dynamics dynamics_of(const DynamicsScene& scene) {
   d.drag = scene.drag;
   d.return_weight = scene.springs.return_weight;
   d.residual = scene.springs.residual;
+  d.full_jacobian = scene.springs.jacobian == "full";
   d.gravity = scene.gravity;
   const WindScene& wind = scene.wind;
   d.wind = {wind.direction, scene.drag > 0 ? wind.strength / scene.drag : 0, wind.gust, wind.frequency,
             wind.wavelength};
   const MotionScene& m = scene.motion;
   d.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  if (scene.springs.reference_area > 0) {
+    const auto share = float(topology.stick_area / double(scene.springs.reference_area));
+    for (float* constant : {&d.mass, &d.stiffness, &d.damping, &d.drag, &d.return_weight}) *constant *= share;
+  }
   return d;
 }
 
+SpringNetwork topology_of(const Scene& scene, const Mesh& mesh) {
+  return build(kind_of(scene.dynamics.topology), mesh, scene.fur.length, Vertices::points,
+               scene.dynamics.wind.gust_at == "triangle" ? Gusts::triangles : Gusts::sticks);
+}
+
 SpringNetwork topology_of(const FrameInput& input) {
-  return build(kind_of(input.scene.dynamics.topology), *input.mesh, input.scene.fur.length);
+  return topology_of(input.scene, *input.mesh);
 }
 
 std::vector<glm::vec3> pushes(const SpringNetwork& topology, const Mesh& mesh, const PokeScene& poke) {

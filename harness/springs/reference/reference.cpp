@@ -1,6 +1,7 @@
 #include "harness/springs/reference/reference.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -59,12 +60,13 @@ Spring spring(const System& system, const State& state, std::size_t number) {
 }
 
 // Returns the sum of weight, wind, drag and inertial forces on one mass, in newtons, in the object's frame.
-glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 root, glm::dvec3 r,
+// `gust_at` is the position that determines the phase of the gusts.
+glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 gust_at, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
   const glm::dvec3 blow = glm::normalize(glm::dvec3(d.wind.direction));
   const double swell =
-      std::sin(tau * (double(d.wind.frequency) * time - glm::dot(root, blow) / double(d.wind.wavelength)));
+      std::sin(tau * (double(d.wind.frequency) * time - glm::dot(gust_at, blow) / double(d.wind.wavelength)));
   const glm::dvec3 air = double(d.wind.speed) * (1 + double(d.wind.gust) * swell) * blow;
   const glm::dvec3 velocity = at.shift_1 + at.turn_1 * r + at.turn * v;
   const glm::dvec3 carried = at.shift_2 + at.turn_2 * r + 2.0 * (at.turn_1 * v);
@@ -120,13 +122,82 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
+// A block of the derivatives of the forces: the force on the top mass of stick `row`, by the position (j) and
+// by the velocity (d) of the top mass of stick `column`. Several blocks of one row and column are added.
+struct Block {
+  std::size_t row, column;
+  glm::dmat3 j, d;
+};
+
+// Returns the matrix a b^T.
+glm::dmat3 outer(glm::dvec3 a, glm::dvec3 b) {
+  return glm::outerProduct(a, b);
+}
+
+// The derivatives of the pull of a spring, the force on its first end, by the position and by the velocity of
+// its second end. Without `full`, j has neither the transverse stiffness of a compressed spring nor the
+// derivative of the damping force.
+struct Pull {
+  glm::dmat3 j, d;
+};
+Pull pull_of(const Spring& s, glm::dvec3 parting, bool full) {
+  if (!(s.length > 0)) return {glm::dmat3(0), glm::dmat3(0)};
+  const double slack = 1 - s.rest / s.length;
+  Pull pull{s.stiffness * (outer(s.along, s.along) + (full ? slack : std::max(0.0, slack)) * across(s.along)),
+            s.damping * outer(s.along, s.along)};
+  if (full)
+    pull.j += s.damping / s.length *
+              (outer(s.along, across(s.along) * parting) + glm::dot(parting, s.along) * across(s.along));
+  return pull;
+}
+
+// The derivative of the return force (B Eq. 5) of a stick by the position of its top. Without `full`, it has
+// only the symmetric part.
+glm::dmat3 return_derivative(const Spring& stick, glm::dvec3 n, double weight, bool full) {
+  const double cosine = glm::dot(n, stick.along);
+  const glm::dvec3 lean = n - cosine * stick.along;
+  glm::dmat3 j = (1 - cosine) * across(stick.along) + outer(lean, lean);
+  if (full) j -= (1 - cosine) * outer(stick.along, lean);
+  return -weight / stick.length * j;
+}
+
+std::vector<Block> derivative_blocks(const System& system, const State& y, double t) {
+  const SpringNetwork& topology = system.topology;
+  const Dynamics& dynamics = system.dynamics;
+  const std::size_t sticks = topology.sticks();
+  const bool full = dynamics.full_jacobian;
+  const Pose at = pose(dynamics.motion, t);
+  const double m = double(dynamics.mass), drag = double(dynamics.drag);
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < sticks; ++i) {
+    Block own{i, i,
+              return_derivative(spring(system, y, i), glm::dvec3(topology.normal[i]),
+                                double(dynamics.return_weight), full),
+              glm::dmat3(-drag)};
+    if (full) {  // the inertial forces and the drag of a rotating object
+      const glm::dmat3 back = glm::transpose(at.turn);
+      own.j -= back * (drag * at.turn_1 + m * at.turn_2);
+      own.d -= 2 * m * (back * at.turn_1);
+    }
+    blocks.push_back(own);
+  }
+  for (std::size_t k = 0; k < topology.spring.size(); ++k) {
+    const glm::uvec2 ends = topology.spring[k];
+    const Pull pull = pull_of(spring(system, y, k), y.velocity[ends.y] - y.velocity[ends.x], full);
+    for (const auto& [self, other] : {std::pair(ends.x, ends.y), std::pair(ends.y, ends.x)}) {
+      if (self < sticks) continue;  // a fixed mass on the skin
+      blocks.push_back({self - sticks, self - sticks, -pull.j, -pull.d});
+      if (other >= sticks) blocks.push_back({self - sticks, other - sticks, pull.j, pull.d});
+    }
+  }
+  return blocks;
+}
+
 // The linear system of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v). M is the matrix of
 // the masses, and h is the time step. v is the velocity before the step, and dv is the change of the
 // velocity. f is the force at the new time, computed from the positions and velocities before the step. D is
-// the derivative of the force with respect to the velocities: the damping of the springs and the drag. J is
-// the derivative of the force with respect to the positions, without the parts that would make the matrix
-// indefinite. These parts are the transverse stiffness of compressed springs, and the asymmetric part of the
-// derivative of B Eq. 5.
+// the derivative of the force with respect to the velocities, and J is its derivative with respect to the
+// positions (derivative_blocks).
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;
@@ -145,32 +216,12 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   };
   Vectors load(sticks);
   for (std::size_t i = 0; i < sticks; ++i) {
-    const std::size_t top = topology.top(i);
-    add(i, i, glm::dmat3(double(system.dynamics.mass) + h * double(system.dynamics.drag)));
-    const Spring s = spring(system, y, i);  // s.along is the vector s of B Eq. 3
-    const glm::dvec3 n(topology.normal[i]);
-    const double cosine = glm::dot(n, s.along);
-    const glm::dvec3 lean = n - cosine * s.along;
-    const glm::dmat3 back = (double(system.dynamics.return_weight) / s.length) *
-                            ((1 - cosine) * across(s.along) + glm::outerProduct(lean, lean));
-    add(i, i, h * h * back);
-    load[i] = h * f[top] - h * h * (back * y.velocity[top]);
+    add(i, i, glm::dmat3(double(system.dynamics.mass)));
+    load[i] = h * f[topology.top(i)];
   }
-  for (std::size_t k = 0; k < topology.spring.size(); ++k) {
-    const Spring s = spring(system, y, k);
-    const glm::uvec2 ends = topology.spring[k];
-    const glm::dmat3 stiff =
-        s.stiffness * (glm::outerProduct(s.along, s.along) +
-                       (s.length > 0 ? std::max(0.0, 1 - s.rest / s.length) : 0.0) * across(s.along));
-    const glm::dmat3 block = h * h * stiff + h * s.damping * glm::outerProduct(s.along, s.along);
-    const glm::dvec3 drawn = h * h * (stiff * (y.velocity[ends.y] - y.velocity[ends.x]));
-    for (const auto& [self, other, sign] :
-         {std::tuple(ends.x, ends.y, 1.0), std::tuple(ends.y, ends.x, -1.0)}) {
-      if (self < sticks) continue;  // a fixed mass on the skin
-      load[self - sticks] += sign * drawn;
-      add(self - sticks, self - sticks, block);
-      if (other >= sticks) add(self - sticks, other - sticks, -block);
-    }
+  for (const Block& block : derivative_blocks(system, y, t + h)) {
+    add(block.row, block.column, -h * block.d - h * h * block.j);
+    load[block.row] += h * h * (block.j * y.velocity[topology.top(block.column)]);
   }
   for (std::size_t i = 0; i < sticks; ++i)
     for (int c = 0; c < 3; ++c) right[Eigen::Index(3 * i) + c] = load[i][c];
@@ -179,14 +230,23 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   return {matrix, right};
 }
 
+// Solves the equations: by LDL^T if the matrix is symmetric, else by LU.
+Eigen::VectorXd solved(const Equations& equations, bool symmetric) {
+  const auto by = [&](auto&& factors) -> Eigen::VectorXd {
+    factors.compute(equations.matrix);
+    if (factors.info() != Eigen::Success)
+      throw std::runtime_error(
+          "backward Euler: the factorization of the matrix failed; a shorter time step may help");
+    return factors.solve(equations.right);
+  };
+  return symmetric ? by(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>())
+                   : by(Eigen::SparseLU<Eigen::SparseMatrix<double>>());
+}
+
 State backward_euler(const System& system, const State& y, double t, double h) {
   const SpringNetwork& topology = system.topology;
   const Equations equations = backward_equations(system, y, t, h);
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(equations.matrix);
-  if (factors.info() != Eigen::Success)
-    throw std::runtime_error(
-        "backward Euler: the LDL^T factorization of the matrix failed; a shorter time step may help");
-  const Eigen::VectorXd change = factors.solve(equations.right);
+  const Eigen::VectorXd change = solved(equations, !system.dynamics.full_jacobian);
   State next = y;
   for (std::size_t i = 0; i < topology.sticks(); ++i) {
     for (int c = 0; c < 3; ++c) next.velocity[topology.top(i)][c] += change[Eigen::Index(3 * i) + c];
@@ -212,8 +272,8 @@ Vectors forces(const System& system, const State& state, double time) {
   const Pose at = pose(d.motion, time);
   Vectors force;
   for (std::size_t i = 0; i < topology.mass.size(); ++i)
-    force.push_back(
-        outside(d, at, time, state.position[i % topology.sticks()], state.position[i], state.velocity[i]));
+    force.push_back(outside(d, at, time, glm::dvec3(topology.gust_at[i % topology.sticks()]),
+                            state.position[i], state.velocity[i]));
   for (std::size_t k = 0; k < topology.spring.size(); ++k) {  // Hooke's law, and damping along the spring
     const Spring s = spring(system, state, k);
     const glm::uvec2 ends = topology.spring[k];
@@ -247,6 +307,19 @@ double residual(const System& system, const State& state, long number, const Vec
   return (equations.right - equations.matrix * x).norm() / equations.right.norm();
 }
 
+Derivatives derivatives(const System& system, const State& state, double time) {
+  const std::size_t size = 3 * system.topology.sticks();
+  Derivatives found{size, std::vector<double>(size * size, 0.0), std::vector<double>(size * size, 0.0)};
+  for (const Block& block : derivative_blocks(system, state, time))
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t at = (3 * block.row + i) * size + 3 * block.column + j;
+        found.by_position[at] += block.j[int(j)][int(i)];
+        found.by_velocity[at] += block.d[int(j)][int(i)];
+      }
+  return found;
+}
+
 double energy(const System& system, const State& state) {
   double sum = 0;
   for (std::size_t i = system.topology.sticks(); i < state.velocity.size(); ++i)
@@ -255,6 +328,13 @@ double energy(const System& system, const State& state) {
     const Spring s = spring(system, state, k);
     sum += 0.5 * s.stiffness * (s.length - s.rest) * (s.length - s.rest);
   }
+  return sum;
+}
+
+double total_energy(const System& system, const State& state) {
+  double sum = energy(system, state);
+  for (std::size_t i = system.topology.sticks(); i < state.position.size(); ++i)
+    sum -= double(system.dynamics.mass) * glm::dot(glm::dvec3(system.dynamics.gravity), state.position[i]);
   return sum;
 }
 

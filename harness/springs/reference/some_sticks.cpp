@@ -21,6 +21,7 @@ springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std
   SpringNetwork part;
   part.kind = whole.kind;
   part.length = whole.length;
+  part.stick_area = whole.stick_area;
   const auto count = std::uint32_t(sticks.size());
   std::vector<std::uint32_t> number(whole.mass.size(), absent);
   for (const bool tops : {false, true})
@@ -32,6 +33,8 @@ springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std
   for (const std::uint32_t stick : sticks) {
     part.normal.push_back(whole.normal[stick]);
     part.copy.push_back(whole.copy[stick]);
+    part.point.push_back(whole.point[stick]);
+    part.gust_at.push_back(whole.gust_at[stick]);
   }
   for (std::size_t k = 0; k < whole.spring.size(); ++k) {
     const glm::uvec2 ends(number[whole.spring[k].x], number[whole.spring[k].y]);
@@ -66,7 +69,7 @@ reference::State moved(const SpringNetwork& topology, const DynamicsScene& scene
         "dynamics.tolerance = {}: the reference always computes `substeps` steps per frame; comparisons "
         "with it (pelage run, pelage check) need dynamics.tolerance = 0",
         scene.tolerance));
-  const Dynamics dynamics = dynamics_of(scene);
+  const Dynamics dynamics = dynamics_of(scene, topology);
   const reference::System system{topology, dynamics, std::move(push)};
   reference::State state = reference::rest(topology);
   const long steps = long(frames) * scene.substeps;

@@ -7,7 +7,8 @@
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/springs/reference/reference.hpp"
-#include "harness/springs/studies/study.hpp"
+#include "harness/springs/studies/base.hpp"
+#include "harness/springs/studies/shape.hpp"
 
 namespace pelage::springs {
 namespace {
@@ -66,11 +67,7 @@ class Duel : public Subject {
   Picture read() override { return {}; }
 
   std::vector<Check> check(const Picture&) override {
-    try {
-      masses_.check(queue_);
-    } catch (const Diverged& error) {
-      throw OutOfBounds(error.what());
-    }
+    bounded(queue_, masses_);
     const Kind kind = setting_.topology.kind;
     const double length = double(setting_.topology.length);
     const std::vector<glm::vec3> ours = masses_.offsets(queue_);
@@ -93,6 +90,7 @@ class Duel : public Subject {
     row.provenance["kernel_hash"] = cl::hash_of({&masses_.program()});
     row.metrics["triangles"] = {double(topology.corner.size()), "triangles"};
     row.metrics["sticks"] = {double(topology.sticks()), "sticks"};
+    row.metrics["stick_area"] = {topology.stick_area, "R^2"};
     row.metrics["springs"] = {double(topology.spring.size()), "springs"};
     row.metrics["device_bytes"] = {double(masses_.bytes()), "bytes"};
     row.metrics["substeps"] = {double(substeps_), "steps"};
@@ -102,6 +100,7 @@ class Duel : public Subject {
     if (masses_.solves().solves > 0)
       row.metrics["iterations"] = {double(masses_.solves().iterations) / double(masses_.solves().solves),
                                    "iterations"};
+    describe_gap(shape_of(topology, masses_.offsets(queue_)), row);
     const std::vector<double>& own = row.samples["frame"].wall_ms;
     for (std::size_t i = 0; i < rivals_.size(); ++i) {
       const std::string& name = rivals_[i].name;
@@ -123,15 +122,7 @@ class Duel : public Subject {
   }
 
  private:
-  reference::State start() const {
-    const SpringNetwork& topology = setting_.topology;
-    reference::State state = reference::rest(topology);
-    for (std::size_t i = 0; i < topology.sticks(); ++i) {
-      state.position[topology.top(i)] = state.position[i] + glm::dvec3(setting_.start.offset[i]);
-      state.velocity[topology.top(i)] = glm::dvec3(setting_.start.speed[i]);
-    }
-    return state;
-  }
+  reference::State start() const { return reference_state(setting_.topology, setting_.start); }
 
   // Checks one step of backward Euler if the model is too large for the reference's factorization. Let
   // A x = b be the reference's linear equations for the change x of the velocities. The check inserts the

@@ -119,7 +119,7 @@ FrameInput small_input(const std::string& topology) {
 
 TEST(SpringStage, WindPushesAMassAtRestWithTheScenesStrength) {
   const FrameInput input = small_input("sticks");
-  const springs::Dynamics d = springs::dynamics_of(input.scene.dynamics);
+  const springs::Dynamics d = springs::dynamics_of(input.scene.dynamics, springs::topology_of(input));
   EXPECT_FLOAT_EQ(d.wind.speed * d.drag, 0.01f);
   EXPECT_EQ(d.solver, springs::Solver::semi_implicit_euler);
 }

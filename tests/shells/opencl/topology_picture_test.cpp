@@ -34,7 +34,7 @@ std::shared_ptr<const FrameInput> frame_on(const std::string& topology, const st
 /// Returns the top minus the base of each stick after `frames` frames, simulated in double precision.
 std::vector<glm::dvec3> sticks_of(const FrameInput& input) {
   const springs::SpringNetwork topology = springs::topology_of(input);
-  const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics);
+  const springs::Dynamics dynamics = springs::dynamics_of(input.scene.dynamics, topology);
   const std::vector<glm::vec3> push = springs::pushes(topology, *input.mesh, input.scene.dynamics.poke);
   const springs::reference::System system{topology, dynamics, {push.begin(), push.end()}};
   springs::reference::State state = springs::reference::rest(topology);

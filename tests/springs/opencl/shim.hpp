@@ -33,6 +33,9 @@ struct BlockKernels {
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
+/// The same kernels, with all terms of the derivatives in backward Euler.
+BlockKernels full_stick_kernels();
+BlockKernels full_triangle_kernels();
 
 /// Runs the kernel of `solver` for all work-items of one launch. Together, the work-items compute all sticks
 /// or all triangles.

@@ -178,12 +178,13 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
   EXPECT_LT(glm::length(sum), 1e-12 * size);
 }
 
-// Compares the spring forces with the negative derivative of the energy by the positions, computed by finite
-// differences.
+// Compares the forces of springs and weights with the negative derivative of the total energy by the
+// positions, computed by finite differences.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
   const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);
   d.return_weight = d.damping = d.edge_damping = 0;
+  d.gravity = {1, -9.81f, 2};
   reference::State state = reference::rest(topology);
   for (std::size_t i = topology.sticks(); i < state.position.size(); ++i)
     state.position[i] +=
@@ -195,8 +196,28 @@ TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
       reference::State up = state, down = state;
       up.position[i][c] += 1e-6;
       down.position[i][c] -= 1e-6;
-      EXPECT_NEAR(f[i][c], (reference::energy(system, down) - reference::energy(system, up)) / 2e-6, 1e-8);
+      EXPECT_NEAR(f[i][c],
+                  (reference::total_energy(system, down) - reference::total_energy(system, up)) / 2e-6, 1e-8);
     }
+}
+
+// Fur that falls and swings under gravity without friction keeps its total energy. RK4 with short steps shows
+// this; energy() alone, without the weights, changes by far more.
+TEST(ReferenceTopology, TotalEnergyIsKeptWithoutFriction) {
+  for (const Kind kind : kinds) {
+    const SpringNetwork topology = build(kind, sphere(0), fur_length);
+    Dynamics d = still(Solver::rk4);
+    d.return_weight = d.damping = d.edge_damping = 0;
+    d.gravity = {0, -9.81f, 0};
+    d.step = 5e-4f;
+    const reference::System system{topology, d};
+    reference::State state = reference::rest(topology);
+    const double unit = double(topology.sticks()) * double(d.mass) * 9.81 * double(fur_length);
+    const double total = reference::total_energy(system, state), own = reference::energy(system, state);
+    for (int i = 0; i < 1000; ++i) state = reference::step(system, state, i);
+    EXPECT_LT(std::abs(reference::total_energy(system, state) - total), 1e-4 * unit) << kind;
+    EXPECT_GT(std::abs(reference::energy(system, state) - own), 0.01 * unit) << kind;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,97 @@
+// Records the energy of a mass-spring simulation over time, and its drift in a conservative scene.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/springs/studies/base.hpp"
+
+namespace pelage::springs {
+namespace {
+
+constexpr double energy_seconds = 4, look_seconds = 0.05;
+
+class EnergyStudy : public Study {
+ public:
+  EnergyStudy(const cl::Device& device, Setting setting, bool conservative)
+      : Study(device, std::move(setting)), conservative_(conservative) {
+    if (conservative_) need_conservative();
+  }
+  FrameSample frame() override {
+    MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    add_programs(programs_, {&masses.program()});
+    energy_.clear();
+    if (conservative_) energy_[0] = energy(masses);
+    const auto from = std::chrono::steady_clock::now();
+    double next = 0;
+    simulate(queue_, masses, setting_.dynamics, energy_seconds, 1.0 / 60, [&](double time) {
+      if (time + 1e-9 < next) return true;
+      bounded(queue_, masses);
+      energy_[time] = energy(masses);
+      next = time + look_seconds;
+      return true;
+    });
+    return {.wall_ms =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count()};
+  }
+  std::vector<Check> check(const Picture&) override {
+    return {{"four seconds", "times", double(energy_.size()), 40, true}};
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    if (conservative_) describe_drift(row);
+    for (const auto& [time, joules] : energy_)
+      row.metrics[fmt::format("{}energy_uJ_at_{:.3f}", conservative_ ? "total_" : "", time)] = {1e6 * joules,
+                                                                                                "uJ"};
+  }
+
+ private:
+  // In a conservative scene the exact motion has a constant energy, so every change is an error of the
+  // solver.
+  void need_conservative() const {
+    const Dynamics& d = setting_.dynamics;
+    const auto needs_0 = [](const char* key, double value) {
+      if (value != 0)
+        throw InputError(fmt::format(
+            "{} = {}: the pipeline springs-drift needs a conservative scene, in which this value is 0", key,
+            value));
+    };
+    needs_0("dynamics.drag", double(d.drag));
+    needs_0("dynamics.springs.damping", double(d.damping));
+    needs_0("dynamics.springs.edge_damping", double(d.edge_damping));
+    needs_0("dynamics.springs.return_weight", double(d.return_weight));
+    needs_0("dynamics.motion.spin", double(d.motion.spin));
+    needs_0("dynamics.motion.swing", double(d.motion.swing));
+    needs_0("dynamics.motion.shake (length)", double(glm::length(d.motion.shake)));
+  }
+  // The unit of the drift is the energy that all weights would release if they fell by the fur's length.
+  void describe_drift(Row& row) const {
+    const double unit = double(setting_.topology.sticks()) * double(setting_.dynamics.mass) *
+                        double(glm::length(setting_.dynamics.gravity)) * double(setting_.topology.length);
+    const double start = energy_.begin()->second;
+    double most = 0;
+    for (const auto& [time, joules] : energy_) most = std::max(most, std::abs(joules - start));
+    row.metrics["drift"] = {(energy_.rbegin()->second - start) / unit, "of m g L0"};
+    row.metrics["drift_most"] = {most / unit, "of m g L0"};
+  }
+  double energy(const MassSprings& masses) const {
+    const reference::System system{setting_.topology, setting_.dynamics};
+    const reference::State state =
+        reference_state(setting_.topology, {masses.offsets(queue_), masses.speeds(queue_)});
+    return conservative_ ? reference::total_energy(system, state) : reference::energy(system, state);
+  }
+
+  bool conservative_;
+  std::map<double, double> energy_;  // by simulated time in seconds, in joules
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative) {
+  return std::make_unique<EnergyStudy>(device, std::move(setting), conservative);
+}
+
+}  // namespace pelage::springs

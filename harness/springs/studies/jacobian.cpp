@@ -1,0 +1,63 @@
+// Measures the price of the derivatives that backward Euler omits: the errors of the double-precision
+// reference with the pruned and with the full Jacobian.
+#include <algorithm>
+#include <cmath>
+
+#include "harness/compare/masses.hpp"
+#include "harness/compare/tolerances.hpp"
+#include "harness/measure/cpu_use.hpp"
+#include "harness/springs/studies/base.hpp"
+
+namespace pelage::springs {
+namespace {
+
+class JacobianStudy : public Study {
+ public:
+  JacobianStudy(const cl::Device& device, Setting setting, const Motions& exact)
+      : Study(device, std::move(setting)), exact_(exact) {}
+
+  FrameSample frame() override {
+    FrameSample sample;
+    sample.wall_ms = cost_of([&] { pruned_ = error(false); }).wall_ms;
+    sample.phase_wall_ms["full"] = cost_of([&] { full_ = error(true); }).wall_ms;
+    return sample;
+  }
+  std::vector<Check> check(const Picture&) override {
+    return {{"exact", "pruned rms", pruned_.rms, tolerance::lost_run, false},
+            {"exact", "full rms", full_.rms, tolerance::lost_run, false}};
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    for (const auto& [name, found] : {std::pair("pruned", pruned_), std::pair("full", full_)}) {
+      row.metrics[std::string(name) + "_error_rms"] = {found.rms, "of the length"};
+      row.metrics[std::string(name) + "_error_p99"] = {found.percentile_99, "of the length"};
+    }
+  }
+
+ private:
+  // Simulates one second with the reference.
+  Spread error(bool full) const {
+    const SpringNetwork& topology = setting_.topology;
+    Dynamics dynamics = setting_.dynamics;
+    dynamics.solver =
+        *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
+    dynamics.full_jacobian = full;
+    const reference::System system{topology, dynamics};
+    reference::State state = reference::rest(topology);
+    const long steps = std::lround(1 / double(dynamics.step));
+    for (long i = 0; i < steps; ++i) state = reference::step(system, state, i);
+    std::vector<glm::vec3> offset;
+    for (const glm::dvec3& q : reference::offsets(topology, state)) offset.emplace_back(q);
+    return spread(offset, exact_.offset, double(topology.length));
+  }
+  Motions exact_;
+  Spread pruned_, full_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact) {
+  return std::make_unique<JacobianStudy>(device, std::move(setting), exact);
+}
+
+}  // namespace pelage::springs

@@ -1,0 +1,115 @@
+#include "harness/springs/studies/limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/springs/studies/base.hpp"
+
+namespace pelage::springs {
+namespace {
+
+constexpr double least_step = 1e-5, most_step = 1, precision = 1.02;
+
+class Trial {
+ public:
+  Trial(const cl::Queue& queue, const SpringNetwork& topology, Dynamics dynamics, double look)
+      : queue_(queue), topology_(topology), dynamics_(std::move(dynamics)), look_(look) {
+    dynamics_.lost_stretch = most_stick;
+  }
+
+  bool stable(double step) {
+    ++tried_;
+    dynamics_.step = float(step);
+    MassSprings masses(queue_, topology_, dynamics_);
+    try {
+      simulate(queue_, masses, dynamics_, limit_seconds, look_, [&](double) {
+        masses.check(queue_);
+        return true;
+      });
+    } catch (const Diverged&) {
+      return false;
+    }
+    return true;
+  }
+
+  // Returns the length of the longest stick after any step, in rest lengths.
+  double longest(double step) {
+    dynamics_.step = float(step);
+    MassSprings masses(queue_, topology_, dynamics_);
+    double most = 0;
+    simulate(queue_, masses, dynamics_, limit_seconds, step, [&](double) {
+      for (const glm::vec3& q : masses.offsets(queue_)) most = std::max(most, double(glm::length(q)));
+      return true;
+    });
+    return most / double(topology_.length);
+  }
+
+  int tried() const { return tried_; }
+
+ private:
+  const cl::Queue& queue_;
+  const SpringNetwork& topology_;
+  Dynamics dynamics_;
+  double look_;
+  int tried_ = 0;
+};
+
+}  // namespace
+
+Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
+                   double look) {
+  Trial trial(queue, topology, dynamics, look);
+  // Short steps take long to simulate, so the search goes down from the longest step.
+  double low = most_step, high = most_step;
+  while (!trial.stable(low)) {
+    high = low;
+    low /= 4;
+    if (low < least_step) return {0, 0, trial.tried()};
+  }
+  while (high / low > precision) {
+    const double middle = std::sqrt(low * high);
+    (trial.stable(middle) ? low : high) = middle;
+  }
+  return {low, trial.longest(low), trial.tried()};
+}
+
+namespace {
+
+class LimitStudy : public Study {
+ public:
+  using Study::Study;
+  FrameSample frame() override {
+    if (found_.step > 0) return {.wall_ms = taken_};
+    found_ = longest_step(queue_, setting_.topology, setting_.dynamics);
+    if (found_.step == 0)
+      throw OutOfBounds(
+          "a stick reaches twice its rest length within two seconds with every step above 10 us");
+    setting_.dynamics.step = float(found_.step);
+    MassSprings masses(queue_, setting_.topology, setting_.dynamics);
+    add_programs(programs_, {&masses.program()});
+    taken_ = second(masses);
+    return {.wall_ms = taken_};
+  }
+  std::vector<Check> check(const Picture&) override {
+    return {{"two seconds", "steps tried", double(found_.tried), 2, true},
+            {"two seconds", "longest stick", found_.longest, double(most_stick), false}};
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    row.metrics["longest_step_ms"] = {1e3 * found_.step, "ms"};
+    row.metrics["longest_stick"] = {found_.longest, "rest lengths"};
+  }
+
+ private:
+  Limit found_;
+  double taken_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting) {
+  return std::make_unique<LimitStudy>(device, std::move(setting));
+}
+
+}  // namespace pelage::springs

@@ -1,0 +1,113 @@
+#include "harness/springs/studies/shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "harness/compare/masses.hpp"
+#include "harness/error.hpp"
+#include "harness/measure/statistics.hpp"
+#include "harness/springs/studies/base.hpp"
+
+namespace pelage::springs {
+
+Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offset) {
+  Shape shape;
+  std::vector<double> lean;
+  shape.height_least = std::numeric_limits<double>::infinity();
+  std::map<std::uint32_t, std::vector<std::size_t>> sticks_at;
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const glm::dvec3 q(offset[i]), n(topology.normal[i]);
+    // The arc tangent is precise also for small angles, unlike the arc cosine.
+    lean.push_back(std::atan2(glm::length(glm::cross(n, q)), glm::dot(n, q)) * 180 / std::numbers::pi);
+    shape.height_least = std::min(shape.height_least, glm::dot(n, q) / double(topology.length));
+    sticks_at[topology.point[i]].push_back(i);
+  }
+  const auto [least, most] = std::minmax_element(lean.begin(), lean.end());
+  shape.lean_least = *least, shape.lean_most = *most, shape.lean_median = median(lean);
+  std::vector<double> gaps;
+  for (const auto& [point, sticks] : sticks_at) {
+    if (sticks.size() < 2) continue;
+    double gap = 0;
+    for (const std::size_t a : sticks)
+      for (const std::size_t b : sticks)
+        gap = std::max(gap, glm::distance(glm::dvec3(offset[a]), glm::dvec3(offset[b])));
+    gaps.push_back(gap / double(topology.length));
+  }
+  shape.gap_points = gaps.size();
+  if (gaps.empty()) return shape;
+  shape.gap_median = median(gaps);
+  shape.gap_most = *std::max_element(gaps.begin(), gaps.end());
+  return shape;
+}
+
+void describe_gap(const Shape& shape, Row& row) {
+  if (shape.gap_points == 0) return;
+  row.metrics["gap_median"] = {shape.gap_median, "of the length"};
+  row.metrics["gap_most"] = {shape.gap_most, "of the length"};
+}
+
+namespace {
+
+class ShapeStudy : public Study {
+ public:
+  ShapeStudy(const cl::Device& device, Setting setting, double seconds)
+      : Study(device, std::move(setting)),
+        seconds_(seconds),
+        masses_(queue_, setting_.topology, setting_.dynamics) {
+    if (!(seconds_ > 0))
+      throw InputError(
+          "dynamics.time = 0: the pipeline springs-shape measures the fur after dynamics.time seconds; give "
+          "a "
+          "time above 0");
+    add_programs(programs_, {&masses_.program()});
+  }
+  FrameSample frame() override {
+    const Motions start = rest_motions(setting_.topology);
+    masses_.set(queue_, start.offset, start.speed);
+    const auto from = std::chrono::steady_clock::now();
+    simulate(queue_, masses_, setting_.dynamics, seconds_);
+    return {.wall_ms =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from).count()};
+  }
+  std::vector<Check> check(const Picture&) override {
+    bounded(queue_, masses_);
+    const SpringNetwork& topology = setting_.topology;
+    const reference::System system{topology, setting_.dynamics};
+    reference::State state = reference::rest(topology);
+    for (long i = 0; i < masses_.steps(); ++i) state = reference::step(system, state, i);
+    std::vector<glm::vec3> expected;
+    for (const glm::dvec3& q : reference::offsets(topology, state)) expected.emplace_back(q);
+    return agreement_checks(topology.kind, against_reference,
+                            spread(masses_.offsets(queue_), expected, double(topology.length)));
+  }
+  void describe(Row& row) override {
+    Study::describe(row);
+    const Shape shape = shape_of(setting_.topology, masses_.offsets(queue_));
+    row.metrics["lean_median"] = {shape.lean_median, "degrees"};
+    row.metrics["lean_least"] = {shape.lean_least, "degrees"};
+    row.metrics["lean_most"] = {shape.lean_most, "degrees"};
+    row.metrics["height_least"] = {shape.height_least, "of the length"};
+    double fastest = 0;
+    for (const glm::vec3& v : masses_.speeds(queue_)) fastest = std::max(fastest, double(glm::length(v)));
+    row.metrics["speed_most"] = {fastest / double(setting_.topology.length), "lengths/s"};
+    describe_gap(shape, row);
+  }
+
+ private:
+  double seconds_;
+  MassSprings masses_;
+};
+
+}  // namespace
+
+std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting, double seconds) {
+  return std::make_unique<ShapeStudy>(device, std::move(setting), seconds);
+}
+
+}  // namespace pelage::springs

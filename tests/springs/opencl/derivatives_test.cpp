@@ -1,0 +1,95 @@
+// Tests that a backward Euler step of the kernels solves the linear system that finite differences of the
+// reference's forces give. The reference's own formulas of the derivatives take no part in this comparison.
+#include <gtest/gtest.h>
+
+#include "harness/compare/tolerances.hpp"
+#include "harness/error.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "tests/springs/opencl/shim.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/differences.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+using Whole = MassSpringOptions::Whole;
+
+struct KernelStep : testing::TestWithParam<Kind> {};
+
+TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
+  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  const Dynamics d = stiff_step();
+  const reference::State state = stretched(topology);
+  const Step step = step_by_differences({topology, d}, state, 0);
+  const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
+                                before(state.velocity.begin() + std::ptrdiff_t(topology.sticks()),
+                                       state.velocity.end());
+  for (const bool whole : {false, true}) {
+    if (whole && !GetParam().shared_edges()) continue;
+    Shim shim(topology, d);
+    shim.set(offsets, before);
+    shim.advance(1, whole);
+    // The kernels read normals, wind and weight as floats.
+    EXPECT_LT(residual_of(step, before, shim.speeds()), tolerance::float_records) << whole;
+
+    MassSprings device(queue(), topology, d, {.whole = whole ? Whole::always : Whole::never});
+    device.set(queue(), {offsets.begin(), offsets.end()}, {before.begin(), before.end()});
+    device.advance(queue(), 1);
+    const auto speeds = device.speeds(queue());
+    EXPECT_LT(residual_of(step, before, {speeds.begin(), speeds.end()}), tolerance::step_residual) << whole;
+  }
+}
+
+// With all terms of the derivatives, on a rotating object, with stretched and compressed springs.
+TEST_P(KernelStep, WithTheFullJacobianSolvesTheSystemOfFiniteDifferences) {
+  const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
+  Dynamics d = lively(Solver::backward_euler);
+  d.step = 1.0f / 60;
+  d.edge_damping = 0.05f;
+  d.full_jacobian = true;
+  if (GetParam().shared_edges()) {
+    EXPECT_THROW(MassSprings(queue(), topology, d), InputError);
+    return;
+  }
+  reference::State crumpled = reference::rest(topology);
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const double a = double(i);
+    crumpled.position[topology.top(i)] +=
+        glm::dvec3(glm::vec3(0.03 * std::sin(a), 0.03 * std::cos(2 * a), 0.03 * std::sin(3 * a)));
+    crumpled.velocity[topology.top(i)] = glm::dvec3(glm::vec3(std::cos(a), std::sin(5 * a), 0.3));
+  }
+  for (const reference::State& state : {crumpled, stretched(topology)}) {
+    const Step step = full_step_by_differences({topology, d}, state, 0);
+    const std::vector<glm::dvec3> offsets = reference::offsets(topology, state),
+                                  before(state.velocity.begin() + std::ptrdiff_t(topology.sticks()),
+                                         state.velocity.end());
+    Shim shim(topology, d);
+    shim.set(offsets, before);
+    shim.advance(1);
+    EXPECT_LT(residual_of(step, before, shim.speeds()), tolerance::float_records);
+    const reference::State next = reference::step({topology, d}, state, 0);
+    EXPECT_LT(residual_of(step, before,
+                          {next.velocity.begin() + std::ptrdiff_t(topology.sticks()), next.velocity.end()}),
+              tolerance::float_records);
+    for (const int lanes : {1, 16}) {
+      MassSprings device(queue(), topology, d, {.lanes = lanes});
+      device.set(queue(), {offsets.begin(), offsets.end()}, {before.begin(), before.end()});
+      device.advance(queue(), 1);
+      const auto speeds = device.speeds(queue());
+      EXPECT_LT(residual_of(step, before, {speeds.begin(), speeds.end()}), tolerance::step_residual) << lanes;
+    }
+  }
+}
+
+std::string kind_name(const testing::TestParamInfo<Kind>& given) {
+  std::string text(name(given.param));
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+INSTANTIATE_TEST_SUITE_P(Kinds, KernelStep, testing::ValuesIn(kinds.begin(), kinds.end()), kind_name);
+
+}  // namespace
+}  // namespace pelage::springs

@@ -1,0 +1,26 @@
+#include "tests/springs/opencl/shim.hpp"
+// clang-format off: this header defines macros that would break any header after it
+#include "tests/springs/support/in_double.hpp"
+// clang-format on
+
+#define CORNERS 3
+#define EDGES 1
+#define FULL_JACOBIAN 1
+namespace pelage::full_triangles_in_double {
+namespace {
+using namespace in_double;
+// clang-format off
+#include "springs/blocks.cl"
+// clang-format on
+}  // namespace
+}  // namespace pelage::full_triangles_in_double
+
+namespace pelage::springs::test {
+
+BlockKernels full_triangle_kernels() {
+  namespace kernels = full_triangles_in_double;
+  return {kernels::explicit_euler_frame, kernels::backward_euler_frame, kernels::semi_implicit_euler_frame,
+          kernels::rk4_frame};
+}
+
+}  // namespace pelage::springs::test

@@ -1,0 +1,86 @@
+// Tests the study of the longest stable time step.
+#include "harness/springs/studies/limit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "harness/springs/reference/reference.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+// The scene of experiments/banisch2006-longest-step.toml with k = 10 N/m.
+Dynamics windy(Solver solver) {
+  Dynamics d;
+  d.solver = solver;
+  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
+  return d;
+}
+
+// Returns the length of the longest stick after any step of two seconds, in rest lengths, by the reference.
+double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, double step) {
+  d.step = float(step);
+  reference::State state = reference::rest(topology);
+  double most = 0;
+  const long steps = std::lround(limit_seconds / step);
+  for (long i = 0; i < steps; ++i) {
+    state = reference::step({topology, d}, state, i);
+    for (const glm::dvec3& q : reference::offsets(topology, state)) most = std::max(most, glm::length(q));
+    if (!(most < 1)) return 1e9;  // diverged
+  }
+  return most / double(topology.length);
+}
+
+// The interval between two looks of the host must not change the answer. The former study looked every half
+// second, and its answer was the longest step that reaches the first look.
+TEST(LongestStep, DoesNotDependOnTheInterval) {
+  const auto mesh = load_model("banisch-elephant");
+  for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
+    const SpringNetwork topology = build(kind, *mesh, fur_length);
+    const Dynamics d = windy(Solver::backward_euler);
+    const Limit usual = longest_step(queue(), topology, d),
+                half = longest_step(queue(), topology, d, 1.0 / 120),
+                twice = longest_step(queue(), topology, d, 1.0 / 30),
+                late = longest_step(queue(), topology, d, 1);
+    for (const Limit& other : {half, twice, late}) EXPECT_NEAR(other.step / usual.step, 1, 0.03) << kind;
+    std::printf("%s: %.1f ms, longest stick %.2f, by the reference %.2f and with a 3%% longer step %.2f\n",
+                name(kind).data(), 1e3 * usual.step, usual.longest,
+                longest_by_the_reference(topology, d, usual.step),
+                longest_by_the_reference(topology, d, 1.03 * usual.step));
+    // Measured by an independent program: 75 to 78 ms, and 138 ms for prisms.
+    EXPECT_NEAR(1e3 * usual.step, kind == Kind::prisms ? 138 : 77, kind == Kind::prisms ? 7 : 4) << kind;
+    EXPECT_LT(usual.longest, double(most_stick)) << kind;
+    EXPECT_GT(usual.longest, 0.8 * double(most_stick)) << kind;
+  }
+}
+
+// The reference computes every step and keeps the longest stick.
+TEST(LongestStep, IsTheOneOfTheReference) {
+  const Mesh mesh = sphere(1);
+  for (const Kind& kind : {Kind::sticks, Kind::prisms})
+    for (const Solver& solver : {Solver::explicit_euler, Solver::backward_euler}) {
+      const SpringNetwork topology = build(kind, mesh, fur_length);
+      const Dynamics d = windy(solver);
+      const Limit found = longest_step(queue(), topology, d);
+      EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
+          << kind << ' ' << solver << ' ' << found.step;
+      EXPECT_GT(longest_by_the_reference(topology, d, 1.03 * found.step), double(most_stick))
+          << kind << ' ' << solver << ' ' << found.step;
+    }
+}
+
+TEST(LongestStep, IsZeroIfNoStepSuffices) {
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  Dynamics d = windy(Solver::semi_implicit_euler);
+  d.wind.speed = 1000;  // pulls every stick to many lengths
+  EXPECT_EQ(longest_step(queue(), topology, d).step, 0);
+}
+
+}  // namespace
+}  // namespace pelage::springs

@@ -1,0 +1,166 @@
+// Tests the lean of fur at rest and in wind against the balance of moments, and the gaps between the sticks
+// of one vertex.
+#include "harness/springs/studies/shape.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <regex>
+
+#include "harness/compare/tolerances.hpp"
+#include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/springs/reference/reference.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+// Returns the angle in degrees at which the forces on the top of an upright stick are in balance: a
+// horizontal force, the weight and the return force (B Eq. 5). The spring of the stick acts along the stick,
+// so only the components across the stick count. The result is the smallest root above 0 at which the sum of
+// the moments becomes negative.
+double balanced_lean(const Dynamics& d, double horizontal) {
+  const double weight = double(d.mass) * glm::length(glm::dvec3(d.gravity)), w = double(d.return_weight);
+  const auto moment = [&](double angle) {
+    return horizontal * std::cos(angle) + weight * std::sin(angle) -
+           w * (1 - std::cos(angle)) * std::sin(angle);
+  };
+  double low = 1e-6, high = std::numbers::pi / 2;
+  EXPECT_GT(moment(low), 0);
+  EXPECT_LT(moment(high), 0);
+  for (int i = 0; i < 60; ++i) (moment(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+  return low * 180 / std::numbers::pi;
+}
+
+Dynamics steady_wind(double newtons) {
+  Dynamics d;
+  d.wind = {{1, 0, 0}, float(newtons) / d.drag, 0, 1, 1};
+  return d;
+}
+
+// Without any horizontal force, upright fur is in an unstable balance. A force of 10 uN makes it fall.
+constexpr double draught = 1e-5, wind_of_3_m_s = 0.012;
+
+TEST(Lean, OfUprightFurIsTheBalanceOfMoments) {
+  for (const Kind& kind : kinds)
+    for (const double force : {draught, wind_of_3_m_s, 0.03}) {
+      const SpringNetwork topology = build(kind, square(1), fur_length);
+      const Dynamics d = steady_wind(force);
+      MassSprings masses(queue(), topology, d);
+      for (int second = 0; second < 8; ++second) masses.advance(queue(), 240);
+      const Shape shape = shape_of(topology, masses.offsets(queue()));
+      const double expected = balanced_lean(d, force);
+      std::printf("%s, %g N: %.2f degrees, expected %.2f\n", name(kind).data(), force, shape.lean_median,
+                  expected);
+      EXPECT_NEAR(shape.lean_median, expected, 0.05) << kind << ' ' << force;
+      EXPECT_NEAR(shape.lean_least, shape.lean_most, 0.05) << kind << ' ' << force;
+    }
+}
+
+std::string read(const std::string& path) {
+  std::ifstream stream(std::string(PELAGE_SOURCE_DIR) + "/" + path);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// Every sentence on the lean of the fur must give the angles of the balance of moments.
+TEST(Lean, IsWhatTheDocumentsSay) {
+  const std::string rest = fmt::format("{:.1f}", balanced_lean(Dynamics{}, draught)),
+                    windy = fmt::format("{:.1f}", balanced_lean(Dynamics{}, wind_of_3_m_s));
+  std::size_t sentences = 0;
+  for (const char* path :
+       {"docs/topology.md", "harness/springs/model/dynamics.hpp", "experiments/banisch2006-energy.toml",
+        "experiments/banisch2006-longest-step.toml", "experiments/banisch2006-mesh-size.toml",
+        "experiments/banisch2006-update-time.toml", "experiments/banisch2006-work-precision.toml",
+        "experiments/topology-solvers.toml"}) {
+    std::string text = std::regex_replace(read(path), std::regex("\n *(#|///?)? *"), " ");
+    const std::regex sentence(
+        "leans ([0-9.]+) degrees under its weight, and ([0-9.]+) degrees in a steady horizontal "
+        "wind of 3 m/s");
+    std::smatch found;
+    ASSERT_TRUE(std::regex_search(text, found, sentence)) << path;
+    EXPECT_EQ(found[1].str(), rest) << path;
+    EXPECT_EQ(found[2].str(), windy) << path;
+    ++sentences;
+    // No other sentence gives another angle for this wind.
+    EXPECT_FALSE(std::regex_search(text, std::regex("3 m/s[^.]{0,60}degrees|wind of 3 m/s bends"))) << path;
+  }
+  EXPECT_EQ(sentences, 8u);
+}
+
+// "Does not flip to the wrong side of the surface" (B, section 4) holds for loads below w.
+TEST(Lean, OfALoadAboveTheReturnWeightCrossesTheSurface) {
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  for (const auto& [load, crosses] : {std::pair(0.19, false), std::pair(0.21, true)}) {
+    Dynamics d = steady_wind(draught);
+    d.stiffness = 100;
+    d.gravity = {0, -float(load / double(d.mass)), 0};
+    MassSprings masses(queue(), topology, d);
+    for (int second = 0; second < 8; ++second) masses.advance(queue(), 240);
+    EXPECT_EQ(shape_of(topology, masses.offsets(queue())).height_least < 0, crosses) << load;
+  }
+}
+
+Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
+  const SpringNetwork topology = build(kind, mesh, fur_length, Vertices::points, gusts);
+  MassSprings masses(queue(), topology, lively(Solver::semi_implicit_euler));
+  masses.advance(queue(), 120);
+  return shape_of(topology, masses.offsets(queue()));
+}
+
+// Separable sticks at one vertex have the same constants, so without a poke they move alike, bit for bit.
+// They part if each triangle has its own phase of the gusts.
+TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
+  const Mesh mesh = sphere(1);
+  const Shape alike = after_gusts(Kind::separable_sticks, mesh, Gusts::sticks);
+  EXPECT_EQ(alike.gap_points, mesh.position.size());
+  EXPECT_EQ(alike.gap_most, 0);
+  const Shape apart = after_gusts(Kind::separable_sticks, mesh, Gusts::triangles);
+  EXPECT_GT(apart.gap_median, 0.02);
+  EXPECT_GE(apart.gap_most, apart.gap_median);
+  const Shape prisms = after_gusts(Kind::separable_prisms, mesh, Gusts::sticks);
+  EXPECT_GT(prisms.gap_median, 0.02);
+  // Topologies whose triangles share their sticks have no gap and ignore the choice.
+  EXPECT_EQ(after_gusts(Kind::prisms, mesh, Gusts::triangles).gap_points, 0u);
+  EXPECT_EQ(build(Kind::prisms, mesh, fur_length, Vertices::points, Gusts::triangles).gust_at,
+            build(Kind::prisms, mesh, fur_length).gust_at);
+}
+
+// The reference and the device read the same phases.
+TEST(Gap, IsTheOneOfTheReference) {
+  for (const Kind& kind : {Kind::separable_sticks, Kind::separable_prisms}) {
+    const SpringNetwork topology = build(kind, sphere(0), fur_length, Vertices::points, Gusts::triangles);
+    const Dynamics d = lively(Solver::semi_implicit_euler);
+    MassSprings masses(queue(), topology, d);
+    masses.advance(queue(), 120);
+    reference::State state = reference::rest(topology);
+    for (int i = 0; i < 120; ++i) state = reference::step({topology, d}, state, i);
+    EXPECT_LT(largest_difference(masses.offsets(queue()), reference::offsets(topology, state)),
+              tolerance::stick_top * double(fur_length));
+  }
+}
+
+// Two sticks of one point, 0.02 R apart at their tops, and three sticks of another point.
+TEST(Gap, IsTheLargestDistanceOfTwoTopsAtAPoint) {
+  SpringNetwork topology;
+  topology.length = 0.1f;
+  topology.normal.assign(5, {0, 1, 0});
+  topology.point = {0, 0, 7, 7, 7};
+  const Shape shape =
+      shape_of(topology, {{0, 0.1f, 0}, {0.02f, 0.1f, 0}, {0, 0.1f, 0}, {0, 0.1f, 0.01f}, {0, 0.1f, -0.03f}});
+  EXPECT_EQ(shape.gap_points, 2u);
+  EXPECT_NEAR(shape.gap_most, 0.4, 1e-6);
+  EXPECT_NEAR(shape.gap_median, 0.3, 1e-6);
+  EXPECT_NEAR(shape.height_least, 1, 1e-6);
+  EXPECT_NEAR(shape.lean_least, 0, 1e-4);
+}
+
+}  // namespace
+}  // namespace pelage::springs

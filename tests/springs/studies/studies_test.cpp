@@ -1,0 +1,150 @@
+// Tests the studies of equal error, energy drift and the Jacobian on small meshes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "harness/error.hpp"
+#include "harness/springs/model/scene.hpp"
+#include "harness/springs/studies/study.hpp"
+#include "tests/springs/support/device.hpp"
+#include "tests/springs/support/meshes.hpp"
+#include "tests/springs/support/scenes.hpp"
+
+namespace pelage::springs {
+namespace {
+
+using namespace test;
+
+// Runs some frames of the subject and its checks. Returns the row with samples and metrics.
+Row row_of(Subject& subject, int frames) {
+  Row row;
+  for (int i = 0; i < frames; ++i) {
+    const FrameSample sample = subject.frame();
+    row.samples["frame"].wall_ms.push_back(sample.wall_ms);
+    for (const auto& [name, ms] : sample.phase_wall_ms) row.samples[name].wall_ms.push_back(ms);
+  }
+  for (const Check& check : subject.check({}))
+    EXPECT_TRUE(check.holds()) << check.metric << ' ' << check.value;
+  subject.describe(row);
+  return row;
+}
+
+double metric(const Row& row, const std::string& name) {
+  EXPECT_TRUE(row.metrics.contains(name)) << name;
+  return row.metrics.contains(name) ? row.metrics.at(name).value : std::nan("");
+}
+
+Dynamics windy() {
+  Dynamics d;
+  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 1};
+  return d;
+}
+
+TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
+  const SpringNetwork topology = build(Kind::sticks, sphere(1), fur_length);
+  const Motions exact = exact_second(topology, windy(), 1e-4f);
+  const cl::Device device = queue().device();
+  const double limit = 0.01;
+  const auto turns = solver_turns(device, {topology, windy(), {}, 0}, exact, limit);
+  const Row row = row_of(*turns, 6);
+  for (const Solver& solver : solvers) {
+    const std::string name(solver.name);
+    const int steps = int(metric(row, name + "_steps_per_frame"));
+    EXPECT_LE(metric(row, name + "_error_rms"), limit) << name;
+    EXPECT_GE(metric(row, name + "_error_p99"), metric(row, name + "_error_rms")) << name;
+    EXPECT_NEAR(metric(row, name + "_step_ms"), 1000.0 / 60 / steps, 1e-5) << name;
+    EXPECT_EQ(row.samples.at(name).wall_ms.size(), 6u) << name;
+    EXPECT_EQ(row.metrics.contains(name + "_ratio"), solver != default_solver) << name;
+    if (steps == 1) continue;
+    // With one step fewer per frame, the error is above the limit.
+    Dynamics d = windy();
+    d.solver = solver;
+    d.step = 1.0f / float(60 * (steps - 1));
+    Row coarse;
+    try {
+      const auto error = solver_error(device, {topology, d, {}, 0}, exact);
+      error->frame();
+      error->check({});
+      error->describe(coarse);
+    } catch (const OutOfBounds&) {
+      continue;  // diverged
+    }
+    EXPECT_GT(metric(coarse, "error_rms"), limit) << name;
+  }
+  EXPECT_LT(metric(row, "rk4_steps_per_frame"), metric(row, "semi-implicit-euler_steps_per_frame"));
+}
+
+TEST(EqualError, NamesASolverThatMissesTheLimit) {
+  const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
+  const Motions exact = exact_second(topology, windy(), 1e-4f);
+  const auto turns = solver_turns(queue().device(), {topology, windy(), {}, 0}, exact, 3e-5);
+  const Row row = row_of(*turns, 6);
+  EXPECT_GT(metric(row, "explicit-euler_unreached_rms"), 3e-5);
+  EXPECT_FALSE(row.metrics.contains("explicit-euler_steps_per_frame"));
+  EXPECT_LE(metric(row, "rk4_error_rms"), 3e-5);
+  EXPECT_THROW(solver_turns(queue().device(), {topology, windy(), {}, 0}, exact, 0), InputError);
+}
+
+TEST(Drift, IsTheErrorOfTheSolver) {
+  const SpringNetwork topology = build(Kind::sticks, sphere(0), fur_length);
+  const auto drift = [&](const Solver& solver, float step) {
+    Dynamics d;
+    d.solver = solver;
+    d.step = step;
+    d.drag = d.damping = d.edge_damping = d.return_weight = 0;
+    const auto study = solver_energy(queue().device(), {topology, d, {}, 0}, true);
+    const Row row = row_of(*study, 1);
+    EXPECT_GE(metric(row, "drift_most"), std::abs(metric(row, "drift")));
+    return metric(row, "drift");
+  };
+  const double fine = drift(Solver::rk4, 1.0f / 960), coarse = drift(Solver::rk4, 1.0f / 240),
+               loss = drift(Solver::backward_euler, 1.0f / 60), gain = drift(Solver::explicit_euler, 5e-5f),
+               bounded = drift(Solver::semi_implicit_euler, 1.0f / 240);
+  std::printf("RK4 %.2g and %.2g, backward Euler %.2g, explicit Euler %.2g, semi-implicit Euler %.2g\n", fine,
+              coarse, loss, gain, bounded);
+  EXPECT_LT(std::abs(fine), 1e-2);
+  EXPECT_LT(std::abs(fine), std::abs(coarse));
+  EXPECT_LT(loss, -0.1);
+  EXPECT_GT(gain, 10 * std::abs(fine));
+  EXPECT_LT(std::abs(bounded), std::abs(loss));
+}
+
+TEST(Drift, NeedsAConservativeScene) {
+  const SpringNetwork topology = build(Kind::sticks, sphere(0), fur_length);
+  EXPECT_THROW(solver_energy(queue().device(), {topology, Dynamics{}, {}, 0}, true), InputError);
+  EXPECT_NO_THROW(solver_energy(queue().device(), {topology, Dynamics{}, {}, 0}, false));
+}
+
+TEST(JacobianStudy, TheFullJacobianHasTheSmallerError) {
+  const SpringNetwork topology = build(Kind::prisms, sphere(1), fur_length);
+  Dynamics d = windy();
+  const Motions exact = exact_second(topology, d, 1e-4f);
+  d.step = 1.0f / 60;
+  const Row row = row_of(*solver_jacobian(queue().device(), {topology, d, {}, 0}, exact), 1);
+  EXPECT_GT(metric(row, "pruned_error_rms"), 0);
+  EXPECT_NE(metric(row, "pruned_error_rms"), metric(row, "full_error_rms"));
+  EXPECT_LT(metric(row, "full_error_rms"), 0.1);
+}
+
+// The mean area per stick, and the constants of a stick with `springs.reference_area`.
+TEST(AreaScaling, MultipliesTheConstantsOfAStick) {
+  const SpringNetwork shared = build(Kind::prisms, square(2), fur_length),
+                      apart = build(Kind::separable_prisms, square(2), fur_length);
+  EXPECT_NEAR(shared.stick_area, 1.0 / 13, 1e-9);  // a square of area 1 with 13 points and 16 triangles
+  EXPECT_NEAR(apart.stick_area, 1.0 / 48, 1e-9);
+  DynamicsScene scene;
+  const Dynamics plain = dynamics_of(scene, shared);
+  scene.springs.reference_area = float(2.0 / 13);
+  const Dynamics half = dynamics_of(scene, shared);
+  EXPECT_FLOAT_EQ(half.mass, 0.5f * plain.mass);
+  EXPECT_FLOAT_EQ(half.stiffness, 0.5f * plain.stiffness);
+  EXPECT_FLOAT_EQ(half.damping, 0.5f * plain.damping);
+  EXPECT_FLOAT_EQ(half.drag, 0.5f * plain.drag);
+  EXPECT_FLOAT_EQ(half.return_weight, 0.5f * plain.return_weight);
+  EXPECT_EQ(half.edge_stiffness, plain.edge_stiffness);
+  EXPECT_EQ(half.edge_damping, plain.edge_damping);
+  EXPECT_EQ(half.wind.speed, plain.wind.speed);
+}
+
+}  // namespace
+}  // namespace pelage::springs

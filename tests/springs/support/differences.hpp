@@ -1,0 +1,132 @@
+// The derivatives of the reference's forces, computed by finite differences. They share no formula with the
+// derivatives in the reference, the kernels and the baselines, so they detect a mistake that all three share.
+#pragma once
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "harness/springs/reference/reference.hpp"
+
+namespace pelage::springs::test {
+
+using Matrix = Eigen::MatrixXd;
+
+/// Returns the derivative of the forces on the top masses by the positions of the top masses, or by their
+/// velocities if `by_velocity` is set.
+inline Matrix differences(const reference::System& system, const reference::State& state, double time,
+                          bool by_velocity) {
+  const SpringNetwork& topology = system.topology;
+  const auto size = Eigen::Index(3 * topology.sticks());
+  constexpr double small = 1e-6;  // in R or R/s
+  Matrix found(size, size);
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      reference::State up = state, down = state;
+      const std::size_t top = topology.top(i);
+      (by_velocity ? up.velocity : up.position)[top][c] += small;
+      (by_velocity ? down.velocity : down.position)[top][c] -= small;
+      const auto more = reference::forces(system, up, time), less = reference::forces(system, down, time);
+      for (std::size_t k = 0; k < topology.sticks(); ++k)
+        for (int r = 0; r < 3; ++r)
+          found(Eigen::Index(3 * k) + r, Eigen::Index(3 * i) + c) =
+              (more[topology.top(k)][r] - less[topology.top(k)][r]) / (2 * small);
+    }
+  return found;
+}
+
+/// The linear system A x = b of a backward Euler step with the pruned derivatives. x is the change of the top
+/// masses' velocities.
+struct Step {
+  Matrix a;
+  Eigen::VectorXd b;
+};
+
+/// Returns the system (M - h D - h^2 J) x = h (f + h J v) with the forces f at `time`.
+inline Step assembled(const reference::System& system, const reference::State& state, double time,
+                      const Matrix& j, const Matrix& d) {
+  const SpringNetwork& topology = system.topology;
+  const double h = double(system.dynamics.step);
+  const auto size = Eigen::Index(3 * topology.sticks());
+  const auto forces = reference::forces(system, state, time);
+  Eigen::VectorXd f(size), v(size);
+  for (std::size_t i = 0; i < topology.sticks(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      f[Eigen::Index(3 * i) + c] = forces[topology.top(i)][c];
+      v[Eigen::Index(3 * i) + c] = state.velocity[topology.top(i)][c];
+    }
+  return {double(system.dynamics.mass) * Matrix::Identity(size, size) - h * d - h * h * j,
+          h * (f + h * (j * v))};
+}
+
+/// Returns the system of step `number` by finite differences. All springs of `state` must be longer than at
+/// rest, and the object must not move. The pruned derivatives are then the exact derivatives of the spring
+/// forces at velocity 0, and the exact derivatives of the return force without the part that changes the
+/// force along the stick.
+inline Step step_by_differences(const reference::System& system, const reference::State& state, long number) {
+  const SpringNetwork& topology = system.topology;
+  const double time = double(number + 1) * double(system.dynamics.step);
+  reference::State still = state;
+  for (glm::dvec3& v : still.velocity) v = glm::dvec3(0);
+  Dynamics springs = system.dynamics, back = system.dynamics;
+  springs.return_weight = 0;
+  back.stiffness = back.damping = back.edge_stiffness = back.edge_damping = back.drag = 0;
+  Matrix j = differences({topology, springs}, still, time, false);
+  const Matrix turning = differences({topology, back}, still, time, false);
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const glm::dvec3 s = glm::normalize(state.position[topology.top(i)] - state.position[i]);
+    const Eigen::Vector3d along(s.x, s.y, s.z);
+    const auto at = Eigen::Index(3 * i);
+    j.block<3, 3>(at, at) +=
+        (Eigen::Matrix3d::Identity() - along * along.transpose()) * turning.block<3, 3>(at, at);
+  }
+  return assembled(system, state, time, j, differences(system, state, time, true));
+}
+
+/// Returns the system of step `number` with all terms of the derivatives, by finite differences.
+inline Step full_step_by_differences(const reference::System& system, const reference::State& state,
+                                     long number) {
+  const double time = double(number + 1) * double(system.dynamics.step);
+  return assembled(system, state, time, differences(system, state, time, false),
+                   differences(system, state, time, true));
+}
+
+/// Returns |b - A x| / |b| for the change x of the velocities between two states.
+inline double residual_of(const Step& step, const std::vector<glm::dvec3>& before,
+                          const std::vector<glm::dvec3>& after) {
+  Eigen::VectorXd x(step.b.size());
+  for (std::size_t i = 0; i < before.size(); ++i)
+    for (int c = 0; c < 3; ++c) x[Eigen::Index(3 * i) + c] = after[i][c] - before[i][c];
+  return (step.b - step.a * x).norm() / step.b.norm();
+}
+
+/// Returns a state in which every stick is bent and every spring is longer than at rest. Positions and
+/// velocities are floats, so that kernels and baselines can start from exactly this state.
+inline reference::State stretched(const SpringNetwork& topology) {
+  reference::State state = reference::rest(topology);
+  for (std::size_t i = 0; i < topology.sticks(); ++i) {
+    const double a = double(i);
+    const glm::dvec3 q = 1.3 * state.position[topology.top(i)] +
+                         0.01 * glm::dvec3(std::sin(a), std::cos(2 * a), std::sin(3 * a)) - state.position[i];
+    state.position[topology.top(i)] = state.position[i] + glm::dvec3(glm::vec3(q));
+    state.velocity[topology.top(i)] =
+        glm::dvec3(glm::vec3(0.3 * std::cos(a), 0.2 * std::sin(5 * a), 0.1 * std::cos(3 * a)));
+  }
+  return state;
+}
+
+/// Returns dynamics of backward Euler with strong springs and a strong return force on an object at rest, so
+/// that every part of the derivatives contributes to the matrix of the system.
+inline Dynamics stiff_step() {
+  Dynamics d;
+  d.solver = *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
+  d.step = 1.0f / 60;
+  d.edge_stiffness = 6;
+  d.return_weight = 0.8f;
+  d.residual = 1e-7f;
+  d.wind = {{1, 0.2f, 0.5f}, 3, 0.4f, 1, 0.7f};
+  return d;
+}
+
+}  // namespace pelage::springs::test
