@@ -124,7 +124,11 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
       keys.erase(fewest);
     }
   }
-  plot.series.insert(plot.series.end(), keys.begin(), keys.end());
+  // Against a measured number, one line joins the cases of the remaining keys, such as time steps.
+  const auto varying = varying_keys(table, cells);
+  const bool measured = plot.x != "triangles" && plot.x != "model" && plot.x != "variant" &&
+                        std::find(varying.begin(), varying.end(), plot.x) == varying.end();
+  if (!measured || plot.series.empty()) plot.series.insert(plot.series.end(), keys.begin(), keys.end());
 }
 
 }  // namespace
