@@ -70,6 +70,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
       const Limit found = longest_step(queue(), topology, d);
       EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
+      if (found.step == 1) continue;  // the longest step that the study tries
       EXPECT_GT(longest_by_the_reference(topology, d, 1.03 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
     }
