@@ -4,10 +4,10 @@
 # the shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm
 # is not installed. The variable PELAGE names another binary than build/release/pelage.
 set -euo pipefail
-cd "$(dirname "$0")/.."
 (($# == 1)) || { sed -n '2s/^# *//p' "$0" >&2; exit 2; }
 mkdir -p "$1"
 work=$(realpath "$1")
+cd "$(dirname "$0")/.."
 if [[ -z ${SLURM_CHECK_INSIDE:-} ]]; then
   [[ -z $(ls -A "$work") ]] || { echo "slurm_check: $work is not empty" >&2; exit 2; }
   SLURM_CHECK_INSIDE=yes exec scripts/slurm_here.sh "$work/slurm" "$PWD/scripts/slurm_check.sh" "$work"

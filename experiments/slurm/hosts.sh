@@ -3,8 +3,8 @@
 #   hosts.sh RESULTS HOSTS SHARDS EXPERIMENT [options of pelage run]   start a run, and wait for it
 #   hosts.sh RESULTS HOSTS                                             run lost and failed shards again
 # HOSTS is a file with one host per line, as ssh accepts it; the line ":" is this machine without ssh. RESULTS, pelage
-# and this folder must have the same paths on all hosts. If the hosts are equal, give them one name with --host NAME;
-# otherwise the rows of each host get their own table.
+# and this folder must have the same paths on all hosts. If the hosts have equal hardware, give them one name with
+# --host NAME; otherwise the rows of each host are in a separate table.
 set -euo pipefail
 scripts=$(dirname "$(realpath "$0")")
 # shellcheck source-path=SCRIPTDIR source=common.sh

@@ -19,8 +19,8 @@
 set -euo pipefail
 
 results=$1 index=${2:-$SLURM_ARRAY_TASK_ID}
-# submit.sh wrote this file; common.sh describes it. This script does not read common.sh, because Slurm runs a copy of
-# this script in another folder.
+# submit.sh or hosts.sh wrote this file; common.sh describes it. This script does not source common.sh, because Slurm
+# runs a copy of this script in another folder.
 mapfile -t words <"$results/command"
 program=${words[0]} folder=${words[1]} shards=${words[2]} arguments=("${words[@]:3}")
 
@@ -34,5 +34,5 @@ fi
 cd "$folder"
 mkdir -p "$results/shard-$index"
 echo "shard $index of $shards on $(hostname), $(date -u +%Y-%m-%dT%H:%M:%SZ)"
-# With exec, pelage receives the signals of scancel directly: it ends at once and loses only the case in progress.
+# With exec, pelage receives the signals of scancel directly. It then ends at once and loses only the case in progress.
 exec "$program" run "${arguments[@]}" "${host[@]}" --shard "$index/$shards" --resume "$results/shard-$index"

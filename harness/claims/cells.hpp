@@ -20,14 +20,14 @@ struct Cell {
 
 struct Cells {
   std::vector<Cell> cells;
-  /// The cases that the claim covers and whose rows have no usable quantity, each with the reason.
+  /// The cases that the claim selects and that have a row without a usable quantity, each with the reason.
   std::vector<std::string> left_out;
   /// Number of rows that were timed on a loaded machine (harness/measure/cpu_use.hpp).
   std::size_t contended = 0;
 };
 
-/// Returns the cells of the claim in the order of the rows. `rows` are the rows of one device and host; every
-/// case must have one identity only (input_sets()).
+/// Returns the cells of the claim in the order of the rows. `rows` are the rows of one device and host. All
+/// rows of a case must have the same identity (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
 
 /// Returns the times of a phase in ms: wall times, or event times if there are no wall times.

@@ -37,20 +37,19 @@ enum class Combine {
   median
 };
 
-/// The values of an effect with which the claim is true.
+/// The values of an effect for which the claim is true.
 struct Region {
   std::optional<double> low = {}, high = {};
   bool strict = false;  ///< true if the limits themselves do not belong to the region
   bool contains(double value) const;
-  /// Returns whether all values from `from` to `to` belong to the region; `outside` whether none does.
-  bool contains(double from, double to) const;
-  bool outside(double from, double to) const;
+  bool contains(double from, double to) const;  ///< whether all values from `from` to `to` belong to it
+  bool outside(double from, double to) const;   ///< whether no value from `from` to `to` belongs to it
 };
 
 struct Claim {
   std::string id;         ///< unique in its file
   std::string statement;  ///< in our own words
-  std::string reading;    ///< how the statement was translated to the relation; may be empty
+  std::string reading;    ///< how the statement was translated into the relation; may be empty
   std::string paper;      ///< key of the paper in CITATION and references.bib; may be empty
   std::string section;    ///< place in the paper; may be empty
   bool absolute = false;  ///< true if the claim depends on the speed of the hardware
@@ -66,8 +65,8 @@ struct Claim {
   std::string phase;   ///< for phase_time, phase_share and ratio_by_phase
   std::string metric;  ///< for Quantity::metric
   std::string per;     ///< metric by which the quantity is divided; may be empty
-  /// Phase -> value of `axis`. If it is not empty, each row gives one case per phase, whose quantity is the
-  /// time of the phase. Such cases were measured in turns, in the same process.
+  /// Phase -> value of `axis`. If it is not empty, each row gives one case per phase. The quantity of this
+  /// case is computed from the times of the phase. Such cases were measured alternately in one process.
   std::map<std::string, std::string> phases;
   Effect effect = Effect::level;
   std::string axis, of, to;

@@ -6,12 +6,13 @@
 
 namespace pelage::claims {
 
-/// Reads a file of claims. Throws InputError, whose message names the file, the line, the key and the
-/// permitted values.
+/// Reads a file of claims. For an error in the file it throws InputError, whose message names the file, the
+/// line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 
-/// Returns the path of the shipped claims.toml. It is searched in the folder experiments/ of $PELAGE_DATA, of
-/// the source tree and of the installation, in this order. Throws InputError if there is none.
+/// Returns the path of the shipped claims.toml. The function searches the folder experiments/ in
+/// $PELAGE_DATA, then in the installation or, for a program in a build folder, in the source tree. Throws
+/// InputError if there is no such file.
 std::filesystem::path shipped_claims();
 
 }  // namespace pelage::claims

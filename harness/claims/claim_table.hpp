@@ -16,8 +16,8 @@
 
 namespace pelage::claims {
 
-/// A TOML table. Its functions throw InputError, which names the file, the line and the table, for a value of
-/// the wrong type. The file and the TOML table must outlive the object.
+/// A TOML table. If a value has the wrong type, the functions throw InputError, whose message names the file,
+/// the line and the table. The file and the TOML table must outlive the object.
 class Table {
  public:
   Table(const std::filesystem::path& file, const toml::table& table, std::string name)
@@ -27,7 +27,8 @@ class Table {
   bool has(std::string_view key) const { return table_.contains(key); }
   bool holds_text(std::string_view key) const;
 
-  /// Throws InputError at the line of the key, or of the table if it has no such key.
+  /// Throws InputError, whose message names the line of the key, or the line of the table if the key is
+  /// absent.
   [[noreturn]] void refuse(std::string_view key, const std::string& what) const;
 
   std::optional<Table> inner(std::string_view key);  ///< a table in this table; empty if the key is absent
@@ -39,14 +40,14 @@ class Table {
   std::vector<double> numbers(std::string_view key);
   bool flag(std::string_view key);  ///< false if the key is absent
 
-  /// The value of an axis: a string, or a whole number as text. A decimal number must be written as a string,
-  /// because rows hold it as it was written in the experiment file.
+  /// The value of an axis: a string, or a whole number as text. A decimal number must be a string, because
+  /// rows contain it with the digits of the experiment file.
   std::string axis_value(std::string_view key);
   std::vector<std::string> list(std::string_view key);  ///< values of an axis; one value is a list of one
   std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< a table of such lists
   std::map<std::string, std::string> values(std::string_view key);              ///< a table of such values
 
-  /// Returns the index of the text in `names`; `otherwise` if the key is absent.
+  /// Returns the index of the key's text in `names`, or `otherwise` if the key is absent.
   template <std::size_t N>
   std::size_t choice(std::string_view key, const std::array<std::string_view, N>& names,
                      std::size_t otherwise) {

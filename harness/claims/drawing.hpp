@@ -1,4 +1,4 @@
-// Quantities of a cell: as measured, and drawn again for the bootstrap intervals of effects.
+// Quantities of a cell: as measured, and as resampled for the bootstrap intervals of effects.
 #pragma once
 #include <boost/random/normal_distribution.hpp>
 #include <random>
@@ -17,8 +17,10 @@ struct Value {
 /// process with replacement. If the cell was measured by fewer than `separate_processes` processes, the times
 /// of every chosen process are also multiplied by a random factor with the relative standard deviation
 /// `spread` (log-normal), which represents the unknown spread between processes. Metrics with the unit ms,
-/// 1/s or times have this factor too; other metrics, such as counts, are exact. The same cell and `spread`
-/// always give the same draws. Cells of the same case draw the same processes, samples and factors.
+/// 1/s, fps or times get this factor too; other metrics, such as counts, do not. If the row has a 95%
+/// interval of the metric, the metric is drawn from a normal distribution with this interval. The same cell
+/// and `spread` always give the same draws. Cells of the same case draw the same processes, samples and
+/// factors.
 class Drawing {
  public:
   Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes);
@@ -39,11 +41,11 @@ class Drawing {
   double spread_ = 0;
   std::mt19937_64 random_;
   boost::random::normal_distribution<double> normal_;
-  std::vector<double> times_, phase_times_, metrics_;  // pools of the present draw
+  std::vector<double> times_, phase_times_, metrics_;  // all samples of the present draw
 };
 
-/// Draws the quantity of a cell from the number that the paper publishes for it (the metric paper_fps),
-/// between the limits that its rounding permits.
+/// Draws the quantity of a cell from the number that the paper publishes for it (the metric paper_fps). The
+/// draws are uniform between the limits that the rounding of this number permits.
 class PaperDrawing {
  public:
   /// Returns whether the paper gives a number for the quantity of this cell.

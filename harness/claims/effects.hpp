@@ -1,4 +1,4 @@
-// Effects: which cells belong together, and the number that they give.
+// Effects: which cells belong together, and the number that is computed from them.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace pelage::claims {
 
-/// The cells of one effect, for instance the two cells of a ratio. Several parts make a claim's effect.
+/// The cells of one effect, for instance the two cells of a ratio. A claim may have several parts;
+/// Claim::combine determines how their effects become a verdict.
 struct Part {
-  /// The values of the axes that tell this part from the others, such as "lion 64"; may be empty.
+  /// The values of the axes that distinguish this part from the others, such as "lion 64"; may be empty.
   std::string name;
-  /// Indices of the cells. level: one; ratio and ratio_by_phase: `of`, `to`; elasticity and linearity: in
-  /// increasing order of the axis; ratio_trend: `of`, `to` of each value of the axis `across`;
-  /// share_of_cases: all.
+  /// Indices of the cells. level: one cell; ratio and ratio_by_phase: `of` and `to`; elasticity and
+  /// linearity: the cells in increasing order of the axis; ratio_trend: `of` and `to` for each value of the
+  /// axis `across`; share_of_cases: all cells.
   std::vector<std::size_t> cells;
   /// Values of the axis: one per cell, or for ratio_trend one per pair of cells.
   std::vector<double> x;
@@ -27,8 +28,8 @@ std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
 /// Returns the effect of one part. `values` has one value per cell of the claim, in the order of the cells.
 double effect_of(const Claim& claim, const Part& part, const std::vector<Value>& values);
 
-/// Returns the mean, geometric mean or median of the effects, as the claim demands. The claim must not
-/// combine by `every`.
+/// Returns the mean, geometric mean or median of the effects, as Claim::combine demands. Claim::combine must
+/// not be `every`.
 double combined(const Claim& claim, const std::vector<double>& effects);
 
 }  // namespace pelage::claims

@@ -15,16 +15,16 @@ struct Judged {
   Claim claim;
   std::string device, host;  ///< "" if there are no rows
   Verdict verdict = Verdict::untestable;
-  std::string reason;           ///< of a verdict other than holds and fails
-  std::optional<double> value;  ///< the effect; for Combine::every that of the decisive part
+  std::string reason;           ///< why the verdict is undecided or untestable
+  std::optional<double> value;  ///< the effect; for Combine::every the effect of the decisive part
   Interval interval;            ///< of `value`
   double confidence = 0.95;     ///< of `interval`
   std::size_t effects = 0;      ///< number of effects: of ratios, slopes or cases
-  double least = 0, most = 0;   ///< smallest and largest of them
-  std::string decisive;         ///< for Combine::every with several effects: the name of the decisive one
+  double least = 0, most = 0;   ///< smallest and largest effect
+  std::string decisive;         ///< for Combine::every with several effects: name of the decisive part
   std::size_t processes = 0;    ///< smallest number of separate processes that measured a case
-  /// The same effect, computed from the numbers that the paper publishes, with its 95% interval, which
-  /// follows from the rounding of these numbers.
+  /// The same effect, computed from the numbers that the paper publishes. Its interval follows from the
+  /// rounding of these numbers.
   std::optional<double> paper_value;
   Interval paper_interval;
   /// Notes about the rows: cases that are left out, with the reason, and rows of a loaded machine.
@@ -32,7 +32,7 @@ struct Judged {
 };
 
 /// Judges every claim of the file on every device and host that has rows of the claim's experiments. A claim
-/// without any row gives one result, which is untestable. Every case must have one identity only
+/// without any row gives one result, which is untestable. All rows of a case must have the same identity
 /// (input_sets()). The result is the same for the same rows.
 std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows);
 

@@ -8,14 +8,15 @@
 
 namespace pelage::claims {
 
-/// Returns all claims as text for a terminal, and a last line that counts the verdicts.
+/// Returns all claims as text for a terminal, with a last line that contains the number of each verdict.
 std::string text_of(const std::vector<Judged>& judged);
 
-/// Returns a table whose first line contains the names of the columns. Numbers are unrounded. It is written
-/// as CSV by `pelage claims` and `pelage report`.
+/// Returns a table whose first line contains the names of the columns. Numbers are unrounded. `pelage claims`
+/// and `pelage report` write this table as CSV.
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);
 
-/// Returns a Markdown table for documents. Numbers have three digits.
+/// Returns a Markdown table for documents. Numbers have three significant digits, or four decimals if they
+/// are within 0.02 of 1. Numbers from 100 are rounded to whole numbers.
 std::string markdown_of(const std::vector<Judged>& judged);
 
 /// Returns a list of claims with the fields of table_of(); numbers are JSON numbers, and values that are

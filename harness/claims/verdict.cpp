@@ -8,7 +8,7 @@
 namespace pelage::claims {
 namespace {
 
-constexpr double error_rate = 0.05;
+constexpr double significance = 0.05;
 
 /// Returns the quantile of sorted values, interpolated as in harness/measure/statistics.hpp.
 double quantile_of_sorted(const std::vector<double>& values, double q) {
@@ -75,7 +75,7 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region) {
   bool stopped = false;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = order[k];
-    const double rest = error_rate / double(count - k);
+    const double rest = significance / double(count - k);
     each[i].decisive = i;
     each[i].confidence = 1 - rest;
     each[i].interval = {quantile_of_sorted(sorted[i].draws, rest / 2),

@@ -1,4 +1,4 @@
-// From the drawn values of one or several effects to a verdict.
+// Computes a verdict from the bootstrap draws of one or several effects.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -19,30 +19,31 @@ struct Estimate {
 
 struct Decision {
   Verdict verdict = Verdict::undecided;
-  /// Index of the estimate that decides: of the worst one outside the region if the claim fails, of the worst
-  /// undecided one if it is undecided, else of the one nearest to a limit.
+  /// Index of the decisive estimate. If the claim fails, this is the worst estimate outside the region. If
+  /// the claim is undecided, it is the worst undecided estimate. Otherwise it is the estimate nearest to a
+  /// limit.
   std::size_t decisive = 0;
   Interval interval;         ///< percentile interval of the decisive estimate
   double confidence = 0.95;  ///< of `interval`; above 0.95 where Holm's correction demands it
 };
 
-/// Decides whether all effects lie in the region. With m effects, Holm's method keeps the probability that
-/// any of the decisions is wrong at most 5%: the effects are ordered by their p-value, and the k-th of them
-/// (from k = 1) is decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies inside or outside
+/// Decides whether all effects lie in the region. Holm's method limits the probability that any of the m
+/// decisions is wrong to 5%. The effects are ordered by their p-value. The k-th effect (from k = 1) is
+/// decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies wholly inside or wholly outside
 /// the region. The first effect that is not decided ends the procedure. The claim fails if an effect is
-/// decided to lie outside, holds if all are decided to lie inside, and is undecided otherwise. For one effect
-/// this is the 95% interval.
+/// decided to lie outside. It holds if all effects are decided to lie inside. Otherwise it is undecided. With
+/// one effect, the 95% interval decides.
 Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 
-/// Largest number of effects that decide() can separate. It bounds the number of draws, and with it time and
-/// memory.
+/// Largest number of effects for which judge() calls decide() with separate effects. It bounds the number of
+/// draws, and so the time and the memory.
 inline constexpr std::size_t most_effects = 200;
 
-/// Returns the number of draws that intervals of `effects` effects need with Holm's correction.
+/// Returns the number of bootstrap draws that the intervals need for Holm's correction of `effects` effects.
 int draws_for(std::size_t effects);
 
-/// Returns how far the value is from the nearest limit inside the region (above 0), or from the region
-/// (below 0).
+/// Returns the distance of the value from the nearest limit of the region: positive if the value is inside
+/// the region, negative if it is outside.
 double margin(const Region& region, double value);
 
 }  // namespace pelage::claims

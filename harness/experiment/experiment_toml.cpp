@@ -1,6 +1,5 @@
 // Reads experiment files (experiments/*.toml).
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
 
@@ -15,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "harness/experiment/view_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/toml_depth.hpp"
 
@@ -162,48 +162,6 @@ std::vector<Axis> read_axes(const Source& source, const toml::table& table) {
   axes.reserve(found.size());
   for (auto& [position, axis] : found) axes.push_back(std::move(axis));
   return axes;
-}
-
-/// Returns the strings of a list; a string alone is a list of one.
-std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
-  const toml::node* node = table.get(key);
-  if (!node) return {};
-  if (const auto text = node->value_exact<std::string>()) return {*text};
-  const auto* list = node->as_array();
-  if (!list || list->empty())
-    refuse(file, node, fmt::format("report.{} must be a string or a list of strings", key));
-  std::vector<std::string> texts;
-  for (const toml::node& item : *list) {
-    const auto text = item.value_exact<std::string>();
-    if (!text) refuse(file, &item, fmt::format("report.{} must be a string or a list of strings", key));
-    texts.push_back(*text);
-  }
-  return texts;
-}
-
-View read_view(const fs::path& file, const toml::table& table) {
-  static const std::set<std::string_view> known{"blocks", "columns", "panels", "program", "scale",
-                                                "series", "values",  "x",      "y"};
-  for (const auto& [key, node] : table)
-    if (!known.contains(key.str()))
-      refuse(file, &node,
-             fmt::format("unknown key report.{} (known: {})", key.str(), fmt::join(known, ", ")));
-  View view;
-  view.blocks = texts_at(file, table, "blocks");
-  view.columns = texts_at(file, table, "columns");
-  view.values = texts_at(file, table, "values");
-  view.x = text_at(file, table, "x");
-  view.y = texts_at(file, table, "y");
-  view.series = texts_at(file, table, "series");
-  view.panels = texts_at(file, table, "panels");
-  view.program = text_at(file, table, "program");
-  const std::vector<std::string> scale = texts_at(file, table, "scale");
-  for (const std::string& one : scale)
-    if ((one != "linear" && one != "log") || scale.size() > 2)
-      refuse(file, table.get("scale"),
-             "report.scale must be \"linear\" or \"log\", or a list of two of them, first for x, then for y");
-  if (!scale.empty()) view.x_scale = scale.front(), view.y_scale = scale.back();
-  return view;
 }
 
 Preset read_preset(const Source& source, const toml::table& table) {
@@ -390,7 +348,7 @@ Experiment read_experiment(const fs::path& file) {
     } else if (key == "published") {
       result.published = read_published(file, *inner);
     } else if (key == "report") {
-      result.view = read_view(file, *inner);
+      result.view = view_from_toml(file, *inner);
     } else if (key == "require") {
       for (const auto& [metric, least] : *inner)
         result.require[std::string(metric.str())] = number_at(file, *inner, metric.str(), 0, -1e300, 1e300);

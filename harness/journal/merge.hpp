@@ -10,7 +10,8 @@
 namespace pelage {
 
 /// A row and the journal that it is written to, relative to the new folder: "EXPERIMENT/DEVICE@HOST.jsonl".
-/// Rows that must stand apart are in "apart-2/EXPERIMENT/DEVICE@HOST.jsonl", "apart-3/...", and so on.
+/// Rows that conflict with these (see plan_merge()) go to "apart-2/EXPERIMENT/DEVICE@HOST.jsonl", rows that
+/// conflict with both folders go to "apart-3/...", and so on.
 struct MergedRow {
   FoundRow found;
   std::filesystem::path journal;
@@ -30,18 +31,18 @@ struct Merge {
 ///
 /// Two rows conflict if they have the same key in the same journal but are different measurements: their
 /// identities differ, or they come from different runs. Two rows of one journal also conflict, whatever their
-/// cases, if the device, the kernels, the limits of sampling, the preset or the CPU differ, because one run
-/// measures all its cases with the same of them. If `keep_apart` is false, a conflict throws InputError,
-/// which names both journals and what differs. If it is true, the conflicting rows of a journal go to a
-/// folder apart-N.
+/// cases, if the device, its driver, the kernels, the limits of sampling, the preset, the CPU or the schema
+/// differ, because these are equal for all cases of one run. If `keep_apart` is false, a conflict throws
+/// InputError, which names both journals and what differs. If it is true, the conflicting rows of a journal
+/// go to a folder apart-N.
 ///
 /// Also throws InputError for a row whose experiment or case cannot be the name of a file.
 Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart);
 
 /// Writes the rows and copies their pictures. The pictures are CASE.png; if rows of several devices or hosts
-/// are in one folder, CASE@DEVICE@HOST.png. `folder` must not exist or be empty. The function first writes
-/// into a temporary folder beside it, so that an interrupted merge leaves no incomplete results. Returns the
-/// number of pictures. Throws InputError if the folder or a file cannot be written.
+/// are in one folder, CASE@DEVICE@HOST.png. `folder` must be empty or must not exist. The function first
+/// writes into a temporary folder beside it, so that an interrupted merge leaves no incomplete results.
+/// Returns the number of pictures. Throws InputError if the folder or a file cannot be written.
 std::size_t write_merge(const Merge& merge, const std::filesystem::path& folder);
 
 /// Throws InputError if `folder` is a file or a folder that is not empty.

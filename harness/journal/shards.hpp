@@ -1,6 +1,7 @@
-// Which shards and cases of a run have no rows. A row records the shard that measured it, the number of cases
-// of this shard and of the whole run (provenance: shard, shard_cases, all_cases, repeats). Rows of older
-// versions do not record these numbers; for them only the names of the journals tell which shards exist.
+// Finds the shards and cases of a run that have no rows. A row records the shard that measured it, the number
+// of cases of this shard and of the whole run, and the number of processes (provenance: shard, shard_cases,
+// all_cases, repeats). Rows of older versions do not record these numbers; the shards of such rows are known
+// only from the names of the journals.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -24,8 +25,8 @@ struct Gap {
   std::optional<std::size_t> expected = {};  ///< number of measurements; empty if no row records it
 };
 
-/// The rows of an experiment with the same overrides on one device of one host. If no host has all shards,
-/// the rows of the hosts with a device of the same name are one RunState.
+/// The rows of an experiment with the same overrides and number of shards on one device of one host. Hosts
+/// that do not have all shards and have a device of the same name are combined in one RunState.
 struct RunState {
   std::string experiment;
   std::string where;  ///< DEVICE@HOST, or "DEVICE@" and several hosts separated by "+"
@@ -33,8 +34,8 @@ struct RunState {
   std::set<std::string> done;    ///< cases with a row whose status is not error
   std::set<std::string> failed;  ///< cases that have only rows with the status error
   std::vector<Gap> gaps;
-  /// Whether the shards were dealt from different lists of cases or from different earlier times (--balance).
-  /// A case may then belong to several shards or to none.
+  /// Whether the shards come from different divisions of the cases: from different lists of cases, or from
+  /// different earlier times (--balance). A case may then belong to several shards or to none.
   bool dealt_differently = false;
 };
 

@@ -1,4 +1,4 @@
-// The table of any experiment: one line per case, with a column for each axis, time and metric. The special
+// The table of any experiment: one line per case, with a column for each axis, time and metric. The other
 // tables of a report are this table with more columns and another layout.
 #pragma once
 #include <functional>
@@ -17,11 +17,12 @@ struct CellColumn {
   std::function<Value(const Cell&)> value;
 };
 
-/// Returns the columns: the axes (model first, layers and size last), the variant, the device, the host and
-/// the settings that the user changed; the status; the frame rate and the frame time with 95% intervals, the
-/// CPU time, the numbers of samples and processes, and whether the median converged; the median time of each
-/// phase ("simulate_ms"), and each metric, with its interval if it has one. Cells that are not ok have no
-/// numbers; in place of fps and median_ms, readers see their status.
+/// Returns the columns in this order: the axes (model first, layers and size last; the number of triangles
+/// follows the model), the variant, the experiment, the device, the host, the settings that the user changed
+/// and the status; the frame rate and the frame time with 95% intervals, the CPU time, the numbers of samples
+/// and processes, and whether the median converged; the median time of each phase ("simulate_ms"); each
+/// metric, with its interval if it has one. Cells that are not ok have no times, rates and metrics; in place
+/// of fps and median_ms, readers see the status.
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells);
 
 /// Returns a table with one line per cell and without a layout.
@@ -31,7 +32,7 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
 /// order of the columns.
 std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell>& cells);
 
-/// Completes the layout: appends every key column that varies, and that the layout lacks, to the layout's
+/// Completes the layout: every key column that varies and is not in the layout is appended to the layout's
 /// rows. Then no two cells with different axes have the same place.
 void add_varying_keys(Table& table, const std::vector<Cell>& cells);
 
@@ -43,8 +44,8 @@ void show_interval(Table& table, const std::string& name);
 /// axes, the variant if it is not the default one, and the settings that the user changed.
 std::string subtitle_of(const std::vector<Cell>& cells, bool several_hosts);
 
-/// Returns the number of triangles of each model; 0 if no cell of the model tells it. Every value of the axis
-/// "model" has an entry.
+/// Returns the number of triangles of each model; 0 if no cell of the model contains this number. Every value
+/// of the axis "model" has an entry.
 std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells);
 
 /// Sorts the cells: by the number of triangles, then by the values of the axes (model first, layers and size
@@ -55,7 +56,7 @@ void sort_cells(std::vector<Cell>& cells);
 /// reading "default".
 std::string name_of(const Cell& cell);
 
-/// The remark on a star behind a number.
+/// The remark that explains the star after a number.
 inline constexpr const char* star_remark =
     "* the 95% interval of the median is wider than the preset requires.";
 

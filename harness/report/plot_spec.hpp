@@ -18,23 +18,24 @@ struct PlotSpec {
   std::string y, y_label, y_scale = "linear";
   std::string low, high;  ///< limits of the interval of y; "" if there is none
   std::vector<std::string> series,
-      panels;  ///< lines that differ in them have another colour, or another panel
-  /// Numbers of a paper: the columns NAME, NAME_low and NAME_high; drawn dashed. A number without
-  /// a high limit is a lower limit of y.
+      panels;  ///< each combination of values has its own colour (series) or its own panel (panels)
+  /// Numbers of a paper: the columns NAME, NAME_low and NAME_high, drawn as a dashed line. If a number has no
+  /// high limit, it is a lower limit of y.
   std::string published, published_label;
   std::optional<double> guide;                            ///< a horizontal line at this value of y
   std::map<std::string, std::vector<std::string>> order;  ///< column -> order of its values
-  std::map<std::string, std::string> labels;              ///< column -> how a value reads: "{} layers"
+  std::map<std::string, std::string> labels;              ///< column -> text of a value: "{} layers"
   std::string note;                                       ///< small text above the panels: the device
 };
 
-/// Returns the plots of a table. If the view names no x, then x is the numeric key column with the most
-/// values. A second numeric key column gives the panels, and the other key columns that vary give the series.
-/// If there are more than seven series, key columns with few values give panels instead, and a text column
-/// replaces an x with two values. Without a numeric key column, x is the text column with the most values.
-/// The scales are logarithmic if the largest value is at least 20 times the smallest one, and all values are
-/// positive. `notes` gets a line for each name of the view that is no column of the table. Returns no plot if
-/// the table has fewer than two lines with a number.
+/// Returns the plots of a table: one for each y of the view. The key columns are the axes and the variant. If
+/// the view names no x, then x is the numeric key column with the most values. A second numeric key column
+/// gives the panels, and the other key columns that vary give the series. If there are more than seven
+/// series, key columns with few values give panels instead. If the numeric x has only two values and there
+/// would be more than seven series, a text column is x. Without a numeric key column, x is the text column
+/// with the most values. If the view names no scale, a scale is logarithmic if all values are positive and
+/// the largest value is at least 20 times the smallest value. `notes` gets a line for each name in the view
+/// that is not a column of the table. A y with fewer than two numbers gives no plot.
 std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cells, const View& view,
                                std::vector<std::string>& notes);
 

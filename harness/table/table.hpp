@@ -1,6 +1,6 @@
-// A table of a report, independent of the format in which it is written. A table has typed columns and one
-// line per measurement. Its layout says which columns readers see, and where: the renderers (render.hpp) show
-// the lines as a cross table, while CSV has all columns and one line per measurement.
+// A table of a report, independent of its file format. A table has named columns and one line per
+// measurement. Its layout determines which columns readers see, and where. The renderers for text, LaTeX and
+// HTML (render.hpp) show the lines as a cross table. CSV has all columns and one line per measurement.
 #pragma once
 #include <optional>
 #include <string>
@@ -19,22 +19,24 @@ struct Value {
 };
 
 Value text_value(const std::string& text);
-/// A number: six significant digits in CSV, three for readers; both are "" (shown as "-") without a number.
+/// A number: six significant digits in CSV, three for readers. Without a number, the text in CSV is "" and
+/// readers see "-".
 Value number_value(std::optional<double> number);
-/// A whole number, or "" (shown as "-") without a number.
+/// A number rounded to a whole number. Without a number, the text in CSV is "" and readers see "-".
 Value count_value(std::optional<double> number);
 
 /// Returns the number with three significant digits and at most four decimals: "0.842", "12.3", "267".
+/// Numbers from 1000 keep all digits before the decimal point. Numbers below 0.0001 have an exponent.
 std::string three_digits(double number);
 
 struct Column {
   std::string name;     ///< heading in CSV: "median_ms"
   std::string heading;  ///< heading for readers: "frame, ms"
-  /// How a value of the column reads in the heading of a block or of a group of columns; "{}" stands for the
-  /// value:
-  /// "{} layers".
+  /// Text of a value in the heading of a block or of a group of columns. "{}" stands for the value, for
+  /// instance in "{} layers".
   std::string label = "{}";
-  /// Order of the column's values in blocks and groups. Values that the list lacks follow in natural order.
+  /// Order of the column's values in blocks and groups. Values that are not in this list follow in the order
+  /// of natural_less().
   std::vector<std::string> order = {};
 };
 
@@ -46,7 +48,7 @@ struct Layout {
 };
 
 struct Table {
-  std::string title;     ///< heading: "Cost of each topology"
+  std::string title;     ///< for instance "Cost of each topology"
   std::string subtitle;  ///< where the lines come from: experiment, device, values that all lines share
   std::string stem;      ///< name of the files tables/STEM.csv and tables/STEM.tex
   std::vector<Column> columns;
@@ -63,14 +65,14 @@ int column_of(const Table& table, std::string_view name);
 /// numbers in them are ordered by value: "k2" precedes "k10". Numbers and sizes precede other texts.
 bool natural_less(const std::string& a, const std::string& b);
 
-/// Returns the value as it reads in a heading: Column::label with the value in place of "{}".
+/// Returns the text of the value in a heading: Column::label with the value in place of "{}".
 std::string with_value(const Column& column, const std::string& value);
 
 /// Returns whether value a of the column precedes value b: by Column::order, else by natural_less().
 bool precedes(const Column& column, const std::string& a, const std::string& b);
 
-/// Returns the number that the text denotes: a decimal number, or the number of pixels of a picture size such
-/// as "800x600". Returns no number for other texts.
+/// Returns the number that the text contains: a decimal number, or the number of pixels of a picture size
+/// such as "800x600". Returns no number for other texts.
 std::optional<double> number_of(const std::string& text);
 
 }  // namespace pelage

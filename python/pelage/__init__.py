@@ -62,8 +62,8 @@ def _by_sample(row, phase, clock):
 def read(place, *more, phase="frame", clock="wall", samples=False):
     """Returns the rows of results in folders (at any depth) or journals (*.jsonl) as a pandas data frame.
 
-    The frame has one line per row of results, that is per case and process, also for cases that failed. The columns
-    have the names of the columns of `pelage export`:
+    The data frame has one line per row of results, that is per case and process, also for cases that failed. Columns
+    of `pelage export` have the same names here:
       experiment, case, variant, and one column per axis, such as model, layers, size
       overrides ("key=value;..." of --set, --axis and --model; "" if the experiment was not changed)
       device, host, run_id, repeat, preset, status, reason
@@ -73,10 +73,12 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
       metric.NAME, and metric.NAME.low and metric.NAME.high where a metric has an interval
     Times are NaN if a row is not ok or has no time of the phase.
 
-    phase: a phase of a frame: "frame", "simulate", "wet", "transform", "bin", "raster", "resolve", "opengl", ...
-    clock: "wall", "event" (OpenCL events; phases other than "frame" have only these) or "cpu"
-    samples: if True, the frame has one line per sample, with the columns sample (index) and ms; rows that are not ok
-      have no lines
+    phase: "frame" (the whole frame), a part of the frame ("simulate", "wet", "transform", "bin", "raster", "resolve")
+      or another subject that is timed in the same round, such as the baseline "opengl"
+    clock: "wall", "cpu", or "event" (OpenCL events). The parts of a frame have only "event"; other subjects have no
+      "event"
+    samples: if True, the data frame has one line per sample, with the columns sample (index) and ms; rows that are not
+      ok have no lines
 
     A row that several journals contain counts once. A row with the status error is left out if a later row of the same
     journal has the same case. Raises ResultsError, which names the file and the line, if a line is damaged.

@@ -126,10 +126,11 @@ def median(values):
 
 def interval_rank(count):
     """Returns the largest rank r (from 0) for which the interval from the value with r smaller values to the value with
-    r larger values contains the true median with 95% probability. Returns 0 if there is none (fewer than 6 values)."""
+    r larger values contains the true median with a probability of at least 95%. Returns 0 if there is none (fewer than
+    6 values)."""
     rank, below = 0, 0.0
     for r in range((count - 1) // 2 + 1):
-        # The probability that r of the values are below the true median.
+        # Adds the probability that exactly r of the values are below the true median.
         below += math.exp(math.lgamma(count + 1) - math.lgamma(r + 1) - math.lgamma(count - r + 1)
                           - count * math.log(2))
         if 2 * below > 0.05 or 2 * r + 1 >= count:

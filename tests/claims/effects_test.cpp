@@ -13,7 +13,7 @@ namespace {
 using test::judged;
 using test::row;
 
-constexpr double tolerance = 1e-9;
+constexpr double rounding = 1e-9;
 const char* const any = "{ above = -1000 }";
 
 std::vector<FoundRow> layers_and_models() {
@@ -25,27 +25,27 @@ TEST(Effects, LevelIsTheQuantity) {
   const std::vector<FoundRow> rows = layers_and_models();
   const Judged times = judged(rows, "name = \"level\"", "{ at_most = 45 }");
   EXPECT_EQ(times.effects, 4u);
-  EXPECT_NEAR(times.least, 10, tolerance);
-  EXPECT_NEAR(times.most, 40, tolerance);
-  EXPECT_NEAR(times.value.value(), 40, tolerance) << "the case next to the limit";
+  EXPECT_NEAR(times.least, 10, rounding);
+  EXPECT_NEAR(times.most, 40, rounding);
+  EXPECT_NEAR(times.value.value(), 40, rounding) << "the case next to the limit";
   EXPECT_EQ(times.decisive, "64-b");
   const Judged rates =
       judged(rows, "name = \"level\", quantity = \"frame-rate\", combine = \"mean\"", "{ at_least = 1 }");
-  EXPECT_NEAR(rates.value.value(), (100 + 1000.0 / 30 + 50 + 25) / 4, tolerance);
+  EXPECT_NEAR(rates.value.value(), (100 + 1000.0 / 30 + 50 + 25) / 4, rounding);
 }
 
 TEST(Effects, RatioMatchesTheOtherAxes) {
   const std::string ratio = "name = \"ratio\", axis = \"layers\", of = 64, to = 16";
   const Judged every = judged(layers_and_models(), ratio, "{ at_most = 4 }");
   EXPECT_EQ(every.effects, 2u);
-  EXPECT_NEAR(every.least, 2, tolerance);
-  EXPECT_NEAR(every.most, 3, tolerance);
+  EXPECT_NEAR(every.least, 2, rounding);
+  EXPECT_NEAR(every.most, 3, rounding);
   EXPECT_EQ(every.decisive, "a");
   EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"geometric-mean\"", any).value.value(),
-              std::sqrt(6.0), tolerance);
-  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"mean\"", any).value.value(), 2.5, tolerance);
+              std::sqrt(6.0), rounding);
+  EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"mean\"", any).value.value(), 2.5, rounding);
   EXPECT_NEAR(judged(layers_and_models(), ratio + ", combine = \"median\"", any).value.value(), 2.5,
-              tolerance);
+              rounding);
 }
 
 TEST(Effects, PhasesAreTimesOfTheSameRow) {
@@ -54,16 +54,16 @@ TEST(Effects, PhasesAreTimesOfTheSameRow) {
   one.row.samples["quarter"].wall_ms = {20, 20, 20};
   EXPECT_NEAR(
       judged({one}, "name = \"level\", quantity = \"phase-time\", phase = \"simulate\"", any).value.value(),
-      6, tolerance);
+      6, rounding);
   EXPECT_NEAR(
       judged({one}, "name = \"level\", quantity = \"phase-share\", phase = \"simulate\"", any).value.value(),
-      0.1, tolerance);
+      0.1, rounding);
   const Judged turns =
       judged({one},
              "name = \"ratio\", axis = \"layers\", phases = { frame = 64, quarter = 16 }, of "
              "= 64, to = 16",
              any);
-  EXPECT_NEAR(turns.value.value(), 3, tolerance);
+  EXPECT_NEAR(turns.value.value(), 3, rounding);
 }
 
 // The two frame times differ by noise. Only the difference of the phase counts.
@@ -76,25 +76,25 @@ TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
              "name = \"ratio-by-phase\", phase = \"simulate\", axis = \"solver\", of = \"i\", to = \"e\"",
              any)
           .value.value(),
-      1.05, tolerance);
+      1.05, rounding);
 }
 
 TEST(Effects, ElasticityIsTheExponent) {
   std::vector<FoundRow> rows;
   for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
-  EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, tolerance);
+  EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, rounding);
   // The number of a picture size is its number of pixels.
   EXPECT_NEAR(judged({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
                      "name = \"elasticity\", axis = \"size\"", any)
                   .value.value(),
-              0.5, tolerance);
+              0.5, rounding);
   // A metric may measure the axis.
   FoundRow small = row({{"model", "a"}}, 10), large = row({{"model", "b"}}, 80);
   small.row.metrics["triangles"] = {100, "triangles"};
   large.row.metrics["triangles"] = {800, "triangles"};
   EXPECT_NEAR(judged({large, small}, "name = \"elasticity\", axis = \"model\", along = \"triangles\"", any)
                   .value.value(),
-              1, tolerance);
+              1, rounding);
 }
 
 TEST(Effects, LinearityComparesTwoSlopes) {
@@ -103,8 +103,8 @@ TEST(Effects, LinearityComparesTwoSlopes) {
     return std::vector<FoundRow>{row({{"layers", "64"}}, 26 + upper), row({{"layers", "16"}}, 10),
                                  row({{"layers", "32"}}, 26)};
   };
-  EXPECT_NEAR(judged(rows(32), effect, any).value.value(), 1, tolerance);
-  EXPECT_NEAR(judged(rows(48), effect, any).value.value(), 1.5, tolerance);
+  EXPECT_NEAR(judged(rows(32), effect, any).value.value(), 1, rounding);
+  EXPECT_NEAR(judged(rows(48), effect, any).value.value(), 1.5, rounding);
   const Judged two = judged(layers_and_models(), effect, any);
   EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
 }
@@ -123,14 +123,14 @@ TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
                               "name = \"ratio-trend\", axis = \"size\", of = 2, to = 1, across = \"model\", "
                               "along = \"triangles\"",
                               "\"decreasing\"");
-  EXPECT_NEAR(trend.value.value(), -0.5, tolerance);
+  EXPECT_NEAR(trend.value.value(), -0.5, rounding);
   EXPECT_EQ(trend.verdict, Verdict::holds);
 }
 
 TEST(Effects, ShareOfCasesCountsThoseAboveTheThreshold) {
   const Judged share = judged(layers_and_models(),
                               "name = \"share-of-cases\", quantity = \"frame-rate\", threshold = 30", any);
-  EXPECT_NEAR(share.value.value(), 0.75, tolerance) << "100, 33, 50 and 25 frames per second";
+  EXPECT_NEAR(share.value.value(), 0.75, rounding) << "100, 33, 50 and 25 frames per second";
   EXPECT_EQ(share.effects, 4u);
 }
 
@@ -139,12 +139,12 @@ TEST(Effects, MetricsMayBeDividedByAnother) {
   one.row.metrics["masses"] = {600, "masses"};
   one.row.metrics["triangles"] = {100, "triangles"};
   const std::string masses = "name = \"level\", quantity = \"metric\", metric = \"masses\"";
-  EXPECT_NEAR(judged({one}, masses, any).value.value(), 600, tolerance);
-  EXPECT_NEAR(judged({one}, masses + ", per = \"triangles\"", any).value.value(), 6, tolerance);
+  EXPECT_NEAR(judged({one}, masses, any).value.value(), 600, rounding);
+  EXPECT_NEAR(judged({one}, masses + ", per = \"triangles\"", any).value.value(), 6, rounding);
   one.row.metrics["paper_fps"] = {50, "fps"};
   EXPECT_NEAR(
       judged({one}, "name = \"level\", quantity = \"frame-rate\", per = \"paper_fps\"", any).value.value(), 2,
-      tolerance);
+      rounding);
 }
 
 TEST(Effects, OfThePapersNumbersUseItsRounding) {
@@ -156,12 +156,12 @@ TEST(Effects, OfThePapersNumbersUseItsRounding) {
       "name = \"ratio\", axis = \"layers\", of = 64, to = 16, quantity = \"frame-rate\", "
       "combine = \"geometric-mean\"";
   const Judged all = judged(rows, effect, any);
-  EXPECT_NEAR(all.paper_value.value(), std::sqrt(90.0 / 267 * 0.5), tolerance);
+  EXPECT_NEAR(all.paper_value.value(), std::sqrt(90.0 / 267 * 0.5), rounding);
   EXPECT_LT(all.paper_interval.low, all.paper_value.value());
   EXPECT_GT(all.paper_interval.high, all.paper_value.value());
   EXPECT_LT(all.paper_interval.high / all.paper_interval.low, 1.02);
   rows[3].row.metrics["paper_fps"] = {1, "fps", "<", {}, 1.0};
-  EXPECT_NEAR(judged(rows, effect, any).paper_value.value(), 90.0 / 267, tolerance)
+  EXPECT_NEAR(judged(rows, effect, any).paper_value.value(), 90.0 / 267, rounding)
       << "an upper bound is no number";
 }
 

@@ -37,7 +37,7 @@ class Study : public Subject {
 
   cl::Queue queue_;
   Setting setting_;
-  Identity programs_;  // the parts of the programs that ran; the studies add them with add_programs()
+  Identity programs_;  // identity parts of the programs that ran; the studies add them with add_programs()
 };
 
 }  // namespace pelage::springs

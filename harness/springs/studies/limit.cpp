@@ -84,7 +84,7 @@ class LimitStudy : public Study {
     found_ = longest_step(queue_, setting_.topology, setting_.dynamics);
     if (found_.step == 0)
       throw OutOfBounds(
-          "a stick reaches twice its rest length within two seconds with every step above 10 us");
+          "a stick reaches twice its rest length within two seconds with every step above 15 us");
     setting_.dynamics.step = float(found_.step);
     MassSprings masses(queue_, setting_.topology, setting_.dynamics);
     add_programs(programs_, {&masses.program()});

@@ -10,7 +10,8 @@ inline constexpr float most_stick = 2;
 inline constexpr double limit_seconds = 2;
 
 struct Limit {
-  double step = 0;     ///< longest step in seconds, to 2%; at most 1 s; 0 if no step above 10 us suffices
+  /// Longest step in seconds, to 2%; at most 1 s; 0 if even a step of about 15 us is too long.
+  double step = 0;
   double longest = 0;  ///< length of the longest stick after any step of this length, in rest lengths
   int tried = 0;       ///< number of time steps that were tried
 };

@@ -1,5 +1,5 @@
-// The shape of the fur in one state of a mass-spring topology: how far the sticks lean, and how far the
-// copies of one vertex part.
+// The shape of the fur in one state of a mass-spring topology: the lean of the sticks, and the gaps between
+// the sticks of one surface point.
 #pragma once
 #include "harness/journal/row.hpp"
 #include "harness/springs/model/network.hpp"
