@@ -104,6 +104,7 @@ RunState state_of(const Family& family, const std::vector<std::string>& stems, c
   RunState state;
   std::set<std::string> deals;
   std::vector<std::string> hosts;
+  hosts.reserve(stems.size());
   for (const std::string& stem : stems)
     hosts.push_back(stems.size() > 1 && stem.find('@') != std::string::npos ? stem.substr(stem.find('@') + 1)
                                                                             : stem);
