@@ -89,10 +89,11 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
     }
   for (const CellColumn& c : columns) taken.insert(c.column.name);
   for (const auto& [metric, unit] : units) {
-    const auto add = [&, name = metric](const std::string& suffix,
-                                        std::optional<double> (*part)(const Metric&)) {
-      const std::string column = (taken.contains(name + suffix) ? "metric." : "") + name + suffix;
-      const std::string heading = name + suffix + (unit.empty() || unit == name ? "" : ", " + unit);
+    const auto add = [&, name = metric, unit = unit](const std::string& suffix,
+                                                     std::optional<double> (*part)(const Metric&)) {
+      const std::string own = name + suffix;
+      const std::string column = taken.contains(own) ? "metric." + own : own;
+      const std::string heading = unit.empty() || unit == name ? own : fmt::format("{}, {}", own, unit);
       columns.push_back({{column, heading}, [name, part](const Cell& c) {
                            const auto found = c.metrics.find(name);
                            if (c.status != Status::ok || found == c.metrics.end()) return number_value({});

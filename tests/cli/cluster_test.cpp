@@ -130,10 +130,11 @@ TEST_F(Cluster, MergeRefusesWhatItCannotJoin) {
   EXPECT_EQ(apart.code, 0) << apart.err;
   EXPECT_NE(apart.err.find("rows that differ (run) are in out/apart-2"), std::string::npos) << apart.err;
   folder.write("file", "text");
-  for (const char* arguments :
-       {"a", "a b", "out2", "out2 nowhere", "file a", "out2 a --preset quick", "out2 a --expect nowhere.toml",
-        "out2 a --expect own.toml --filter zz", PELAGE_SOURCE_DIR "/results/new a"}) {
-    const Outcome outcome = pelage(folder, std::string("merge ") + arguments);
+  const std::string in_source = std::string(PELAGE_SOURCE_DIR) + "/results/new a";
+  for (const std::string& arguments : std::initializer_list<std::string>{
+           "a", "a b", "out2", "out2 nowhere", "file a", "out2 a --preset quick",
+           "out2 a --expect nowhere.toml", "out2 a --expect own.toml --filter zz", in_source}) {
+    const Outcome outcome = pelage(folder, "merge " + arguments);
     EXPECT_EQ(outcome.code, 2) << arguments << outcome.err;
     EXPECT_EQ(lines_of(outcome.err), 1u) << arguments << outcome.err;
   }

@@ -57,6 +57,7 @@ struct Inputs {
   }
   Merge plan(const std::vector<std::string>& names, bool apart = false) const {
     std::vector<std::string> places;
+    places.reserve(names.size());
     for (const std::string& name : names) places.push_back((folder.path / name).string());
     return plan_merge(read_results(places), apart);
   }

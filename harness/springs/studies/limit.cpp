@@ -13,8 +13,8 @@ constexpr double least_step = 1e-5, most_step = 1, precision = 1.02;
 
 class Trial {
  public:
-  Trial(const cl::Queue& queue, const SpringNetwork& topology, Dynamics dynamics, double look)
-      : queue_(queue), topology_(topology), dynamics_(std::move(dynamics)), look_(look) {
+  Trial(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics, double look)
+      : queue_(queue), topology_(topology), dynamics_(dynamics), look_(look) {
     dynamics_.lost_stretch = most_stick;
   }
 
