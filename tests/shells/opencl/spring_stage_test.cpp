@@ -84,5 +84,20 @@ TEST(SpringStageTips, AreWhatTheRasterStageReads) {
   EXPECT_NE(stages.raster.count(stages.queue), count);
 }
 
+TEST(SpringStageTips, AreDrawnWithoutTheTipsOfTheRasterStage) {
+  Stages stages;
+  const cl::Buffer<float>& tips = stages.tips();
+  const Picture drawn = stages.drawn_with(tips);
+  // The raster stage has its own buffer of tips for strands without springs. If a kernel read this buffer,
+  // the picture would change with its contents: first tips of all zeros, then long tips in another direction.
+  constexpr int stride = 1 << 16;  // more than the number of strands
+  for (const float value : {0.0f, 0.3f}) {
+    const std::vector<float> values(std::size_t(3) * stride, value);
+    const cl::Buffer<float> strands(stages.queue, std::span<const float>(values));
+    stages.raster.strand_tips(stages.queue, strands, stride, nullptr);
+    EXPECT_TRUE(stages.drawn_with(tips).pixel == drawn.pixel) << value;
+  }
+}
+
 }  // namespace
 }  // namespace pelage

@@ -101,13 +101,20 @@ inline double residual_of(const Step& step, const std::vector<glm::dvec3>& befor
   return (step.b - step.a * x).norm() / step.b.norm();
 }
 
-/// Returns a state in which every stick is bent and every spring is longer than at rest. Positions and
-/// velocities are floats, so that kernels and baselines can start from exactly this state.
+/// Returns a state in which most sticks are bent by 20 to 50 degrees and every spring is longer than at rest:
+/// the top masses move outwards and turn by 0.3 rad about an axis. The derivative of the return force matters
+/// only in bent sticks. Positions and velocities are floats, so that kernels and baselines can start from
+/// exactly this state.
 inline reference::State stretched(const SpringNetwork& topology) {
   reference::State state = reference::rest(topology);
+  const glm::dvec3 axis = glm::normalize(glm::dvec3(1, 2, 3));
+  const auto turned = [&axis](const glm::dvec3& v) {  // by the formula of Rodrigues
+    const glm::dvec3 across = glm::cross(axis, v);
+    return v + std::sin(0.3) * across + (1 - std::cos(0.3)) * glm::cross(axis, across);
+  };
   for (std::size_t i = 0; i < topology.sticks(); ++i) {
     const double a = double(i);
-    const glm::dvec3 q = 1.3 * state.position[topology.top(i)] +
+    const glm::dvec3 q = 1.3 * turned(state.position[topology.top(i)]) +
                          0.01 * glm::dvec3(std::sin(a), std::cos(2 * a), std::sin(3 * a)) - state.position[i];
     state.position[topology.top(i)] = state.position[i] + glm::dvec3(glm::vec3(q));
     state.velocity[topology.top(i)] =
