@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the packages that pelage needs on Debian 12. Builds pelage, tests it and times the cases of Table 1. A second
-# run installs nothing and rebuilds only changed files.
+# Installs the packages that pelage needs on Debian 12. Builds pelage, tests it and times the cases of Table 1
+# of Silva et al. 2010 (README.md). A second run installs nothing and rebuilds only changed files.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 build=$root/build/release

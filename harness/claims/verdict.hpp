@@ -30,8 +30,9 @@ struct Decision {
 /// Decides whether all effects lie in the region. Holm's method limits the probability that any of the m
 /// decisions is wrong to 5%. The effects are ordered by their p-value. The k-th effect (from k = 1) is
 /// decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies wholly inside or wholly outside
-/// the region. The first effect that is not decided ends the procedure. The claim fails if an effect is
-/// decided to lie outside. It holds if all effects are decided to lie inside. Otherwise it is undecided. With
+/// the region. The first effect that is not decided ends the procedure. The claim fails if the
+/// procedure decides that an effect lies outside. It holds if the procedure decides that all effects lie
+/// inside. Otherwise it is undecided. With
 /// one effect, the 95% interval decides.
 Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Builds pelage with new and changed source files, without touching the source tree.
 
-usage: changed_build.py SOURCE BUILD CHANGES: CHANGES holds the new and changed files at their paths in SOURCE. The
-program compiles the .cpp files of CHANGES with the options of BUILD. It links the program CHANGES/pelage from these
-object files and the libraries of BUILD. In the linker's command the object files stand before the libraries, so that
-their definitions are used. A changed header may only add declarations, because source files outside CHANGES are not
-compiled again.
+usage: changed_build.py SOURCE BUILD CHANGES
+
+The folder CHANGES contains the new and changed files. The path of a file relative to CHANGES is the path that the file
+has, or would have, relative to SOURCE. The program compiles the .cpp files of CHANGES with the options of BUILD. It
+links the program CHANGES/pelage from these object files and the libraries of BUILD. In the linker's command the object
+files stand before the libraries, so that their definitions are used. A changed header may only add declarations,
+because source files outside CHANGES are not compiled again.
 """
 import json
 import shlex

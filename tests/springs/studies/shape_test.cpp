@@ -25,8 +25,8 @@ using namespace test;
 
 // Returns the angle in degrees at which the forces on the top of an upright stick are in balance: a
 // horizontal force, the weight and the return force (B Eq. 5). The spring of the stick acts along the stick,
-// so only the components across the stick count. The result is the smallest root above 0 at which the sum of
-// the moments becomes negative.
+// so only the components across the stick count. The result is the smallest angle above 0 at which the sum of
+// the moments, as a function of the angle, changes from positive to negative.
 double balanced_lean(const Dynamics& d, double horizontal) {
   const double weight = double(d.mass) * glm::length(glm::dvec3(d.gravity)), w = double(d.return_weight);
   const auto moment = [&](double angle) {
