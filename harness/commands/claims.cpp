@@ -29,14 +29,6 @@ std::string csv_of(const std::vector<claims::Judged>& judged) {
   return text;
 }
 
-void write(const std::string& file, const std::string& text) {
-  write_atomically(file, [&](const std::filesystem::path& path) {
-    std::ofstream stream(path, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream) throw InputError(fmt::format("{}: cannot be written: {}", file, std::strerror(errno)));
-  });
-}
-
 int print_claims(const ClaimsOptions& options) {
   const claims::ClaimFile file = claims::read_claims(
       options.file.empty() ? claims::shipped_claims() : std::filesystem::path(options.file));
@@ -51,7 +43,7 @@ int print_claims(const ClaimsOptions& options) {
   if (options.csv == "-")
     fmt::print("{}", csv_of(judged));
   else if (!options.csv.empty())
-    write(options.csv, csv_of(judged));
+    write_text_atomically(options.csv, csv_of(judged));
   if (options.csv == "-") return 0;
   if (options.json)
     fmt::print("{}\n", claims::json_of(judged).dump(2));

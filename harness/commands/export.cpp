@@ -26,12 +26,7 @@ int export_csv(const ExportOptions& options) {
     fmt::print("{}", text);
     return 0;
   }
-  write_atomically(options.csv, [&](const std::filesystem::path& path) {
-    std::ofstream stream(path, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream)
-      throw InputError(fmt::format("{}: cannot be written: {}", options.csv, std::strerror(errno)));
-  });
+  write_text_atomically(options.csv, text);
   return 0;
 }
 

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "harness/atomic_file.hpp"
 #include "harness/cl/measure.hpp"
 #include "harness/commands/scene_options.hpp"
@@ -89,14 +87,6 @@ std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& exp
   return work;
 }
 
-void write(const fs::path& file, const std::string& text) {
-  write_atomically(file, [&](const fs::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
-  });
-}
-
 int roofline(const RooflineOptions& options) {
   const Experiment experiment = read_experiment(experiment_file(options.experiment));
   const std::vector<Case> cases =
@@ -126,7 +116,7 @@ int roofline(const RooflineOptions& options) {
   }
   fmt::print("{}", text_of(frames, ceilings));
   if (!folder.empty() && !frames.empty()) {
-    write(folder / "roofline.csv", csv_of(frames, ceilings));
+    write_text_atomically(folder / "roofline.csv", csv_of(frames, ceilings));
     fs::copy_file(plot_program("roofline"), folder / "roofline.py", fs::copy_options::overwrite_existing);
     if (const std::string problem =
             draw_plot(folder / "roofline.py", folder / "roofline.csv", folder / "roofline");

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -72,11 +71,7 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
   if (path.extension() != ".svg")
     throw InputError(fmt::format("--draw {}: the name of the drawing must end in .svg", command.drawing));
   const std::string svg = springs::drawing_of(mesh, command.length);
-  write_atomically(path, [&](const std::filesystem::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << svg << std::flush;
-    if (!stream) throw InputError(fmt::format("{}: cannot be written", command.drawing));
-  });
+  write_text_atomically(path, svg);
 }
 
 int run(const TopologyCommand& command) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 
 #include "harness/atomic_file.hpp"
@@ -82,11 +81,7 @@ void store(const fs::path& file, const std::string& stage, const TuningSearch& f
                   info.driver, utc_now(), build_info().revision.substr(0, 12), kernel_hash, against, scenes);
   const std::string text = with_stage(fs::exists(file) ? text_at(file) : "", stage, found.best, note);
   if (file.has_parent_path()) fs::create_directories(file.parent_path());
-  write_atomically(file, [&](const fs::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << text << std::flush;
-    if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
-  });
+  write_text_atomically(file, text);
   // Checks that the written file can be read back; throws if it cannot.
   read_tuning(file);
 }
