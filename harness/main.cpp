@@ -9,6 +9,7 @@
 #include <string>
 
 #include "harness/cl/program.hpp"
+#include "harness/commands/aa_test.hpp"
 #include "harness/commands/check.hpp"
 #include "harness/commands/claims.hpp"
 #include "harness/commands/command.hpp"
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
   add_merge(app, chosen);
   add_export(app, chosen);
   add_compare(app, chosen);
+  add_aa_test(app, chosen);
   add_report(app, chosen);
   add_claims(app, chosen);
   add_completion(app, chosen);

@@ -7,13 +7,14 @@
 #include <nlohmann/json.hpp>
 
 #include "harness/error.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/report/comparison.hpp"
 
 namespace pelage {
 namespace {
 
 struct CompareOptions {
-  std::string a, b, by, threshold = "5%";
+  std::string a, b, by, threshold = "5%", alpha = "5%";
   bool fail_on_regression = false, json = false;
 };
 
@@ -21,43 +22,95 @@ std::string milliseconds(double value) {
   return value > 0 ? fmt::format("{:.3f}", value) : "-";
 }
 
+std::string percent(double fraction) {
+  return fmt::format("{:+.1f}%", 100 * fraction);
+}
+
+nlohmann::ordered_json to_json(const Pair& p) {
+  return {{"case", p.name},
+          {"a", p.a},
+          {"b", p.b},
+          {"a_ms", p.a_ms},
+          {"b_ms", p.b_ms},
+          {"a_processes", p.a_processes},
+          {"b_processes", p.b_processes},
+          {"change", p.change},
+          {"low", p.interval.low},
+          {"high", p.interval.high},
+          {"confidence", p.confidence},
+          {"p", p.p},
+          {"paired", p.paired},
+          {"assumed_spread", p.assumed},
+          {"detectable", p.detectable},
+          {"contended", p.contended},
+          {"verdict", to_text(p.verdict)}};
+}
+
 void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
   if (options.json) {
     auto list = nlohmann::ordered_json::array();
-    for (const Pair& p : pairs)
-      list.push_back({{"case", p.name},
-                      {"a", p.a},
-                      {"b", p.b},
-                      {"a_ms", p.a_ms},
-                      {"b_ms", p.b_ms},
-                      {"change", p.change},
-                      {"verdict", to_text(p.verdict)}});
+    for (const Pair& p : pairs) list.push_back(to_json(p));
     fmt::print("{}\n", list.dump(2));
     return;
   }
+  for (const Pair& p : pairs) {
+    const bool both = p.a_ms > 0 && p.b_ms > 0;
+    fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} {}{}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
+               both ? percent(p.change) : "-",
+               both ? fmt::format("[{}, {}]", percent(p.interval.low), percent(p.interval.high)) : "",
+               to_text(p.verdict), p.name, options.by.empty() ? "" : fmt::format("  ({} -> {})", p.a, p.b),
+               p.contended ? "  (contended)" : "");
+  }
+}
+
+/// Prints notes about what the verdicts are based on.
+void print_notes(const std::vector<Pair>& pairs) {
+  const auto count = [&](auto which) { return std::count_if(pairs.begin(), pairs.end(), which); };
+  if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
+    fmt::print(stderr,
+               "pelage: {} of {} comparisons assume that the medians of processes differ by {:.0f}%, because "
+               "fewer than {} processes measured a case; run the experiments with --repeat 5\n",
+               assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
+  if (const auto contended = count([](const Pair& p) { return p.contended; }))
+    fmt::print(
+        stderr,
+        "pelage: {} of {} comparisons contain rows that were timed while other processes used more than "
+        "{:.0f}% of the machine's CPU time\n",
+        contended, pairs.size(), 100 * most_other_share);
+  double most = 0;
   for (const Pair& p : pairs)
-    fmt::print("{:>10} {:>10} {:>+8.1f}%  {:7} {}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
-               100 * p.change, to_text(p.verdict), p.name,
-               options.by.empty() ? "" : fmt::format("  ({} -> {})", p.a, p.b));
+    if (p.verdict == Verdict::undecided) most = std::max(most, p.detectable);
+  if (most > 0)
+    fmt::print(stderr,
+               "pelage: an undecided case would be called slower with a probability of 90% only from {} on, "
+               "in the worst case\n",
+               percent(most));
 }
 
 int compare(const CompareOptions& options) {
   const CompareBy by(options.by);
-  const double threshold = threshold_from_text(options.threshold);
+  const CompareLimits limits{fraction_from_text("--threshold", options.threshold),
+                             fraction_from_text("--alpha", options.alpha)};
+  if (!(limits.alpha > 0 && limits.alpha < 0.5))
+    throw InputError(
+        fmt::format("--alpha '{}' must be above 0 and below 50%; write for instance 5%", options.alpha));
   const bool one_set = options.b.empty();
   if (one_set && by.text.empty())
     throw InputError(
         "give two sets of results (A and B), or one set with --by device, --by variant or --by axes.KEY");
   const std::vector<Cell> a = cells_of(read_results({options.a}));
   const std::vector<Cell> b = one_set ? a : cells_of(read_results({options.b}));
-  const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, threshold);
+  const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
   print(pairs, options);
   const auto count = [&](Verdict v) {
     return std::count_if(pairs.begin(), pairs.end(), [v](const Pair& p) { return p.verdict == v; });
   };
-  fmt::print(stderr, "pelage: {} faster, {} slower, {} without a time in B, {} unchanged (threshold {})\n",
-             count(Verdict::faster), count(Verdict::slower), count(Verdict::lost), count(Verdict::same),
-             options.threshold);
+  fmt::print(stderr,
+             "pelage: {} faster, {} slower, {} same, {} undecided, {} without a time in B (threshold {}; "
+             "probability of any wrong verdict at most {})\n",
+             count(Verdict::faster), count(Verdict::slower), count(Verdict::same), count(Verdict::undecided),
+             count(Verdict::lost), options.threshold, options.alpha);
+  print_notes(pairs);
   const bool regressed = count(Verdict::slower) + count(Verdict::lost) > 0;
   return options.fail_on_regression && regressed ? 5 : 0;
 }
@@ -76,7 +129,12 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       ->type_name("device|variant|axes.KEY");
   command
       ->add_option("--threshold", options->threshold,
-                   "Smallest relative change of the median time that counts as faster or slower")
+                   "Relative change of the time that still counts as the same")
+      ->type_name("5%")
+      ->capture_default_str();
+  command
+      ->add_option("--alpha", options->alpha,
+                   "Largest probability that one or more of the verdicts are wrong (Holm's correction)")
       ->type_name("5%")
       ->capture_default_str();
   command->add_flag("--fail-on-regression", options->fail_on_regression,

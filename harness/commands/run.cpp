@@ -19,6 +19,7 @@
 #include "harness/journal/results_folder.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/measure/quiet.hpp"
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/prepare/scene_mesh.hpp"
@@ -229,6 +230,14 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     return journal.holds(planned_key(plan, c));
   })));
   RunListener listener;
+  const QuietMachine quiet = quiet_machine_from_text(options.quiet_machine);
+  listener.may_start = [&](const Case& which) {
+    const std::string busy = disturbance(quiet, share_of_one_second);
+    if (busy.empty()) return true;
+    progress.note(fmt::format("pelage: {}: {}: {}", quiet == QuietMachine::warn ? "warning" : "not started",
+                              which.name, busy));
+    return quiet == QuietMachine::warn;
+  };
   listener.starting = [&](std::size_t, const Case& which) { progress.start(which.name); };
   listener.finished = [&](std::size_t, const Row& row) {
     if (row.status != Status::ok && isatty(STDERR_FILENO))
@@ -273,15 +282,18 @@ int run_here(const RunOptions& options, const fs::path& folder) {
       all.kept += one.kept;
       all.not_ok += one.not_ok;
       all.left += one.left;
+      all.disturbed = all.disturbed || one.disturbed;
     }
   }
   fmt::print(stderr, "pelage: {} cases ok, {} cases not ok{}{}\n", all.ok, all.not_ok,
              all.kept ? fmt::format(", {} kept from the interrupted run", all.kept) : "",
-             all.left ? fmt::format(
-                            ", {} not run because the time of --budget is used up; continue with --resume {}",
-                            all.left, folder.string())
-                      : "");
-  return all.not_ok > 0 ? 1 : 0;
+             all.left
+                 ? fmt::format(", {} not run because {}; continue with --resume {}", all.left,
+                               all.disturbed ? "other processes use the machine (--quiet-machine=require)"
+                                             : "the time of --budget is used up",
+                               folder.string())
+                 : "");
+  return all.not_ok > 0 || all.disturbed ? 1 : 0;
 }
 
 /// Throws InputError if the results of --balance are in the folder of this run or contain it. Each shard

@@ -153,6 +153,13 @@ void declare(CLI::App& command, RunOptions& options) {
                   "Name of the host in the rows (default: the name of this machine). Give equal nodes of a "
                   "cluster one name, so that the rows of all nodes are in one table")
       ->type_name("NAME");
+  command
+      .add_option("--quiet-machine", options.quiet_machine,
+                  "Before each case, measure for one second whether other processes use more than 10% of the "
+                  "machine's CPU time: warn prints a warning; require waits up to a minute and then ends the "
+                  "run with code 1")
+      ->check(CLI::IsMember({"warn", "require"}))
+      ->type_name("warn|require");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");
   command.add_flag("--dry-run", options.dry_run, "Print the cases without running them");
   command.add_option("--repeat-index", options.repeat_index)->group("");

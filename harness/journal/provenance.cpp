@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cctype>
+#include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -51,6 +52,22 @@ std::string utc_stamp() {
 double load_average() {
   double load = 0;
   return getloadavg(&load, 1) == 1 ? load : -1;
+}
+
+double unix_time() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+double cpu_mhz() {
+  std::ifstream stream("/proc/cpuinfo");
+  double sum = 0;
+  int count = 0;
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with("cpu MHz")) continue;
+    sum += std::strtod(line.c_str() + line.find(':') + 1, nullptr);
+    ++count;
+  }
+  return count > 0 ? sum / count : -1;
 }
 
 std::string host_name() {

@@ -12,6 +12,7 @@
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/interrupt.hpp"
+#include "harness/measure/precision.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/picture/image_io.hpp"
 
@@ -68,6 +69,7 @@ Row blank_row(const RunPlan& plan, const Case& which) {
   row.repeat = plan.repeat;
   row.provenance = plan.provenance;
   row.provenance["utc"] = utc_now();
+  row.provenance["started_s"] = unix_time();
   row.provenance["load"] = load_average();
   return row;
 }
@@ -93,14 +95,16 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     const auto from = std::chrono::steady_clock::now();
     const std::unique_ptr<Subject> subject = make(which);
     row.provenance["prepare_s"] = seconds_since(from);
+    row.provenance["cpu_mhz"] = cpu_mhz();
     const auto sampling_from = std::chrono::steady_clock::now();
     const CpuWatch watch;
     const Sampling sampling = take_samples([&subject] { return subject->frame(); }, limits);
     if (const std::optional<double> share = watch.other_share()) row.provenance["other_cpu_share"] = *share;
     row.provenance["sampling_s"] = seconds_since(sampling_from);
     row.provenance["load_after"] = load_average();
+    row.provenance["cpu_mhz_after"] = cpu_mhz();
+    row.provenance["precision"] = limits.precision;
     row.first_launch_ms = sampling.first_launch_ms;
-    row.provenance["converged"] = sampling.converged;
     const Picture picture = subject->read();
     if (!picture.pixel.empty()) row.image_hash = picture_hash(picture);
     if (!plan.images.empty() && !picture.pixel.empty()) {
@@ -118,6 +122,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
                            true});
     if (which.published) row.metrics["paper_" + which.published->unit] = *which.published;
     judge(row, picture);
+    row.provenance["converged"] = is_precise(row);
     if (const auto covered = row.metrics.find("covered_fragments");
         row.status == Status::ok && covered != row.metrics.end())
       row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
@@ -145,7 +150,8 @@ RunSummary run_cases(const RunPlan& plan, const MakeSubject& make, Journal& jour
       continue;
     }
     const double left_s = plan.budget_s - seconds_since(from);
-    if (left_s <= 0) {
+    summary.disturbed = summary.disturbed || (left_s > 0 && listener.may_start && !listener.may_start(which));
+    if (left_s <= 0 || summary.disturbed) {
       ++summary.left;
       continue;
     }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace pelage {
@@ -69,6 +72,54 @@ Interval nested_median_interval(std::span<const std::vector<double>> processes, 
     medians.push_back(median(pooled));
   }
   return {quantile(medians, (1 - confidence) / 2), quantile(medians, (1 + confidence) / 2)};
+}
+
+bool has_mean_interval(std::size_t count) {
+  return count >= 3;
+}
+
+Interval mean_interval(std::span<const double> values, double confidence) {
+  const bool positive = std::all_of(values.begin(), values.end(), [](double v) { return v > 0; });
+  const auto count = double(values.size());
+  double mean = 0, squares = 0;
+  const auto scaled = [positive](double v) { return positive ? std::log(v) : v; };
+  for (const double v : values) mean += scaled(v) / count;
+  for (const double v : values) squares += (scaled(v) - mean) * (scaled(v) - mean);
+  const boost::math::students_t_distribution<double> t(count - 1);
+  const double reach =
+      boost::math::quantile(t, (1 + confidence) / 2) * std::sqrt(squares / (count - 1) / count);
+  if (positive) return {std::exp(mean - reach), std::exp(mean + reach)};
+  return {mean - reach, mean + reach};
+}
+
+Drift drift_of(std::span<const double> values) {
+  constexpr std::size_t least = 8, most = 400;
+  if (values.size() < least) return {};
+  std::vector<double> chosen;
+  const std::size_t count = std::min(values.size(), most);
+  for (std::size_t i = 0; i < count; ++i) chosen.push_back(values[i * values.size() / count]);
+  std::vector<double> slopes;
+  double rises = 0;  // Kendall's S: pairs that rise minus pairs that fall
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = i + 1; j < count; ++j) {
+      slopes.push_back((chosen[j] - chosen[i]) / double(j - i));
+      rises += double(chosen[j] > chosen[i]) - double(chosen[j] < chosen[i]);
+    }
+  std::map<double, double> times;  // value -> number of its samples
+  for (const double v : chosen) ++times[v];
+  const auto term = [](double n) { return n * (n - 1) * (2 * n + 5); };
+  double variance = term(double(count));
+  for (const auto& [value, n] : times) variance -= term(n);
+  variance /= 18;
+  if (!(variance > 0)) return {};
+  // The continuity correction moves S by 1 towards 0.
+  const double z = std::max(0.0, std::abs(rises) - 1) / std::sqrt(variance);
+  return {median(slopes) * double(count - 1) / median(chosen),
+          2 * boost::math::cdf(boost::math::normal(), -z)};
+}
+
+bool drifts(const Drift& drift) {
+  return drift.p < 0.01 && std::abs(drift.change) > 0.02;
 }
 
 double relative_half_width(std::span<const double> values, double confidence) {

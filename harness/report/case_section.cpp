@@ -129,6 +129,7 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
                          "Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
   if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return timed(c) && !c.converged; }))
     table.remarks.emplace_back(star_remark);
+  if (std::string drift = drift_remark(cells); !drift.empty()) table.remarks.push_back(std::move(drift));
   section.plots = plots_of(table, cells, view, *sources.notes);
   return {std::move(section)};
 }

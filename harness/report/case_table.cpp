@@ -1,6 +1,7 @@
 #include "harness/report/case_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -155,13 +156,18 @@ std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
                      [](const Cell& c) { return number_value(timed(c) ? c.cpu_ms : std::nullopt); }});
   columns.push_back({{"samples", "samples"}, [](const Cell& c) {
                        std::size_t count = 0;
-                       for (const auto& process : c.processes) count += process.size();
+                       for (const auto& process : c.timings.processes) count += process.size();
                        return text_value(std::to_string(count));
                      }});
   columns.push_back({{"processes", "processes"},
-                     [](const Cell& c) { return text_value(std::to_string(c.processes.size())); }});
+                     [](const Cell& c) { return text_value(std::to_string(c.timings.processes.size())); }});
+  columns.push_back({{"converged", "converged"},
+                     [](const Cell& c) { return text_value(timed(c) && c.converged ? "1" : "0"); }});
+  columns.push_back({{"drift", "drift"}, [](const Cell& c) {
+                       return number_value(timed(c) ? std::optional(c.drift) : std::nullopt);
+                     }});
   columns.push_back(
-      {{"converged", "converged"}, [](const Cell& c) { return text_value(c.converged ? "1" : "0"); }});
+      {{"contended", "contended"}, [](const Cell& c) { return text_value(c.contended ? "1" : "0"); }});
   add_phases(columns, cells);
   add_metrics(columns, cells);
   return columns;
@@ -262,6 +268,18 @@ std::string name_of(const Cell& cell) {
     text += axis == "layers" ? value + " layers" : value;
   }
   return text.empty() ? cell.case_name : text;
+}
+
+std::string drift_remark(const std::vector<Cell>& cells) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string> names;
+  for (const Cell& c : cells)
+    if (timed(c) && c.drift != 0) names.push_back(fmt::format("{} ({:+.1f}%)", name_of(c), 100 * c.drift));
+  if (names.empty()) return {};
+  const std::size_t shown = std::min(names.size(), most), others = names.size() - shown;
+  names.resize(shown);
+  return fmt::format("Times drift during the run: {}{}.", fmt::join(names, ", "),
+                     others > 0 ? fmt::format(" and {} other cases", others) : "");
 }
 
 }  // namespace pelage

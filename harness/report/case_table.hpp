@@ -60,4 +60,8 @@ std::string name_of(const Cell& cell);
 inline constexpr const char* star_remark =
     "* the 95% interval of the median is wider than the preset requires.";
 
+/// Returns a remark that names the cases whose times drift (drifts()), with the change of each: "Times drift
+/// during the run: torus, 16 layers, 800x600 (+3.2%)."; "" if there is none. Names at most five cases.
+std::string drift_remark(const std::vector<Cell>& cells);
+
 }  // namespace pelage

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+
+#include "harness/measure/cpu_use.hpp"
+#include "harness/measure/precision.hpp"
+#include "harness/report/cell_metrics.hpp"
 
 namespace pelage {
 namespace {
@@ -24,7 +29,6 @@ Cell cell_of(const FoundRow& found) {
   cell.axes = row.axes;
   cell.overrides = row.overrides;
   cell.identity = row.identity;
-  cell.metrics = row.metrics;
   cell.image = picture_of(found);
   cell.renderer = text(row, "opengl_renderer");
   cell.title = text(row, "title");
@@ -42,15 +46,24 @@ void add(Cell& cell, const Row& row) {
     cell.status = row.status;
     cell.reason = row.reason;
   }
-  cell.converged = cell.converged && row.provenance.value("converged", false);
-  if (std::vector<double> times = frame_ms(row); !times.empty()) cell.processes.push_back(std::move(times));
+  cell.contended = cell.contended || !load_warning(row).empty();
+  std::vector<double> times = frame_ms(row);
+  if (times.empty()) return;
+  cell.converged = cell.converged && is_precise(row);
+  if (const Drift drift = drift_of(times); drifts(drift) && std::abs(drift.change) > std::abs(cell.drift))
+    cell.drift = drift.change;
+  cell.timings.processes.push_back(std::move(times));
+  if (const auto started = row.provenance.find("started_s"); started != row.provenance.end())
+    cell.timings.started_s.push_back(started->get<double>());
 }
 
-/// Samples of all combined rows: phase -> times in ms.
+/// Samples and metrics of all combined rows.
 struct Samples {
-  std::map<std::string, std::vector<double>> event, wall;
+  std::map<std::string, std::vector<double>> event, wall;  // phase -> times in ms
   std::vector<double> cpu;
+  std::map<std::string, std::vector<Metric>> metrics;
   void add(const Row& row) {
+    for (const auto& [name, metric] : row.metrics) metrics[name].push_back(metric);
     for (const auto& [phase, samples] : row.samples) {
       event[phase].insert(event[phase].end(), samples.event_ms.begin(), samples.event_ms.end());
       wall[phase].insert(wall[phase].end(), samples.wall_ms.begin(), samples.wall_ms.end());
@@ -60,6 +73,10 @@ struct Samples {
 };
 
 void summarize(Cell& cell, const Samples& samples) {
+  for (const auto& [name, values] : samples.metrics) {
+    cell.metrics[name] = combined_metric(values);
+    for (const Metric& metric : values) cell.runs[name].push_back(metric.value);
+  }
   if (cell.status != Status::ok) return;
   for (const auto& [phase, wall] : samples.wall) {
     const std::vector<double>& event = samples.event.at(phase);
@@ -67,11 +84,12 @@ void summarize(Cell& cell, const Samples& samples) {
     if (phase != "frame" && !times.empty()) cell.phase_ms[phase] = median(times);
   }
   if (!samples.cpu.empty()) cell.cpu_ms = median(samples.cpu);
-  if (cell.processes.empty()) return;
+  if (cell.timings.processes.empty()) return;
   std::vector<double> pooled;
-  for (const auto& process : cell.processes) pooled.insert(pooled.end(), process.begin(), process.end());
+  for (const auto& process : cell.timings.processes)
+    pooled.insert(pooled.end(), process.begin(), process.end());
   cell.median_ms = median(pooled);
-  cell.interval_ms = nested_median_interval(cell.processes, 1);
+  cell.interval_ms = nested_median_interval(cell.timings.processes, 1);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "harness/journal/results_folder.hpp"
-#include "harness/measure/statistics.hpp"
+#include "harness/measure/difference.hpp"
 
 namespace pelage {
 
@@ -17,8 +17,11 @@ struct Cell {
   Identity identity;           ///< identity of all combined rows
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
-  std::map<std::string, Metric> metrics;       ///< metrics of the first of the combined rows
-  std::vector<std::vector<double>> processes;  ///< wall times of frames in ms; one list per process
+  std::map<std::string, Metric> metrics;  ///< metrics of the combined rows (combined_metric())
+  /// Metric -> its values in the combined rows, in the order of the rows. Separate processes measured them.
+  std::map<std::string, std::vector<double>> runs;
+  Timings timings;         ///< wall times of frames, and start of each process
+  bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
   /// Phase other than "frame" -> median of all its samples, in ms: of the event times, or of the wall times
   /// if the phase has no event times.
   std::map<std::string, double> phase_ms;
@@ -29,7 +32,8 @@ struct Cell {
   double median_ms = 0;          ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
-  bool converged = true;        ///< true if every row reached the precision that the preset requires
+  bool converged = true;        ///< whether the median of every row is precise (is_precise())
+  double drift = 0;             ///< the greatest Drift::change of a row that drifts(); 0 if no row does
   std::filesystem::path image;  ///< file of the cell's picture; it may not exist
   /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
   /// paper; "default" if the cell has no such axis.

@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 #include <re2/re2.h>
 
+#include <cmath>
 #include <map>
+#include <optional>
 
 #include "harness/error.hpp"
+#include "harness/measure/difference.hpp"
 
 namespace pelage {
 namespace {
@@ -32,12 +35,59 @@ std::string common_name(const Cell& cell, const CompareBy& by) {
   return name;
 }
 
-Verdict verdict_of(const Cell& a, const Cell& b, double change, double threshold) {
-  if (a.median_ms <= 0) return Verdict::same;
-  if (b.median_ms <= 0) return Verdict::lost;
-  const bool apart = b.interval_ms.low > a.interval_ms.high || b.interval_ms.high < a.interval_ms.low;
-  if (!apart || std::abs(change) <= threshold) return Verdict::same;
-  return change > 0 ? Verdict::slower : Verdict::faster;
+bool timed(const Cell& cell) {
+  return cell.median_ms > 0;
+}
+
+Verdict verdict_of(Side side) {
+  switch (side) {
+    case Side::below:
+      return Verdict::faster;
+    case Side::within:
+      return Verdict::same;
+    case Side::above:
+      return Verdict::slower;
+    case Side::undecided:
+      break;
+  }
+  return Verdict::undecided;
+}
+
+Pair pair_of(const Cell& a, const Cell& b, std::string name, const CompareBy& by) {
+  Pair pair;
+  pair.name = std::move(name);
+  pair.a = value_of(a, by);
+  pair.b = value_of(b, by);
+  pair.a_ms = a.median_ms;
+  pair.b_ms = b.median_ms;
+  pair.a_processes = a.timings.processes.size();
+  pair.b_processes = b.timings.processes.size();
+  pair.contended = a.contended || b.contended;
+  if (timed(a) && !timed(b)) pair.verdict = Verdict::lost;
+  return pair;
+}
+
+/// Fills the statistics of the pairs whose two cells both have a time.
+void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Difference>>& differences,
+                  const CompareLimits& limits) {
+  std::vector<Difference> known;
+  for (const auto& difference : differences)
+    if (difference) known.push_back(*difference);
+  const std::vector<Decision> decisions = decide(known, limits.threshold, limits.alpha);
+  for (std::size_t i = 0, k = 0; i < pairs.size(); ++i) {
+    if (!differences[i]) continue;
+    Pair& pair = pairs[i];
+    const Difference& difference = *differences[i];
+    const Decision& decision = decisions[k++];
+    pair.change = std::expm1(difference.log_ratio);
+    pair.interval = {decision.ratio.low - 1, decision.ratio.high - 1};
+    pair.confidence = decision.confidence;
+    pair.p = decision.p;
+    pair.paired = difference.paired;
+    pair.assumed = difference.assumed;
+    pair.detectable = detectable_change(difference, known.size(), limits.threshold, limits.alpha);
+    pair.verdict = verdict_of(decision.side);
+  }
 }
 
 /// Throws InputError if the set contains two cells that differ only in their identity.
@@ -61,19 +111,19 @@ CompareBy::CompareBy(const std::string& by) : text(by) {
 }
 
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
-                                const CompareBy& by, double threshold) {
+                                const CompareBy& by, const CompareLimits& limits) {
   refuse_ambiguous(a, by);
   refuse_ambiguous(b, by);
   std::vector<Pair> pairs;
+  std::vector<std::optional<Difference>> differences;  // one per pair; empty without two times
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
-      const std::string name = common_name(a[i], by);
+      std::string name = common_name(a[i], by);
       if (common_name(b[j], by) != name) continue;
-      Pair pair{name, value_of(a[i], by), value_of(b[j], by), a[i].median_ms, b[j].median_ms,
-                0,    Verdict::same};
-      if (pair.a_ms > 0 && pair.b_ms > 0) pair.change = pair.b_ms / pair.a_ms - 1;
-      pair.verdict = verdict_of(a[i], b[j], pair.change, threshold);
-      pairs.push_back(std::move(pair));
+      pairs.push_back(pair_of(a[i], b[j], std::move(name), by));
+      differences.push_back(timed(a[i]) && timed(b[j])
+                                ? std::optional(difference_of(a[i].timings, b[j].timings))
+                                : std::nullopt);
     }
   if (pairs.empty())
     throw InputError(
@@ -81,6 +131,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
             ? "A and B have no case in common on the same device; --by device compares results of "
               "different devices"
             : fmt::format("no two cases differ only in {}", by.text));
+  decide_pairs(pairs, differences, limits);
   return pairs;
 }
 
@@ -92,17 +143,19 @@ std::string_view to_text(Verdict verdict) {
       return "faster";
     case Verdict::slower:
       return "slower";
+    case Verdict::undecided:
+      break;
     case Verdict::lost:
       return "lost";
   }
-  return "same";
+  return "undecided";
 }
 
-double threshold_from_text(const std::string& text) {
+double fraction_from_text(const std::string& option, const std::string& text) {
   double number = 0;
   std::string percent;
   if (!RE2::FullMatch(text, R"(([0-9]{1,6}(?:\.[0-9]{1,9})?)(%?))", &number, &percent))
-    throw InputError(fmt::format("--threshold '{}' is not a fraction; write for instance 5% or 0.05", text));
+    throw InputError(fmt::format("{} '{}' is not a fraction; write for instance 5% or 0.05", option, text));
   return percent.empty() ? number : 0.01 * number;
 }
 

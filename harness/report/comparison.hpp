@@ -14,27 +14,43 @@ struct CompareBy {
   explicit CompareBy(const std::string& by);
 };
 
-enum class Verdict { same, faster, slower, lost };  ///< lost: the case has a time in A but no time in B
+/// same: the change lies within the threshold; undecided: the measurements do not say enough; lost: the case
+/// has a time in A but no time in B.
+enum class Verdict { same, faster, slower, undecided, lost };
 
 struct Pair {
   std::string name;  ///< the properties that the two compared cells have in common
   std::string a, b;  ///< values of the property `by` in the two cells
   double a_ms = 0, b_ms = 0;
-  double change = 0;  ///< b_ms / a_ms - 1; 0 if a time is missing
-  Verdict verdict = Verdict::same;
+  std::size_t a_processes = 0, b_processes = 0;
+  bool contended = false;  ///< whether a row of either cell was timed on a loaded machine
+  /// Typical time of B divided by that of A, minus 1; 0 if a time is missing. The typical time is the
+  /// geometric mean of the processes' medians.
+  double change = 0;
+  Interval interval;      ///< of `change`, with the confidence `confidence`; 0 to 0 if a time is missing
+  double confidence = 0;  ///< above 1 - alpha where Holm's correction demands it
+  double p = 1;           ///< p-value of the verdict, before Holm's correction
+  bool paired = false;    ///< whether the processes of A and B took turns
+  bool assumed = false;  ///< whether the spread between processes is assumed (harness/measure/difference.hpp)
+  double detectable = 0;  ///< smallest increase that counts as slower with the probability 0.9; 0 if unknown
+  Verdict verdict = Verdict::undecided;
+};
+
+struct CompareLimits {
+  double threshold = 0.05;  ///< smallest relative change that matters, at least 0
+  double alpha = 0.05;      ///< largest probability of a wrong verdict in the whole comparison
 };
 
 /// Pairs every cell of `a` with each cell of `b` that has the same properties. Only the property that `by`
-/// names may differ. A pair counts as faster or slower only if the medians differ by more than `threshold`
-/// (0.05 is 5%) and their 95% intervals do not overlap. If `one_set` is true, `a` and `b` are the same set.
-/// If this set then contains the pair (x, y), the pair (y, x) is left out. Throws InputError if there is no
-/// pair, or if a set contains two cells that differ only in their identity.
+/// names may differ. decide() (harness/measure/difference.hpp) gives the verdicts. If `one_set` is true, `a`
+/// and `b` are the same set. If this set then contains the pair (x, y), the pair (y, x) is left out. Throws
+/// InputError if there is no pair, or if a set contains two cells that differ only in their identity.
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
-                                const CompareBy& by, double threshold);
+                                const CompareBy& by, const CompareLimits& limits);
 
 std::string_view to_text(Verdict verdict);
 
-/// Returns 0.05 for "5%" or "0.05"; throws InputError for other texts.
-double threshold_from_text(const std::string& text);
+/// Returns 0.05 for "5%" or "0.05"; throws InputError for other texts. `option` is the option's name.
+double fraction_from_text(const std::string& option, const std::string& text);
 
 }  // namespace pelage

@@ -23,6 +23,32 @@ std::string place_of(Cell cell) {
   return name_of(cell);
 }
 
+/// Returns the geometric mean of the cells' ratios in each separate run. Returns nothing if the cells have
+/// different numbers of runs or fewer than an interval needs.
+std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
+  const std::size_t count = cells.front()->runs.at("opengl_ratio").size();
+  std::vector<double> means;
+  for (std::size_t run = 0; run < count; ++run) {
+    std::vector<double> ratios;
+    for (const Cell* c : cells) {
+      const std::vector<double>& own = c->runs.at("opengl_ratio");
+      if (own.size() != count) return {};
+      ratios.push_back(own[run]);
+    }
+    means.push_back(geometric_mean(ratios));
+  }
+  return has_mean_interval(means.size()) ? means : std::vector<double>{};
+}
+
+/// Returns the interval of the geometric mean over separate runs as text.
+std::string mean_interval_text(const std::vector<const Cell*>& cells) {
+  const std::vector<double> means = means_of_runs(cells);
+  if (means.empty()) return "no interval, because that needs three separate runs (--repeat 3)";
+  const Interval interval = mean_interval(means);
+  return fmt::format("95% interval {:.2f} to {:.2f} over {} separate runs", interval.low, interval.high,
+                     means.size());
+}
+
 /// Returns one sentence per reading: the geometric mean and the least of the ratios.
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
@@ -30,20 +56,22 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::vector<std::string> sentences;
   for (const auto& [reading, members] : readings) {
     std::vector<double> ratios;
+    std::vector<const Cell*> known;
     const Cell* least = nullptr;
     for (const Cell* c : members) {
       const auto ratio = ratio_of_pipelines(*c);
       if (!ratio) continue;
       ratios.push_back(*ratio);
+      known.push_back(c);
       if (!least || *ratio < *ratio_of_pipelines(*least)) least = c;
     }
     const std::string name = reading == "default" ? "" : reading + ": ";
-    sentences.push_back(least
-                            ? fmt::format("{}geometric mean {:.2f} over {} of {} cells, least {:.2f} ({}).",
-                                          name, geometric_mean(ratios), ratios.size(), members.size(),
-                                          *ratio_of_pipelines(*least), place_of(*least))
-                            : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.",
-                                          name, members.size()));
+    sentences.push_back(
+        least ? fmt::format("{}geometric mean {:.2f} over {} of {} cells ({}), least {:.2f} ({}).", name,
+                            geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
+                            *ratio_of_pipelines(*least), place_of(*least))
+              : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
+                            members.size()));
   }
   return sentences;
 }

@@ -225,8 +225,8 @@ int run_in_child(const fs::path& file, int cases, double kill_after_ms, int sign
 
 /// Returns the journal line of a row of results, without times and dates.
 std::string without_times(Row row) {
-  for (const char* key :
-       {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "sampling_s", "check_s"})
+  for (const char* key : {"utc", "started_s", "load", "load_after", "cpu_mhz", "cpu_mhz_after",
+                          "other_cpu_share", "prepare_s", "sampling_s", "check_s"})
     row.provenance.erase(key);
   for (auto& [phase, samples] : row.samples) samples = {};
   row.first_launch_ms = 0;

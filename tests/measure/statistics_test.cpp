@@ -106,5 +106,41 @@ TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
   EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));
 }
 
+TEST(Statistics, IntervalOfTheMeanOfSeparateRuns) {
+  // The data set `sleep` of R, first group: t.test prints -0.5297804 and 2.0297804.
+  const std::vector<double> v{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
+  EXPECT_NEAR(mean_interval(v).low, -0.5297804, 5e-8);
+  EXPECT_NEAR(mean_interval(v).high, 2.0297804, 5e-8);
+  std::vector<double> positive;
+  for (const double x : v) positive.push_back(std::exp(x));
+  EXPECT_NEAR(std::log(mean_interval(positive).low), -0.5297804, 5e-8);
+  EXPECT_FALSE(has_mean_interval(2));
+}
+
+TEST(Statistics, DriftOfALineAndOfNoise) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::vector<double> line, level;
+  for (int i = 0; i < 100; ++i) {
+    line.push_back(10 * (1 + 0.1 * i / 99 + noise(random)));
+    level.push_back(10 * (1 + noise(random)));
+  }
+  EXPECT_NEAR(drift_of(line).change, 0.1 / 1.05, 0.01);
+  EXPECT_LT(drift_of(line).p, 1e-6);
+  EXPECT_TRUE(drifts(drift_of(line)));
+  EXPECT_FALSE(drifts(drift_of(level)));
+  EXPECT_GT(drift_of(level).p, 0.01);
+  EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);  // a clock with one value
+  EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3}).p, 1);  // too few
+}
+
+// Kendall's test of the ranks 1 to 10 in order: S = 45, variance 125. R's cor.test(exact = FALSE, continuity
+// = TRUE) prints p = 8.303e-05.
+TEST(Statistics, DriftHasThePValueOfKendall) {
+  std::vector<double> v;
+  for (int i = 1; i <= 10; ++i) v.push_back(i);
+  EXPECT_NEAR(drift_of(v).p, 8.303e-05, 5e-8);
+}
+
 }  // namespace
 }  // namespace pelage

@@ -61,9 +61,9 @@ std::set<std::string> said(const std::string& folder) {
       std::fill(samples.event_ms.begin(), samples.event_ms.end(), 0.0);
       std::fill(samples.cpu_ms.begin(), samples.cpu_ms.end(), 0.0);
     }
-    for (const char* key :
-         {"utc", "load", "load_after", "other_cpu_share", "prepare_s", "sampling_s", "shard", "shard_cases",
-          "shard_deal", "check_s", "argv", "order_seed", "converged"})
+    for (const char* key : {"utc", "started_s", "load", "load_after", "cpu_mhz", "cpu_mhz_after",
+                            "other_cpu_share", "prepare_s", "sampling_s", "shard", "shard_cases",
+                            "shard_deal", "check_s", "argv", "order_seed", "converged"})
       row.provenance.erase(key);
     EXPECT_TRUE(lines.insert(to_line(row)).second) << row.case_name << " stands twice";
   }

@@ -1,9 +1,10 @@
+#include "harness/report/cells.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "harness/error.hpp"
-#include "harness/report/comparison.hpp"
 #include "tests/report/rows.hpp"
 
 namespace pelage {
@@ -33,7 +34,7 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
   const auto cells = cells_of(rows);
   ASSERT_EQ(cells.size(), 32u);
   const Cell& torus = named(cells, "torus-16-800x600");
-  EXPECT_EQ(torus.processes.size(), 2u);
+  EXPECT_EQ(torus.timings.processes.size(), 2u);
   // The times of the two processes differ by a factor of two. The 95% interval must contain the times of
   // both.
   EXPECT_GT(torus.interval_ms.high / torus.interval_ms.low, 1.9);
@@ -46,22 +47,42 @@ TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {
   rows.insert(rows.end(), other.begin(), other.end());
   const auto cells = cells_of(rows);
   ASSERT_EQ(cells.size(), 64u);
-  for (const Cell& cell : cells) EXPECT_EQ(cell.processes.size(), 1u);
+  for (const Cell& cell : cells) EXPECT_EQ(cell.timings.processes.size(), 1u);
 }
 
-TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
-  auto rows = table1_rows(), other = table1_rows(2);
-  for (FoundRow& row : rows) row.row.identity = {{"mesh", "1"}, {"scene", "1111111122222222"}};
-  for (FoundRow& row : other) row.row.identity = {{"mesh", "1"}, {"scene", "5555555566666666"}};
-  const auto clean = cells_of(rows);
-  EXPECT_EQ(compare_cells(clean, cells_of(other), false, CompareBy(""), 0.05).size(), 32u);
-  rows.insert(rows.end(), other.begin(), other.end());
-  try {
-    compare_cells(cells_of(rows), clean, false, CompareBy(""), 0.05);
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("different inputs (scene)"), std::string::npos) << error.what();
+TEST(Cells, MetricsOfSeveralProcessesAreCombined) {
+  std::vector<FoundRow> rows;
+  for (const double value : {8.0, 10.0, 9.0}) {
+    FoundRow row = table1_rows().front();
+    row.row.repeat = int(rows.size());
+    row.row.metrics["opengl_ratio"] = {value, "times", "", value - 0.5, value + 0.5};
+    rows.push_back(row);
   }
+  const Cell two = cells_of({rows[0], rows[1]}).front(), three = cells_of(rows).front();
+  EXPECT_EQ(two.metrics.at("opengl_ratio").value, 9);
+  EXPECT_EQ(two.metrics.at("opengl_ratio").low, 7.5);
+  EXPECT_EQ(two.metrics.at("opengl_ratio").high, 10.5);
+  // Student's t for two degrees of freedom is 4.303; the standard deviation of the logarithms is 0.11165.
+  const Metric& ratio = three.metrics.at("opengl_ratio");
+  EXPECT_EQ(ratio.value, 9);
+  EXPECT_NEAR(*ratio.low, std::exp(std::log(720.0) / 3 - 4.3027 * 0.11165 / std::sqrt(3.0)), 1e-3);
+  EXPECT_NEAR(*ratio.high, std::exp(std::log(720.0) / 3 + 4.3027 * 0.11165 / std::sqrt(3.0)), 1e-3);
+  EXPECT_EQ(three.runs.at("opengl_ratio"), (std::vector<double>{8, 10, 9}));
+  EXPECT_EQ(three.metrics.at("paper_fps").relation, rows[0].row.metrics.at("paper_fps").relation);
+}
+
+TEST(Cells, KnowWhetherTheMedianIsPreciseAndTheTimesDrift) {
+  FoundRow row = table1_rows().front();
+  EXPECT_TRUE(cells_of({row}).front().converged);
+  EXPECT_EQ(cells_of({row}).front().drift, 0);
+  auto& times = row.row.samples["frame"].wall_ms;
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = 10 + 0.1 * double(i);
+  EXPECT_FALSE(cells_of({row}).front().converged);
+  EXPECT_NEAR(cells_of({row}).front().drift, 2.0 / 11, 1e-9);
+  row.row.provenance["precision"] = 0.2;
+  EXPECT_TRUE(cells_of({row}).front().converged);
+  times.resize(5);  // too few for a 95% interval
+  EXPECT_FALSE(cells_of({row}).front().converged);
 }
 
 TEST(Cells, OneBadRowSpoilsItsCell) {
@@ -91,47 +112,6 @@ TEST(Cells, ACensoredFigureBoundsTheRatioFromBelowOnly) {
   EXPECT_EQ(r.relation, ">");
   EXPECT_TRUE(r.low);
   EXPECT_FALSE(r.high);
-}
-
-TEST(Compare, TellsSlowerFasterAndNoise) {
-  const auto a = cells_of(table1_rows()), slower = cells_of(table1_rows(1.2)),
-             near = cells_of(table1_rows(1.004));
-  const CompareBy nothing("");
-  for (const Pair& p : compare_cells(a, slower, false, nothing, 0.05)) {
-    EXPECT_EQ(p.verdict, Verdict::slower);
-    EXPECT_NEAR(p.change, 0.2, 1e-9);
-  }
-  for (const Pair& p : compare_cells(slower, a, false, nothing, 0.05)) EXPECT_EQ(p.verdict, Verdict::faster);
-  for (const Pair& p : compare_cells(a, near, false, nothing, 0.0)) EXPECT_EQ(p.verdict, Verdict::same);
-  for (const Pair& p : compare_cells(a, slower, false, nothing, 0.25)) EXPECT_EQ(p.verdict, Verdict::same);
-  EXPECT_EQ(compare_cells(a, a, false, nothing, 0.05).size(), 32u);
-}
-
-TEST(Compare, ACaseThatFailsNowIsLost) {
-  const auto a = cells_of(table1_rows());
-  auto rows = table1_rows();
-  rows[0].row.status = Status::failed_check;
-  const auto pairs = compare_cells(a, cells_of(rows), false, CompareBy(""), 0.05);
-  EXPECT_EQ(
-      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.verdict == Verdict::lost; }), 1);
-}
-
-TEST(Compare, AcrossDevicesAndWithinOneSet) {
-  const auto a = cells_of(table1_rows()), other = cells_of(table1_rows(0.5, "other device"));
-  EXPECT_THROW(compare_cells(a, other, false, CompareBy(""), 0.05), InputError);
-  EXPECT_EQ(compare_cells(a, other, false, CompareBy("device"), 0.05).size(), 32u);
-  const auto layers = compare_cells(a, a, true, CompareBy("axes.layers"), 0.05);
-  ASSERT_EQ(layers.size(), 16u);
-  for (const Pair& p : layers) EXPECT_NEAR(p.change, 3, 1e-9) << p.name;
-  EXPECT_THROW(CompareBy("axes."), InputError);
-  EXPECT_THROW(CompareBy("host"), InputError);
-}
-
-TEST(Compare, Thresholds) {
-  EXPECT_DOUBLE_EQ(threshold_from_text("5%"), 0.05);
-  EXPECT_DOUBLE_EQ(threshold_from_text("0.1"), 0.1);
-  for (const char* text : {"", "five", "-1%", "%", "1%%"})
-    EXPECT_THROW(threshold_from_text(text), InputError) << text;
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+#include "harness/measure/difference.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pelage {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// The smallest standard error: a clock that always returns the same time does not prove equality.
+constexpr double kLeastError = 1e-9;
+
+/// Returns the quantile of Student's distribution; the normal distribution for infinitely many degrees.
+double t_quantile(double probability, double degrees) {
+  if (std::isinf(degrees)) return boost::math::quantile(boost::math::normal(), probability);
+  return boost::math::quantile(boost::math::students_t(degrees), probability);
+}
+
+/// Returns the probability that Student's t is outside [-t, t].
+double two_sided(double t, double degrees) {
+  if (std::isinf(degrees)) return 2 * boost::math::cdf(boost::math::normal(), -t);
+  return 2 * boost::math::cdf(boost::math::students_t(degrees), -t);
+}
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+}
+
+/// Returns the variance of the mean of the values, for independent values.
+double variance_of_mean(const std::vector<double>& values) {
+  const double middle = mean(values);
+  double sum = 0;
+  for (const double value : values) sum += (value - middle) * (value - middle);
+  return sum / double(values.size() - 1) / double(values.size());
+}
+
+std::vector<double> log_medians(const Timings& timings) {
+  std::vector<double> result;
+  for (const auto& process : timings.processes) result.push_back(std::log(median(process)));
+  return result;
+}
+
+/// The mean of one set, the variance of this mean, and the degrees of freedom of this variance.
+struct Mean {
+  double value = 0, variance = 0, degrees = 0;
+};
+
+Mean mean_of(const Timings& timings) {
+  const std::vector<double> medians = log_medians(timings);
+  const auto count = double(medians.size());
+  if (medians.size() >= fewest_processes) return {mean(medians), variance_of_mean(medians), count - 1};
+  double variance = 0;
+  for (const auto& process : timings.processes) {
+    // The interval of the median is 2 * 1.96 standard deviations wide, if it is an interval of 95%.
+    const double within = 2 * relative_half_width(process) / 3.92;
+    variance += assumed_spread * assumed_spread + within * within;
+  }
+  return {mean(medians), variance / (count * count), kInfinity};
+}
+
+/// Returns the differences within pairs, or nothing if the processes did not take turns.
+std::vector<double> pairs_of(const Timings& a, const Timings& b) {
+  const std::size_t count = a.processes.size();
+  if (count < fewest_processes || b.processes.size() != count || a.started_s.size() != count ||
+      b.started_s.size() != count)
+    return {};
+  struct Process {
+    double started_s, log_median;
+    bool in_b;
+  };
+  const std::vector<double> in_a = log_medians(a), in_b = log_medians(b);
+  std::vector<Process> all;
+  for (std::size_t i = 0; i < count; ++i) {
+    all.push_back({a.started_s[i], in_a[i], false});
+    all.push_back({b.started_s[i], in_b[i], true});
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Process& x, const Process& y) { return x.started_s < y.started_s; });
+  std::vector<double> result;
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    if (all[i].in_b == all[i + 1].in_b) return {};
+    const double difference = all[i + 1].log_median - all[i].log_median;
+    result.push_back(all[i + 1].in_b ? difference : -difference);
+  }
+  return result;
+}
+
+struct Limits {
+  double low, high;  // of ln(b / a)
+};
+
+Limits limits_of(double threshold) {
+  return {threshold < 1 ? std::log1p(-threshold) : -kInfinity, std::log1p(threshold)};
+}
+
+}  // namespace
+
+Difference difference_of(const Timings& a, const Timings& b) {
+  if (const std::vector<double> pairs = pairs_of(a, b); !pairs.empty())
+    return {mean(pairs), std::max(kLeastError, std::sqrt(variance_of_mean(pairs))), double(pairs.size() - 1),
+            true, false};
+  const Mean of_a = mean_of(a), of_b = mean_of(b);
+  const double variance = of_a.variance + of_b.variance;
+  // Welch and Satterthwaite's degrees of freedom. An assumed variance has no uncertainty: its degrees of
+  // freedom are infinite, and its term is 0.
+  const double uncertainty =
+      of_a.variance * of_a.variance / of_a.degrees + of_b.variance * of_b.variance / of_b.degrees;
+  return {of_b.value - of_a.value, std::max(kLeastError, std::sqrt(variance)),
+          uncertainty > 0 ? variance * variance / uncertainty : kInfinity, false,
+          std::isinf(of_a.degrees) || std::isinf(of_b.degrees)};
+}
+
+Interval ratio_interval(const Difference& difference, double confidence) {
+  const double reach = t_quantile((1 + confidence) / 2, difference.degrees) * difference.error;
+  return {std::exp(difference.log_ratio - reach), std::exp(difference.log_ratio + reach)};
+}
+
+std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha) {
+  const Limits limits = limits_of(threshold);
+  std::vector<Decision> decisions;
+  std::vector<Side> sides;
+  for (const Difference& d : differences) {
+    const double above = d.log_ratio - limits.high, below = limits.low - d.log_ratio;
+    sides.push_back(above > 0 ? Side::above : below > 0 ? Side::below : Side::within);
+    const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+    decisions.push_back({Side::undecided, two_sided(distance / d.error, d.degrees), 0, {}});
+  }
+  std::vector<std::size_t> order(decisions.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return decisions[x].p < decisions[y].p; });
+  bool stopped = false;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Decision& decision = decisions[order[k]];
+    const double share = alpha / double(order.size() - k);
+    decision.confidence = 1 - share;
+    decision.ratio = ratio_interval(differences[order[k]], decision.confidence);
+    stopped = stopped || decision.p > share;
+    if (!stopped) decision.side = sides[order[k]];
+  }
+  return decisions;
+}
+
+double detectable_change(const Difference& difference, std::size_t count, double threshold, double alpha,
+                         double power) {
+  const double share = alpha / double(std::max<std::size_t>(1, count));
+  const double errors = t_quantile(1 - share / 2, difference.degrees) + t_quantile(power, difference.degrees);
+  return std::exp(limits_of(threshold).high + errors * difference.error) - 1;
+}
+
+}  // namespace pelage

@@ -1,0 +1,71 @@
+// Tests of the trials that pelage aa-test counts, with simulated timings.
+#include "harness/measure/aa_test.hpp"
+
+#include <gtest/gtest.h>
+
+namespace pelage {
+namespace {
+
+/// A machine whose speed drifts by 10% per second and whose frames have 1% of noise.
+struct Machine {
+  std::mt19937_64 random{3};
+  std::normal_distribution<double> noise{0, 0.01};
+  double now_s = 0;
+  TimePipeline side(double ms) {
+    return [this, ms] {
+      std::vector<double> times;
+      for (int i = 0; i < 9; ++i) {
+        times.push_back(ms * (1 + 0.1 * now_s) * (1 + noise(random)));
+        now_s += 0.01;
+      }
+      return times;
+    };
+  }
+};
+
+std::vector<Trial> trials_of(double change, int count) {
+  Machine machine;
+  std::mt19937_64 order(5);
+  std::vector<Trial> trials;
+  for (int i = 0; i < count; ++i) {
+    machine.now_s = 0;
+    trials.push_back(run_trial(machine.side(10), machine.side(10 * (1 + change)), {}, order,
+                               [&] { return machine.now_s; }));
+  }
+  return trials;
+}
+
+TEST(AaTest, EqualSidesAreSeldomCalledDifferent) {
+  const auto trials = trials_of(0, 1000);
+  const TrialCounts counts = count_of(trials);
+  EXPECT_EQ(counts.all(), 1000);
+  EXPECT_EQ(counts.same, 0);  // with the threshold 0
+  EXPECT_LT(counts.faster + counts.slower, 40);
+  for (const Trial& trial : trials) EXPECT_TRUE(trial.difference.paired);
+}
+
+TEST(AaTest, MoreWorkIsCalledSlower) {
+  const TrialCounts counts = count_of(trials_of(0.05, 200));
+  EXPECT_GT(counts.slower, 190);
+  EXPECT_EQ(counts.faster, 0);
+  EXPECT_EQ(count_of(trials_of(-0.05, 200)).slower, 0);
+}
+
+// The expected limits are those of R's binom.test(4, 200) and binom.test(0, 100).
+TEST(AaTest, IntervalsOfRates) {
+  EXPECT_NEAR(rate_interval(4, 200).low, 0.005475566, 1e-8);
+  EXPECT_NEAR(rate_interval(4, 200).high, 0.05041362, 1e-7);
+  EXPECT_EQ(rate_interval(0, 100).low, 0);
+  EXPECT_NEAR(rate_interval(0, 100).high, 0.03621669, 1e-7);
+  EXPECT_EQ(rate_interval(100, 100).high, 1);
+}
+
+TEST(AaTest, OneLinePerTrial) {
+  const std::string text = trials_csv("slower", trials_of(0.05, 2));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_TRUE(text.starts_with("slower,0.0")) << text;
+  EXPECT_NE(text.find(",1,slower\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,138 @@
+// Tests of the statistical test behind `pelage compare`. Its p-values are compared with those of R, and its
+// error rates with those that it promises.
+#include "harness/measure/difference.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace pelage {
+namespace {
+
+/// Returns one process per value; the logarithms of the times are the values.
+Timings timings_of(const std::vector<double>& logs, double first_start, double interval) {
+  Timings timings;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    timings.processes.push_back({std::exp(logs[i])});
+    timings.started_s.push_back(first_start + interval * double(i));
+  }
+  return timings;
+}
+
+double p_of(const Difference& difference) {
+  return decide(std::span(&difference, 1), 0, 0.05).front().p;
+}
+
+// The data set `sleep` of R. The expected values are those that R prints for t.test(extra ~ group), with and
+// without paired = TRUE.
+const std::vector<double> first{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
+const std::vector<double> second{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
+
+TEST(Difference, IsWelchsTestForSeparateRuns) {
+  const Difference d = difference_of(timings_of(first, 0, 1), timings_of(second, 100, 1));
+  EXPECT_FALSE(d.paired);
+  EXPECT_NEAR(d.log_ratio, 1.58, 1e-12);
+  EXPECT_NEAR(d.degrees, 17.776, 5e-4);
+  EXPECT_NEAR(p_of(d), 0.07939, 5e-6);
+  const Interval ratio = ratio_interval(d, 0.95);
+  EXPECT_NEAR(std::log(ratio.low), -0.2054832, 5e-7);
+  EXPECT_NEAR(std::log(ratio.high), 3.3654832, 5e-7);
+}
+
+TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
+  const Difference d = difference_of(timings_of(first, 0, 2), timings_of(second, 1, 2));
+  EXPECT_TRUE(d.paired);
+  EXPECT_EQ(d.degrees, 9);
+  EXPECT_NEAR(p_of(d), 0.002833, 5e-7);
+  Timings swapped = timings_of(second, 1, 2);  // the second side may also be first in a pair
+  swapped.started_s[3] -= 1.5;
+  EXPECT_EQ(p_of(difference_of(timings_of(first, 0, 2), swapped)), p_of(d));
+  swapped.started_s[3] += 3;
+  EXPECT_FALSE(difference_of(timings_of(first, 0, 2), swapped).paired);
+}
+
+TEST(Difference, AssumesASpreadWithFewProcesses) {
+  const Timings one{{{10, 10, 10, 10, 10, 10, 10, 10}}}, other{{{11, 11, 11, 11, 11, 11, 11, 11}}};
+  const Difference d = difference_of(one, other);
+  EXPECT_TRUE(d.assumed);
+  EXPECT_NEAR(d.log_ratio, std::log(1.1), 1e-12);
+  EXPECT_NEAR(d.error, std::sqrt(2.0) * assumed_spread, 1e-12);
+  EXPECT_TRUE(std::isinf(d.degrees));
+  const Difference mixed = difference_of(one, timings_of({2.30, 2.31, 2.29, 2.30}, 0, 1));
+  EXPECT_TRUE(mixed.assumed);
+  EXPECT_GT(mixed.error, assumed_spread);
+}
+
+TEST(Decide, SidesOfTheLimits) {
+  const double degrees = 8;
+  const auto side = [&](double change, double error, double threshold) {
+    const Difference d{std::log1p(change), error, degrees, false, false};
+    return decide(std::span(&d, 1), threshold, 0.05).front().side;
+  };
+  EXPECT_EQ(side(0.10, 0.01, 0.05), Side::above);
+  EXPECT_EQ(side(-0.10, 0.01, 0.05), Side::below);
+  EXPECT_EQ(side(0.00, 0.01, 0.05), Side::within);
+  EXPECT_EQ(side(0.05, 0.01, 0.05), Side::undecided);
+  EXPECT_EQ(side(0.00, 0.05, 0.05), Side::undecided);
+  EXPECT_EQ(side(0.001, 1e-6, 0), Side::above);
+  EXPECT_EQ(side(0.0, 1e-6, 0), Side::undecided);
+  EXPECT_EQ(side(-0.9, 0.01, 1.5), Side::within);  // a threshold above 1 has no lower limit
+}
+
+TEST(Decide, CorrectsForTheNumberOfComparisons) {
+  // p = 0.03 decides alone, but not as the first of three.
+  const double degrees = 1e6;
+  const auto with_t = [&](double t) { return Difference{t * 0.01, 0.01, degrees, false, false}; };
+  const std::vector<Difference> one{with_t(2.17)}, three{with_t(2.17), with_t(2.17), with_t(2.17)},
+      steps{with_t(2.5), with_t(2.3), with_t(2.0)};
+  EXPECT_EQ(decide(one, 0, 0.05)[0].side, Side::above);
+  for (const Decision& d : decide(three, 0, 0.05)) EXPECT_EQ(d.side, Side::undecided);
+  // Holm: 0.0124 <= 0.05 / 3, 0.0214 <= 0.05 / 2 and 0.0455 <= 0.05.
+  for (const Decision& d : decide(steps, 0, 0.05)) EXPECT_EQ(d.side, Side::above);
+  EXPECT_NEAR(decide(steps, 0, 0.05)[0].confidence, 1 - 0.05 / 3, 1e-12);
+  EXPECT_NEAR(decide(steps, 0, 0.05)[2].confidence, 0.95, 1e-12);
+}
+
+struct Rates {
+  int decided = 0, above = 0;
+};
+
+/// Returns the numbers of decisions for 4000 comparisons of eight processes with eight. `change` is the true
+/// difference; the logarithms of the processes' medians have the standard deviation 0.02.
+Rates rates_of(double change, double threshold, double alpha) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  Rates rates;
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<double> a, b;
+    for (int k = 0; k < 8; ++k) {
+      a.push_back(noise(random));
+      b.push_back(std::log1p(change) + noise(random));
+    }
+    const Difference d = difference_of(timings_of(a, 0, 1), timings_of(b, 100, 1));
+    const Side side = decide(std::span(&d, 1), threshold, alpha).front().side;
+    rates.decided += side != Side::undecided;
+    rates.above += side == Side::above;
+  }
+  return rates;
+}
+
+TEST(Decide, ErrsWithTheProbabilityAlpha) {
+  const Rates equal = rates_of(0, 0, 0.02);
+  EXPECT_GT(equal.decided, 50);  // 80 expected, standard deviation 9
+  EXPECT_LT(equal.decided, 115);
+  EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);  // on the limit, every decision is wrong
+}
+
+TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
+  const Difference typical{0, 0.02 * std::sqrt(2.0 / 8), 14, false, false};
+  const double change = detectable_change(typical, 1, 0.02, 0.05);
+  EXPECT_GT(change, 0.02);
+  const int above = rates_of(change, 0.02, 0.05).above;
+  EXPECT_GT(above, 3480);  // 3600 expected
+  EXPECT_LT(above, 3720);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,122 @@
+// Tests of the comparison of two sets of results.
+#include "harness/report/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/error.hpp"
+#include "tests/report/rows.hpp"
+
+namespace pelage {
+namespace {
+
+using test::table1_rows;
+
+/// Returns the cells of `count` processes. The medians of the processes differ by up to 1%.
+std::vector<Cell> processes(int count, double factor = 1, const std::string& device = "test device") {
+  std::vector<FoundRow> all;
+  for (int repeat = 0; repeat < count; ++repeat)
+    for (FoundRow& row : table1_rows(factor * (1 + 0.005 * std::sin(7.0 * repeat)), device)) {
+      row.row.repeat = repeat;
+      all.push_back(row);
+    }
+  return cells_of(all);
+}
+
+std::vector<Pair> compared(const std::vector<Cell>& a, const std::vector<Cell>& b, double threshold) {
+  return compare_cells(a, b, false, CompareBy(""), {.threshold = threshold});
+}
+
+void expect_all(const std::vector<Pair>& pairs, Verdict verdict) {
+  EXPECT_EQ(pairs.size(), 32u);
+  for (const Pair& p : pairs) EXPECT_EQ(p.verdict, verdict) << p.name;
+}
+
+TEST(Compare, DecidesFromSeveralProcesses) {
+  const auto a = processes(5), slower = processes(5, 1.2), near = processes(5, 1.004);
+  for (const Pair& p : compared(a, slower, 0.05)) {
+    EXPECT_EQ(p.verdict, Verdict::slower);
+    EXPECT_NEAR(p.change, 0.2, 1e-9);
+    EXPECT_LT(p.interval.low, 0.2);
+    EXPECT_GT(p.interval.low, 0.05);
+    EXPECT_GT(p.interval.high, 0.2);
+    EXPECT_EQ(p.a_processes, 5u);
+    EXPECT_FALSE(p.assumed);
+    EXPECT_GT(p.detectable, 0.05);
+    EXPECT_LT(p.detectable, 0.12);
+  }
+  expect_all(compared(slower, a, 0.05), Verdict::faster);
+  expect_all(compared(a, near, 0.05), Verdict::same);
+  expect_all(compared(a, slower, 0.5), Verdict::same);
+}
+
+TEST(Compare, DoesNotCallOverlappingTimesTheSame) {
+  expect_all(compared(processes(5), processes(5, 1.004), 0), Verdict::undecided);
+  expect_all(compared(processes(5), processes(5, 1.05), 0.05), Verdict::undecided);
+}
+
+TEST(Compare, OneProcessDecidesOnlyLargeChanges) {
+  const auto a = processes(1);
+  for (const Pair& p : compared(a, a, 0.05)) {
+    EXPECT_EQ(p.verdict, Verdict::undecided);
+    EXPECT_TRUE(p.assumed);
+  }
+  expect_all(compared(a, processes(1, 1.2), 0.05), Verdict::undecided);
+  expect_all(compared(a, processes(1, 2), 0.05), Verdict::slower);
+}
+
+TEST(Compare, MarksContendedRows) {
+  auto rows = table1_rows();
+  rows[0].row.provenance["other_cpu_share"] = 0.5;
+  const auto pairs = compared(cells_of(rows), processes(1), 0.05);
+  EXPECT_EQ(std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.contended; }), 1);
+}
+
+TEST(Compare, ACaseThatFailsNowIsLost) {
+  auto rows = table1_rows();
+  rows[0].row.status = Status::failed_check;
+  const auto pairs = compared(processes(1), cells_of(rows), 0.05);
+  const auto lost = std::find_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.b_ms == 0; });
+  ASSERT_NE(lost, pairs.end());
+  EXPECT_EQ(lost->verdict, Verdict::lost);
+  EXPECT_EQ(
+      std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.verdict == Verdict::lost; }), 1);
+}
+
+TEST(Compare, AcrossDevicesAndWithinOneSet) {
+  const auto a = processes(1), other = processes(1, 0.5, "other device");
+  EXPECT_THROW(compared(a, other, 0.05), InputError);
+  EXPECT_EQ(compare_cells(a, other, false, CompareBy("device"), {}).size(), 32u);
+  const auto layers = compare_cells(a, a, true, CompareBy("axes.layers"), {});
+  ASSERT_EQ(layers.size(), 16u);
+  for (const Pair& p : layers) EXPECT_NEAR(p.change, 3, 1e-9) << p.name;
+  EXPECT_THROW(CompareBy("axes."), InputError);
+  EXPECT_THROW(CompareBy("host"), InputError);
+}
+
+TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {
+  auto rows = table1_rows(), other = table1_rows(2);
+  for (FoundRow& row : rows) row.row.identity = {{"mesh", "1"}, {"scene", "1111111122222222"}};
+  for (FoundRow& row : other) row.row.identity = {{"mesh", "1"}, {"scene", "5555555566666666"}};
+  const auto clean = cells_of(rows);
+  EXPECT_EQ(compared(clean, cells_of(other), 0.05).size(), 32u);
+  rows.insert(rows.end(), other.begin(), other.end());
+  try {
+    compared(cells_of(rows), clean, 0.05);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("different inputs (scene)"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Compare, Fractions) {
+  EXPECT_DOUBLE_EQ(fraction_from_text("--threshold", "5%"), 0.05);
+  EXPECT_DOUBLE_EQ(fraction_from_text("--threshold", "0.1"), 0.1);
+  for (const char* text : {"", "five", "-1%", "%", "1%%"})
+    EXPECT_THROW(fraction_from_text("--threshold", text), InputError) << text;
+}
+
+}  // namespace
+}  // namespace pelage
