@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kExperiment = "silva2010-table1";
 
 struct AaOptions {
-  std::string model = "torus", size = "800x600", layers = "16", device, alpha = "2%", threshold = "0",
+  std::string model = "torus", size = "400x300", layers = "16", device, alpha = "2%", threshold = "0",
               work = "5%", csv;
   int equal = 200, slower = 100, frames = 12;
   TrialLimits limits;
@@ -40,7 +40,7 @@ Size scaled(const std::string& text, double factor) {
   Size size;
   if (std::sscanf(text.c_str(), "%5dx%5d", &size.width, &size.height) != 2 || size.width < 16 ||
       size.height < 16)
-    throw InputError(fmt::format("--size '{}' is not WIDTHxHEIGHT; write for instance 800x600", text));
+    throw InputError(fmt::format("--size '{}' is not WIDTHxHEIGHT; write for instance 400x300", text));
   return {int(std::lround(size.width * std::sqrt(factor))),
           int(std::lround(size.height * std::sqrt(factor)))};
 }
