@@ -31,6 +31,8 @@ struct Cell {
   Interval interval_ms;
   bool converged = true;        ///< true if every row reached the precision that the preset requires
   std::filesystem::path image;  ///< file of the cell's picture; it may not exist
+  int index = -1;               ///< index in the result of cells_of()
+  std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
   /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
   /// paper; "default" if the cell has no such axis.
   std::string reading() const;
