@@ -107,9 +107,10 @@ void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts
   body.remark(fmt::format(
       "{} pictures, reduced to at most {} pixels across and compressed (WebP). The rows contain the hash of "
       "each full picture.",
-      parts.pictures.size(), std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
-                               return a.width < b.width;
-                             })->width));
+      parts.pictures.size(),
+      std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
+        return a.width < b.width;
+      })->width));
   body.add("<div id=\"wipe\" class=\"scripted\"></div>\n<div class=\"grid\">\n");
   for (const PagePicture& picture : parts.pictures) {
     const Cell& cell = reports[std::size_t(picture.report)].cells[std::size_t(picture.cell)];
@@ -128,13 +129,15 @@ std::string row_html(const Row& row, std::size_t index) {
   const std::vector<double> times = frame_ms(row);
   const std::string host = row.provenance.value("host", std::string());
   const std::string time =
-      times.empty() ? fmt::format("<td class=\"bad\" data-sort=\"\">{}</td>", to_text(row.status))
-                    : fmt::format("<td data-sort=\"{:.8g}\">{}</td>", median(times), three_digits(median(times)));
+      times.empty()
+          ? fmt::format("<td class=\"bad\" data-sort=\"\">{}</td>", to_text(row.status))
+          : fmt::format("<td data-sort=\"{:.8g}\">{}</td>", median(times), three_digits(median(times)));
   const auto utc = row.provenance.find("utc");
   return fmt::format(
-      "<tr data-row=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{}</td></tr>\n", index,
-      html_text(row.experiment), html_text(row.case_name), html_text(row.variant), to_text(row.status), time,
-      times.size(), utc != row.provenance.end() && utc->is_string() ? html_text(utc->get<std::string>()) : "");
+      "<tr data-row=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{}</td></tr>\n",
+      index, html_text(row.experiment), html_text(row.case_name), html_text(row.variant), to_text(row.status),
+      time, times.size(),
+      utc != row.provenance.end() && utc->is_string() ? html_text(utc->get<std::string>()) : "");
 }
 
 void add_rows(Body& body, const std::vector<Report>& reports) {
@@ -142,7 +145,8 @@ void add_rows(Body& body, const std::vector<Report>& reports) {
   body.remark("A click on a row shows its provenance, its checks and its raw samples.");
   body.add(
       "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" "
-      "placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" role=\"status\"></span></p>\n"
+      "placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" "
+      "role=\"status\"></span></p>\n"
       "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th>"
       "<th>variant</th><th>status</th><th>frame, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
       "<tbody>\n");
@@ -218,10 +222,12 @@ std::string body_of(const std::vector<Report>& reports, const PageParts& parts) 
   add_rows(body, reports);
   add_provenance(body, reports, parts);
   std::string notes;
-  for (const std::string& note : parts.notes) notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
+  for (const std::string& note : parts.notes)
+    notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
   return fmt::format(
       "<header>\n<h1>pelage: results</h1>\n<p class=\"lead\">{}</p>\n{}</header>\n"
-      "<nav id=\"contents\" aria-label=\"Contents\"><details open><summary>Contents</summary>\n{}</details></nav>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><details "
+      "open><summary>Contents</summary>\n{}</details></nav>\n"
       "<main>\n{}</main>\n",
       html_text(summary_of(reports)), notes, contents_of(body.entries()), body.html());
 }

@@ -101,9 +101,8 @@ void sort_points(ChartLine& line) {
 }
 
 bool repeats_x(const ChartLine& line) {
-  return std::adjacent_find(line.points.begin(), line.points.end(), [](const auto& a, const auto& b) {
-           return a.x == b.x;
-         }) != line.points.end();
+  return std::adjacent_find(line.points.begin(), line.points.end(),
+                            [](const auto& a, const auto& b) { return a.x == b.x; }) != line.points.end();
 }
 
 }  // namespace
@@ -163,8 +162,10 @@ nlohmann::ordered_json json_of(const Chart& chart) {
       for (const ChartPoint& p : line.points)
         points.push_back({p.x, p.y, optional(p.low), optional(p.high), p.cell});
       const char* marks[] = {"points", "line", "published"};
-      lines.push_back(
-          {{"label", line.label}, {"key", line.key}, {"mark", marks[int(line.mark)]}, {"points", std::move(points)}});
+      lines.push_back({{"label", line.label},
+                       {"key", line.key},
+                       {"mark", marks[int(line.mark)]},
+                       {"points", std::move(points)}});
     }
     panels.push_back({{"title", panel.title},
                       {"xLabel", panel.x_label.empty() ? chart.x_label : panel.x_label},

@@ -11,7 +11,7 @@
 namespace pelage {
 
 struct ChartPoint {
-  double x = 0, y = 0;  ///< if the chart has categories, x is the index of a category
+  double x = 0, y = 0;                        ///< if the chart has categories, x is the index of a category
   std::optional<double> low = {}, high = {};  ///< limits of the interval of y
   int cell = -1;                              ///< index of the cell (Cell::index); -1 if the point has none
 };
@@ -36,17 +36,17 @@ struct ChartPanel {
 };
 
 struct Chart {
-  std::string title, note;
-  std::string stem;  ///< the chart's name in the page; unique in a report
-  std::string x_label, x_scale = "linear", y_label, y_scale = "linear";
-  std::vector<std::string> categories;  ///< names of the values of x; empty if x is a number
-  std::optional<double> guide;          ///< a horizontal line at this value of y
-  std::vector<ChartPanel> panels;
+  std::string title = {}, note = {};
+  std::string stem = {};  ///< the chart's name in the page; unique in a report
+  std::string x_label = {}, x_scale = "linear", y_label = {}, y_scale = "linear";
+  std::vector<std::string> categories = {};  ///< names of the values of x; empty if x is a number
+  std::optional<double> guide = {};          ///< a horizontal line at this value of y
+  std::vector<ChartPanel> panels = {};
 };
 
-/// Returns the chart of a table's plot. Each combination of values of the columns PlotSpec::panels has a panel,
-/// and each combination of values of the columns PlotSpec::series has a line with the same label in every
-/// panel. Lines without a point are left out. Points that share an x are not joined.
+/// Returns the chart of a table's plot. Each combination of values of the columns PlotSpec::panels has a
+/// panel, and each combination of values of the columns PlotSpec::series has a line with the same label in
+/// every panel. Lines without a point are left out. Points that share an x are not joined.
 Chart chart_of(const Table& table, const PlotSpec& plot);
 
 /// Returns the chart as JSON, in the form that web/charts.js reads.

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "harness/claims/print.hpp"
 #include "harness/page/page.hpp"
 #include "harness/page/study_charts.hpp"
 #include "harness/report/case_table.hpp"
@@ -79,7 +80,8 @@ std::string data_of(const std::vector<Report>& reports) {
         {{"cells", cells_json(report, rows)}, {"charts", std::move(charts)}, {"files", files_json(report)}});
     rows += report.rows.size();
   }
-  std::string text = R"({"parts":)" + parts.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
+  std::string text =
+      R"({"parts":)" + parts.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
   const char* comma = "\n";
   for (const Report& report : reports)
     for (const FoundRow& found : report.rows) {

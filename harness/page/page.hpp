@@ -30,8 +30,8 @@ std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 /// Returns the page's element "body" without its scripts.
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts);
 
-/// Returns the data of the scripts as JSON in which no "<" occurs: for each report its cells, charts and files
-/// (name -> text), and all rows as they are in the journals.
+/// Returns the data of the scripts as JSON in which no "<" occurs: for each report its cells, charts and
+/// files (name -> text), and all rows as they are in the journals.
 std::string data_of(const std::vector<Report>& reports);
 
 /// A chart and its place in the page.

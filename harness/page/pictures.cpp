@@ -58,7 +58,8 @@ std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const
                                        std::vector<std::string>& notes) {
   std::vector<Source> sources = sources_of(reports);
   // A frame of fur has about 0.1 bytes per pixel and a height of 0.7 times its width.
-  const double guess = std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
+  const double guess =
+      std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
   int width = int(std::clamp(guess, double(limits.least_width), double(limits.most_width)));
   std::vector<PagePicture> pictures = pictures_of(sources, width, limits.quality, notes);
   for (std::size_t bytes = bytes_of(pictures); bytes > limits.bytes && width > limits.least_width;

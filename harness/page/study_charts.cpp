@@ -62,7 +62,8 @@ void fill(Chart& chart, const std::vector<Cell>& cells, const Study& study) {
     for (auto& [label, points] : lines) {
       std::stable_sort(points.begin(), points.end(),
                        [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
-      panel.lines.push_back({label, label, chart.categories.empty() ? Mark::line : Mark::points, std::move(points)});
+      panel.lines.push_back(
+          {label, label, chart.categories.empty() ? Mark::line : Mark::points, std::move(points)});
     }
     chart.panels.push_back(std::move(panel));
   }
@@ -83,15 +84,18 @@ Chart update_time(const std::vector<Cell>& cells) {
   fill(chart, cells, {model, [](const Cell& c) { return solver(c) + ", frame"; }, x, frame_ms_of, true});
   Chart simulation{.categories = chart.categories};
   fill(simulation, cells,
-       {model, [](const Cell& c) { return solver(c) + ", simulation"; }, x, [](const Cell& c) {
+       {model, [](const Cell& c) { return solver(c) + ", simulation"; }, x,
+        [](const Cell& c) {
           const auto phase = c.phase_ms.find("simulate");
           return phase == c.phase_ms.end() ? std::nullopt : std::optional(phase->second);
         }});
   Chart paper{.categories = chart.categories};
-  fill(paper, cells, {model, [](const Cell&) { return "the paper's text, frame"; }, x, [](const Cell& c) {
-                        const auto fps = c.paper_fps();
-                        return fps && fps->value > 0 ? std::optional(1000 / fps->value) : std::nullopt;
-                      }});
+  fill(paper, cells,
+       {model, [](const Cell&) { return "the paper's text, frame"; }, x,
+        [](const Cell& c) {
+          const auto fps = c.paper_fps();
+          return fps && fps->value > 0 ? std::optional(1000 / fps->value) : std::nullopt;
+        }});
   for (Chart* more : {&simulation, &paper})
     for (ChartPanel& panel : more->panels)
       for (ChartPanel& own : chart.panels)
@@ -113,8 +117,7 @@ Chart energy(const std::vector<Cell>& cells) {
     ChartLine line{solver(cell), solver(cell), Mark::line, {}};
     for (const auto& [name, value] : cell.metrics)
       if (name.starts_with(mark) && value.value > 0)
-        line.points.push_back(
-            {std::atof(name.c_str() + mark.size()), value.value, {}, {}, cell.index});
+        line.points.push_back({std::atof(name.c_str() + mark.size()), value.value, {}, {}, cell.index});
     std::sort(line.points.begin(), line.points.end(),
               [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
     if (!line.points.empty()) panels[topology(cell)].lines.push_back(std::move(line));
@@ -195,7 +198,8 @@ Chart scaling_chart(const std::vector<Cell>& cells) {
     const Text rest = [&](const Cell& cell) {
       std::string text;
       for (const auto& [name, number] : quantities)
-        if (name != x) text += fmt::format("{}{}", text.empty() ? "" : ", ", amount(name, number(cell).value_or(0)));
+        if (name != x)
+          text += fmt::format("{}{}", text.empty() ? "" : ", ", amount(name, number(cell).value_or(0)));
       return text;
     };
     Chart one = chart;

@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// Returns one chart for each mass-spring study and device of the cells. Cells that are not ok, and cells that
-/// the user changed, are ignored.
+/// Returns one chart for each mass-spring study and device of the cells. Cells that are not ok, and cells
+/// that the user changed, are ignored.
 std::vector<Chart> spring_charts(const std::vector<Cell>& cells);
 
 /// Returns the chart of the frame time against layers, pixels and triangles; no panels if there are too few

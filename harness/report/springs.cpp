@@ -95,16 +95,11 @@ Table table_of(const std::vector<SolverLine>& lines) {
   table.title = "Mass-spring solvers against serial C++ and Eigen";
   table.subtitle = "topology-solvers";
   table.stem = "topology-solvers-ratios";
-  table.columns = {{"device", "device"},
-                   {"model", "model"},
-                   {"topology", "topology"},
-                   {"solver", "solver"},
-                   {"substeps", "steps"},
-                   {"median_ms", "ours, ms"},
-                   {"rival", "baseline"},
-                   {"rival_median_ms", "baseline, ms"},
-                   {"ratio", "ratio"},
-                   {"ratio_by_processor_time", "ratio by CPU time"}};
+  table.columns = {{"device", "device"},     {"model", "model"},
+                   {"topology", "topology"}, {"solver", "solver"},
+                   {"substeps", "steps"},    {"median_ms", "ours, ms"},
+                   {"rival", "baseline"},    {"rival_median_ms", "baseline, ms"},
+                   {"ratio", "ratio"},       {"ratio_by_processor_time", "ratio by CPU time"}};
   table.layout.rows = {"device", "model", "topology", "solver", "substeps", "rival"};
   table.layout.values = {"median_ms", "rival_median_ms", "ratio", "ratio_by_processor_time"};
   const auto number = [](double value) {
@@ -119,10 +114,14 @@ Table table_of(const std::vector<SolverLine>& lines) {
                            number(l.processor_ratio)});
   }
   table.remarks = {
-      "Our solver and each baseline compute the same time steps from the same state, in turns. The ratio is the "
-      "baseline's time divided by ours: the median over the rounds, with its 95% interval. The ratio by CPU time "
-      "divides the baseline's CPU time by our CPU time per core. serial-o3: C++ compiled with -O3; serial-fast: "
-      "with -O3 -march=native -ffast-math; both use floats unless the name contains double. eigen-...-1 and -2: "
+      "Our solver and each baseline compute the same time steps from the same state, in turns. The ratio is "
+      "the "
+      "baseline's time divided by ours: the median over the rounds, with its 95% interval. The ratio by CPU "
+      "time "
+      "divides the baseline's CPU time by our CPU time per core. serial-o3: C++ compiled with -O3; "
+      "serial-fast: "
+      "with -O3 -march=native -ffast-math; both use floats unless the name contains double. eigen-...-1 and "
+      "-2: "
       "Eigen with one or two threads, compiled with -O3 -march=native."};
   return table;
 }

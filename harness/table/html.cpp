@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-/// Returns an element "td". Its attribute data-sort is the value by which a page sorts the lines; without this
-/// attribute the page sorts by the shown text. The attribute data-cell is Value::cell.
+/// Returns an element "td". Its attribute data-sort is the value by which a page sorts the lines; without
+/// this attribute the page sorts by the shown text. The attribute data-cell is Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
   std::string attributes;

@@ -35,6 +35,7 @@ const page = (() => {
 
   /** Returns the number with three significant digits; numbers from 1000 keep their digits before the point. */
   function digits(value) {
+    if (typeof value !== "number") return String(value ?? "");
     if (value === 0) return "0";
     const size = Math.abs(value);
     if (size >= 1000) return size < 1e7 ? Math.round(value).toString() : value.toExponential(2);
