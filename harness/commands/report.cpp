@@ -48,7 +48,7 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Write tables, plots and an HTML page from results");
+  CLI::App* command = app.add_subcommand("report", "Write tables, plots and a page from results; the page is one HTML file that needs no network");
   command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");
