@@ -5,7 +5,11 @@ const charts = (() => {
   if (typeof Chart === "undefined") return null;
   const {data, element, digits} = page;
   // Colour-blind readers can distinguish these colours of Okabe and Ito. Lines beyond the seventh have other markers.
-  const COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#777777"];
+  // On a dark page they are lighter.
+  const ON_LIGHT = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#777777"];
+  const ON_DARK = ["#3F9BE0", "#F08040", "#2BBF92", "#DB94BC", "#9AD4F5", "#F2B632", "#AAAAAA"];
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const colour = index => (dark.matches ? ON_DARK : ON_LIGHT)[index % ON_LIGHT.length];
   const MARKERS = ["circle", "rect", "triangle", "rectRot", "crossRot", "star", "rectRounded"];
   const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const short = value => Math.abs(value) >= 1e6 ? `${digits(value / 1e6)}M`
@@ -55,12 +59,12 @@ const charts = (() => {
   function datasets(spec, panel) {
     const keys = names(spec, "key"), labels = names(spec, "label");
     return panel.lines.map(line => {
-      const index = keys.indexOf(line.key), colour = COLOURS[index % COLOURS.length];
+      const index = keys.indexOf(line.key), own = colour(index);
       const shift = spec.categories.length ? 0.7 / labels.length * (labels.indexOf(line.label) - (labels.length - 1) / 2) : 0;
       const published = line.mark === "published";
       return {
-        label: line.label, line, borderColor: colour, backgroundColor: published ? style("--back") : colour,
-        pointStyle: MARKERS[(index + Math.floor(index / COLOURS.length)) % MARKERS.length], radius: 3.5, hoverRadius: 6,
+        label: line.label, line, borderColor: own, backgroundColor: published ? style("--back") : own,
+        pointStyle: MARKERS[(index + Math.floor(index / ON_LIGHT.length)) % MARKERS.length], radius: 3.5, hoverRadius: 6,
         borderWidth: 1.5, showLine: line.mark === "line" || (published && !spec.categories.length),
         borderDash: published ? [5, 4] : [],
         data: line.points.map(([x, y, low, high, cell]) => ({x: x + shift, value: x, y, low, high, cell})),
@@ -86,20 +90,30 @@ const charts = (() => {
     };
   }
 
+  /** Ticks of a logarithmic scale: 1, 2 and 5 of each decade, or only 1 if there are many decades. */
+  const decades = {afterBuildTicks: axis => {
+    const kept = axis.max / axis.min > 3000 ? /^1e/ : /^[125]e/;
+    axis.ticks = axis.ticks.filter(tick => kept.test(Number(tick.value.toPrecision(6)).toExponential()));
+  }};
+
   function scaleX(spec, panel) {
     const names = spec.categories;
     if (names.length)
       return scale("linear", "", {min: -0.6, max: names.length - 0.4, ticks: {autoSkip: false, callback: v => names[v] ?? ""},
         afterBuildTicks: axis => { axis.ticks = names.map((_, value) => ({value})); }});
     const values = [...new Set(panel.lines.flatMap(line => line.points.map(point => point[0])))].sort((a, b) => a - b);
-    const few = values.length > 1 && values.length <= 8;
-    return scale(spec.xScale, panel.xLabel,
-      few ? {afterBuildTicks: axis => { axis.ticks = values.map(value => ({value})); }} : {});
+    const log = spec.xScale === "log", least = values[0], most = values[values.length - 1];
+    const room = log ? 1.1 : 0.04 * (most - least || 1);
+    const limits = log ? {min: least / room, max: most * room} : {min: least - room, max: most + room};
+    // The values themselves are the ticks if their labels do not overlap.
+    const places = values.map(value => log ? Math.log(value / limits.min) / Math.log(limits.max / limits.min)
+      : (value - limits.min) / (limits.max - limits.min));
+    const apart = places.every((place, i) => i === 0 || place - places[i - 1] > 0.09);
+    const ticks = apart ? {afterBuildTicks: axis => { axis.ticks = values.map(value => ({value})); }} : log ? decades : {};
+    return scale(spec.xScale, panel.xLabel, {...limits, ...ticks});
   }
 
   function drawPanel(spec, part, panel, canvas) {
-    const decades = spec.yScale === "log"
-      ? {afterBuildTicks: axis => { axis.ticks = axis.ticks.filter(t => /^[125]/.test(t.value.toExponential())); }} : {};
     return new Chart(canvas, {
       type: "scatter",
       data: {datasets: datasets(spec, panel)},
@@ -112,7 +126,7 @@ const charts = (() => {
           const {cell} = chart.data.datasets[items[0].datasetIndex].data[items[0].index];
           if (cell >= 0) rows.openCells(part, [cell], cell);
         },
-        scales: {x: scaleX(spec, panel), y: scale(spec.yScale, spec.yLabel, {...limits(spec), ...decades})},
+        scales: {x: scaleX(spec, panel), y: scale(spec.yScale, spec.yLabel, {...limits(spec), ...(spec.yScale === "log" ? decades : {})})},
         plugins: {
           legend: {display: false}, intervals: {guide: spec.guide},
           tooltip: {displayColors: false, callbacks: {
@@ -135,7 +149,7 @@ const charts = (() => {
     return element("p", {class: "legend"}, ...labels.map(label => {
       const line = all(spec).find(one => one.label === label);
       const mark = element("span", {class: `mark ${line.mark}`});
-      mark.style.setProperty("--colour", COLOURS[keys.indexOf(line.key) % COLOURS.length]);
+      mark.style.setProperty("--colour", colour(keys.indexOf(line.key)));
       const button = element("button", {type: "button", "aria-pressed": "true", click: () => {
         const on = button.getAttribute("aria-pressed") !== "true";
         button.setAttribute("aria-pressed", String(on));
@@ -186,10 +200,10 @@ const charts = (() => {
   }, {rootMargin: "400px"});
   figures.forEach(figure => seen.observe(figure));
   // The colours of the axes depend on the colour scheme.
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+  dark.addEventListener("change", () => {
     for (const figure of figures) if (figure.charts) { erase(figure); draw(figure); }
   });
-  return {COLOURS, scale};
+  return {colour, scale};
 })();
 
 /** Draws the samples of a row in the order of measurement. */
@@ -202,7 +216,7 @@ function drawSamples(figure, lists) {
     type: "scatter",
     data: {datasets: (shown.length ? shown : lists).map((list, i) => ({
       label: `${list.phase}, ${list.clock}`, data: list.times.map((y, x) => ({x, y})), radius: 2.5,
-      borderColor: charts.COLOURS[i % 7], backgroundColor: charts.COLOURS[i % 7],
+      borderColor: charts.colour(i), backgroundColor: charts.colour(i),
     }))},
     options: {
       animation: false, responsive: true, maintainAspectRatio: false, interaction: {mode: "nearest", intersect: false},
