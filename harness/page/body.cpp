@@ -21,8 +21,10 @@ namespace {
 /// Adds a chart's place, which web/charts.js fills. Without Chart.js it contains the plot of the report's
 /// folder as a static picture.
 void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t index, bool scripts) {
-  body.add(fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index,
-                       html_text(chart.title)));
+  // The part after ": " repeats the subtitle of the table above.
+  const std::string title = html_text(chart.title.substr(0, chart.title.find(": ")));
+  body.add(
+      fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index, title));
   if (scripts) {
     body.add("<noscript><p class=\"soft\">The plot needs JavaScript.</p></noscript>\n");
   } else {
@@ -44,8 +46,14 @@ void add_charts(Body& body, const Report& report, const std::vector<PlacedChart>
     if (charts[i].section == section) add_chart(body, report, charts[i].chart, i, scripts);
 }
 
+/// Returns what follows the experiment and the device in a table's subtitle, or else the experiment.
+std::string detail_of(const std::string& subtitle) {
+  const std::size_t comma = subtitle.find(", ");
+  return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
+}
+
 void add_table(Body& body, const Table& table, bool latex) {
-  body.heading(table.title, 2);
+  body.heading(table.title, 2, detail_of(table.subtitle));
   body.remark(table.subtitle);
   body.add(html_of(table));
   body.add("<p class=\"buttons\">");
@@ -203,7 +211,7 @@ std::string summary_of(const std::vector<Report>& reports) {
   std::string claims;
   for (std::size_t v = 0; v < verdicts.size(); ++v)
     if (verdicts[v] > 0)
-      claims += fmt::format("{}{} {}", claims.empty() ? "" : ", ", verdicts[v], to_text(claims::Verdict(v)));
+      claims += fmt::format("{}{} {}", claims.empty() ? "" : ", ", to_text(claims::Verdict(v)), verdicts[v]);
   return claims.empty() ? text : text + " Claims of the papers: " + claims + ".";
 }
 

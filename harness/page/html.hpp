@@ -8,7 +8,8 @@ namespace pelage {
 /// An entry of the page's contents.
 struct Entry {
   std::string id, title;
-  int level = 1;  ///< 1 for a chapter, 2 for a section in it
+  int level = 1;            ///< 1 for a chapter, 2 for a section in it
+  std::string detail = {};  ///< distinguishes entries that have the same title
 };
 
 /// The text of the page, with its contents.
@@ -16,7 +17,7 @@ class Body {
  public:
   void add(const std::string& html) { html_ += html; }
   /// Adds a heading and its entry in the contents. Level 1 gives an element h2, level 2 gives h3.
-  void heading(const std::string& title, int level);
+  void heading(const std::string& title, int level, const std::string& detail = {});
   /// Adds a text of a paragraph with the class "soft"; nothing for an empty text.
   void remark(const std::string& text);
   /// Adds a button that saves a file of the page's data.
@@ -32,7 +33,8 @@ class Body {
   std::vector<Entry> entries_;
 };
 
-/// Returns the contents as nested lists of links.
+/// Returns the contents as nested lists of links. If several entries have the same title, the links show
+/// their details.
 std::string contents_of(const std::vector<Entry>& entries);
 
 }  // namespace pelage

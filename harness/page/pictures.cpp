@@ -7,6 +7,7 @@
 
 #include "harness/picture/image_io.hpp"
 #include "harness/picture/reduce.hpp"
+#include "harness/report/case_table.hpp"
 
 namespace pelage {
 namespace {
@@ -25,6 +26,14 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
     for (const Cell& cell : reports[r].cells)
       if (cell.status == Status::ok && fs::is_regular_file(cell.image))
         sources.push_back({int(r), cell.index, cell.image});
+  // The rows of a run are in a random order. Pictures of the same model stand side by side.
+  std::stable_sort(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
+    if (a.report != b.report) return a.report < b.report;
+    const std::vector<Cell>& cells = reports[std::size_t(a.report)].cells;
+    const Cell &left = cells[std::size_t(a.cell)], &right = cells[std::size_t(b.cell)];
+    if (left.experiment != right.experiment) return left.experiment < right.experiment;
+    return natural_less(name_of(left), name_of(right));
+  });
   return sources;
 }
 

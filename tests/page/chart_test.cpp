@@ -7,7 +7,8 @@
 namespace pelage {
 namespace {
 
-/// A table with the columns variant, layers, median_ms, its limits and paper; the index of a line is its cell.
+/// A table with the columns variant, layers, median_ms, its limits and paper; the index of a line is its
+/// cell.
 Table table() {
   Table table;
   table.columns = {{"variant", "variant"},      {"layers", "layers", "{} layers"}, {"median_ms", "ms"},
@@ -107,8 +108,11 @@ TEST(Chart, EveryStudyHasItsPoints) {
   std::vector<Cell> cells;
   for (const char* name : {"update-time", "work-precision", "longest-step", "energy", "mesh-size"}) {
     Cell cell = study_cell(std::string("banisch2006-") + name, "prisms", 2);
-    cell.metrics = {{"error_rms", {0.5, ""}},        {"longest_step_ms", {3, "ms"}}, {"triangles", {8, ""}},
-                    {"energy_uJ_at_0.5", {9, "uJ"}}, {"paper_fps", {100, "fps"}}};
+    cell.metrics = {{"error_rms", {0.5, ""}},
+                    {"longest_step_ms", {3, "ms"}},
+                    {"triangles", {8, ""}},
+                    {"energy_uJ_at_0.5", {9, "uJ"}},
+                    {"paper_fps", {100, "fps"}}};
     cell.phase_ms["simulate"] = 1;
     cells.push_back(cell);
     cell.status = Status::error;

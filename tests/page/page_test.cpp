@@ -85,7 +85,8 @@ TEST(Page, HostileNamesAreText) {
   parts.notes = {hostile};
   const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
   EXPECT_EQ(page.find("<img src=x"), std::string::npos);
-  EXPECT_EQ(count(page, "<script>"), count(page, "</script>") - 1) << "one more closes the element with the data";
+  EXPECT_EQ(count(page, "<script>"), count(page, "</script>") - 1)
+      << "one more closes the element with the data";
   EXPECT_GT(count(page, "&lt;img src=x onerror"), 3u);
 
   const std::string open = "<script type=\"application/json\" id=\"data\">";
@@ -175,13 +176,15 @@ TEST(Page, WithoutChartJs) {
   const std::string page = text_of(folder.path / "index.html");
   EXPECT_NE(page.find("Debian: libjs-chart.js"), std::string::npos);
   EXPECT_EQ(count(page, "<script>"), 5u);
-  if (fs::exists(folder.path / "plots/silva2010-table1-frame-time.svg"))
+  if (fs::exists(folder.path / "plots/silva2010-table1-frame-time.svg")) {
     EXPECT_NE(page.find("data:image/svg+xml;base64,"), std::string::npos);
+  }
 }
 
 TEST(Page, TheLibrarysVersionComesFromItsBanner) {
   const Folder folder;
-  std::ofstream(folder.path / "chart.min.js") << "/*!\n * Chart.js v3.9.1\n * Released under the MIT License\n */\n1;";
+  std::ofstream(folder.path / "chart.min.js")
+      << "/*!\n * Chart.js v3.9.1\n * Released under the MIT License\n */\n1;";
   const auto library = chart_library(folder.path);
   ASSERT_TRUE(library);
   EXPECT_EQ(library->version, "3.9.1");

@@ -86,7 +86,7 @@ const charts = (() => {
     return {
       type: kind === "log" ? "logarithmic" : "linear", grid: {color: line, borderColor: soft},
       title: {display: title !== "", text: title, color: soft}, ...more,
-      ticks: {color: soft, maxRotation: 55, autoSkipPadding: 6, callback: value => short(value), ...more.ticks},
+      ticks: {color: soft, includeBounds: false, maxRotation: 55, autoSkipPadding: 6, callback: value => short(value), ...more.ticks},
     };
   }
 

@@ -13,12 +13,13 @@
   });
   const shape = picture => Math.round(100 * picture.image.getAttribute("width") / picture.image.getAttribute("height"));
 
-  /** How well two pictures compare: the number of equal axes; other variants of a case are better than other cases. */
+  /** How well two pictures compare: the number of equal axes, above all the model; other variants of a case are better
+   * than other cases. */
   function likeness(a, b) {
     if (a === b || shape(a) !== shape(b)) return -1;
     const names = Object.keys(a.axes).filter(name => name !== "variant");
     const equal = names.filter(name => a.axes[name] === b.axes[name]).length;
-    return 4 * equal + 2 * (a.variant !== b.variant) + (a.experiment === b.experiment);
+    return 4 * equal + 8 * (a.axes.model === b.axes.model) + 2 * (a.variant !== b.variant) + (a.experiment === b.experiment);
   }
   const best = a => pictures.reduce((found, b) => likeness(a, b) > likeness(a, found) ? b : found, pictures[0]);
 
