@@ -202,7 +202,7 @@ Chart scaling_chart(const std::vector<Cell>& cells) {
           text += fmt::format("{}{}", text.empty() ? "" : ", ", amount(name, number(cell).value_or(0)));
       return text;
     };
-    Chart one = chart;
+    Chart one;
     fill(one, cells, {[](const Cell&) { return ""; }, rest, quantities.at(x), frame_ms_of, true});
     for (ChartPanel& panel : one.panels) {
       std::erase_if(panel.lines, [](const ChartLine& line) {
