@@ -6,6 +6,7 @@ install(DIRECTORY kernels shaders experiments examples DESTINATION ${CMAKE_INSTA
         USE_SOURCE_PERMISSIONS)  # experiments/slurm contains programs
 install(DIRECTORY harness/report/plots DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
         PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY harness/page/web/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage/page)
 install(FILES docs/pelage.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md ARTIFACT.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN pelage.1 EXCLUDE)
@@ -31,5 +32,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # A device, the OpenGL baseline, plots, the Python package and the models need these packages. pelage reports a missing
 # one when it needs it.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
-       python3-matplotlib python3-pandas glmark2-data libcgal-demo)
+       libjs-chart.js python3-matplotlib python3-pandas glmark2-data libcgal-demo)
 include(CPack)

@@ -6,6 +6,7 @@
 #include "harness/claims/print.hpp"
 #include "harness/commands/report.hpp"
 #include "harness/mesh/models.hpp"
+#include "harness/page/page.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -35,8 +36,11 @@ int report(const ReportOptions& options) {
       if (model.name == name) return model.footnote;
     return std::string{};
   };
-  for (const Report& written : write_reports(rows, options.output, footnote)) print(written);
-  fmt::print(stderr, "pelage: the report is {}/index.html\n", options.output);
+  const std::vector<Report> reports = write_reports(rows, options.output, footnote);
+  for (const Report& written : reports) print(written);
+  const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
+  for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);
+  fmt::print(stderr, "pelage: the report is {}\n", page.string());
   return 0;
 }
 
@@ -44,7 +48,7 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Write tables, plots and an HTML page from results");
+  CLI::App* command = app.add_subcommand("report", "Write tables, plots and a page from results; the page is one HTML file that needs no network");
   command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -66,6 +69,24 @@ Picture read_picture(const fs::path& path) {
     if (extension(path) == ending) return image_module().read(path, kind);
   throw InputError(
       fmt::format("{}: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR", path.string()));
+}
+
+std::string webp_of(const Picture& picture, int quality) {
+  // OpenImageIO writes WebP only to files.
+  std::string folder = (fs::temp_directory_path() / "pelage-webp-XXXXXX").string();
+  if (::mkdtemp(folder.data()) == nullptr)
+    throw InputError(fmt::format("WebP: the folder {} cannot be made", folder));
+  struct Remove {
+    fs::path folder;
+    ~Remove() {
+      std::error_code ignored;
+      fs::remove_all(folder, ignored);
+    }
+  } const remove{folder};
+  const fs::path file = fs::path(folder) / "picture.webp";
+  image_module().write_webp(file, picture, quality);
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace pelage

@@ -2,6 +2,7 @@
 // other formats.
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "harness/picture/picture.hpp"
 
@@ -24,5 +25,9 @@ void check_picture_path(const std::filesystem::path& path);
 /// picture becomes RGB; a missing alpha channel becomes 1. Throws InputError if the file is missing, has
 /// another format, is malformed or truncated, or has more than most_pixels_per_side pixels on a side.
 Picture read_picture(const std::filesystem::path& path);
+
+/// Returns the bytes of a WebP file with 8-bit RGB; the values are clamped to [0, 1] and rounded. `quality`
+/// is 1 to 100. Throws InputError if the picture cannot be compressed.
+std::string webp_of(const Picture& picture, int quality);
 
 }  // namespace pelage

@@ -7,12 +7,14 @@
 
 namespace pelage {
 
-/// The functions of the image module. Both throw InputError.
+/// The functions of the image module. All throw InputError.
 struct ImageModule {
   /// Reads an existing file. `kind` is the usual extension of the file's format, without the dot.
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
   /// Writes 32-bit float RGBA in the format of the file's extension. Error messages call the file `name`.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);
+  /// Writes 8-bit RGB as a WebP file. `quality` is 1 to 100.
+  void (*write_webp)(const std::filesystem::path& file, const Picture& picture, int quality);
 };
 
 /// Returns the module; the first call loads it. Throws InputError if it is missing or cannot be loaded.

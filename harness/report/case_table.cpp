@@ -178,7 +178,10 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
   for (const CellColumn& c : columns) table.columns.push_back(c.column);
   for (const Cell& cell : cells) {
     std::vector<Value>& line = table.lines.emplace_back();
-    for (const CellColumn& c : columns) line.push_back(c.value(cell));
+    for (const CellColumn& c : columns) {
+      line.push_back(c.value(cell));
+      line.back().cell = cell.index;
+    }
   }
   return table;
 }

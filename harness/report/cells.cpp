@@ -120,7 +120,8 @@ std::string changes_of(const Cell& cell) {
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::vector<Cell> cells;
   std::vector<Samples> samples;  // one per cell
-  for (const FoundRow& found : rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const FoundRow& found = rows[r];
     Cell cell = cell_of(found);
     auto place = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
       return names(c) == names(cell) && c.identity == cell.identity;
@@ -129,6 +130,7 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
       place = cells.insert(place, std::move(cell));
       samples.emplace_back();
     }
+    place->rows.push_back(r);
     add(*place, found.row);
     samples[std::size_t(place - cells.begin())].add(found.row);
   }
@@ -136,6 +138,7 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   std::stable_sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
     return std::tie(a.experiment, a.device, a.host) < std::tie(b.experiment, b.device, b.host);
   });
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i].index = int(i);
   return cells;
 }
 

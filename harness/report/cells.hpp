@@ -32,9 +32,11 @@ struct Cell {
   double median_ms = 0;          ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
-  bool converged = true;        ///< whether the median of every row is precise (is_precise())
-  double drift = 0;             ///< the greatest Drift::change of a row that drifts(); 0 if no row does
-  std::filesystem::path image;  ///< file of the cell's picture; it may not exist
+  bool converged = true;          ///< whether the median of every row is precise (is_precise())
+  double drift = 0;               ///< the greatest Drift::change of a row that drifts(); 0 if no row does
+  std::filesystem::path image;    ///< file of the cell's picture; it may not exist
+  int index = -1;                 ///< index in the result of cells_of()
+  std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
   /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
   /// paper; "default" if the cell has no such axis.
   std::string reading() const;

@@ -192,8 +192,8 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
   std::vector<std::string> apart;
   for (std::size_t i = 1; i < sets.size(); ++i)
     apart.push_back(fmt::format(
-        "{} of {} rows have the names of other rows but measured different inputs ({}); their report is "
-        "inputs-{}/index.html",
+        "{} of {} rows have the names of other rows but measured different inputs ({}); their files are "
+        "in the folder inputs-{}, and the page shows them separately",
         sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
   for (std::size_t i = 0; i < sets.size(); ++i)
     reports.push_back(
@@ -201,7 +201,7 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
                      i == 0 ? apart
                             : std::vector<std::string>{fmt::format(
                                   "the inputs of these rows ({}) differ from the inputs of the rows with "
-                                  "the same names in the report of the parent folder",
+                                  "the same names in the first set",
                                   sets[i].differs)}));
   return reports;
 }
@@ -210,6 +210,8 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
                     std::vector<std::string> notes) {
   for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
   Report report;
+  report.folder = folder;
+  report.rows = rows;
   report.notes = std::move(notes);
   note_copies(report, rows);
   note_load(report, rows);
@@ -229,7 +231,6 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   copy_pictures(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));
   write_file(folder / "provenance.txt", provenance_of(rows));
-  write_file(folder / "index.html", html_of(report, folder));
   return report;
 }
 

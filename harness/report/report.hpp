@@ -1,4 +1,4 @@
-// Writes a report: tables, plots, pictures, bibliography, provenance and an HTML page that shows them.
+// Writes a report: tables, plots, pictures, bibliography and provenance. harness/page writes its page.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -21,6 +21,8 @@ struct ReportPicture {
 };
 
 struct Report {
+  std::filesystem::path folder;  ///< the folder with the files of the report
+  std::vector<FoundRow> rows;    ///< Cell::rows contains indices of this list
   std::vector<Cell> cells;
   std::vector<Section> sections;  ///< tables/STEM.csv and .tex, and the plots of each
   std::vector<SolverLine>
@@ -44,9 +46,6 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::
 /// the report. Throws InputError for a path that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note, std::vector<std::string> notes = {});
-
-/// Returns the HTML page. It uses only files in `folder`.
-std::string html_of(const Report& report, const std::filesystem::path& folder);
 
 /// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);

@@ -90,39 +90,40 @@ std::string csv_of(const std::vector<SolverLine>& lines) {
   return text;
 }
 
-std::string html_of(const std::vector<SolverLine>& lines) {
-  if (lines.empty()) return {};
-  std::string html =
-      "<h2>Mass-spring solvers against serial C++ and Eigen</h2>\n<p class=\"soft\">A launch of so many "
-      "steps by ours and "
-      "by each rival, all from one state, in turns; <a href=\"tables/topology-solvers-ratios.csv\">CSV</a>. "
-      "Ratio: "
-      "the rival's "
-      "time by ours, the median over rounds with its 95% interval. By processor time: the rival's by ours "
-      "shared by all "
-      "cores, which other work on the machine does not move. serial-o3: C++ at -O3; serial-fast: -O3 "
-      "-march=native "
-      "-ffast-math, floats both unless it says double; eigen-...-1, -2: threads, -O3 -march=native.</p>\n"
-      "<div class=\"wide\"><table>\n<thead><tr><th>Model</th><th>Topology</th><th>Solver</th><th>Steps</th>"
-      "<th>ours, ms</th><th>Rival</th><th>its, ms</th><th>ratio</th><th>95%</th><th>by processor "
-      "time</th></tr></thead>\n"
-      "<tbody>\n";
-  const SolverLine* before = nullptr;
+Table table_of(const std::vector<SolverLine>& lines) {
+  Table table;
+  table.title = "Mass-spring solvers against serial C++ and Eigen";
+  table.subtitle = "topology-solvers";
+  table.stem = "topology-solvers-ratios";
+  table.columns = {{"device", "device"},     {"model", "model"},
+                   {"topology", "topology"}, {"solver", "solver"},
+                   {"substeps", "steps"},    {"median_ms", "ours, ms"},
+                   {"rival", "baseline"},    {"rival_median_ms", "baseline, ms"},
+                   {"ratio", "ratio"},       {"ratio_by_processor_time", "ratio by CPU time"}};
+  table.layout.rows = {"device", "model", "topology", "solver", "substeps", "rival"};
+  table.layout.values = {"median_ms", "rival_median_ms", "ratio", "ratio_by_processor_time"};
+  const auto number = [](double value) {
+    return number_value(value > 0 ? std::optional(value) : std::nullopt);
+  };
   for (const SolverLine& l : lines) {
-    const bool same =
-        before && std::tie(before->device, before->model, before->topology, before->solver,
-                           before->substeps) == std::tie(l.device, l.model, l.topology, l.solver, l.substeps);
-    html +=
-        same ? "<tr><td></td><td></td><td></td><td></td><td></td>"
-             : fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"ours\">{:.4g}</td>",
-                           l.model, l.topology, l.solver, l.substeps, l.ours_ms);
-    html += fmt::format(
-        "<td>{}</td><td>{:.4g}</td><td class=\"ours\">{:.3g}</td><td>{:.3g} to {:.3g}</td><td>{}</td></tr>\n",
-        l.rival, l.rival_ms, l.ratio, l.low, l.high,
-        l.processor_ratio > 0 ? fmt::format("{:.3g}", l.processor_ratio) : "–");
-    before = &l;
+    Value ratio = number(l.ratio);
+    if (l.ratio > 0) ratio.shown += fmt::format(" [{}, {}]", three_digits(l.low), three_digits(l.high));
+    table.lines.push_back({text_value(l.device), text_value(l.model), text_value(l.topology),
+                           text_value(l.solver), text_value(l.substeps), number(l.ours_ms),
+                           text_value(l.rival), number(l.rival_ms), std::move(ratio),
+                           number(l.processor_ratio)});
   }
-  return html + "</tbody></table></div>\n";
+  table.remarks = {
+      "Our solver and each baseline compute the same time steps from the same state, in turns. The ratio is "
+      "the "
+      "baseline's time divided by ours: the median over the rounds, with its 95% interval. The ratio by CPU "
+      "time "
+      "divides the baseline's CPU time by our CPU time per core. serial-o3: C++ compiled with -O3; "
+      "serial-fast: "
+      "with -O3 -march=native -ffast-math; both use floats unless the name contains double. eigen-...-1 and "
+      "-2: "
+      "Eigen with one or two threads, compiled with -O3 -march=native."};
+  return table;
 }
 
 }  // namespace pelage

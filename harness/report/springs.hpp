@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/journal/results_folder.hpp"
+#include "harness/table/table.hpp"
 
 namespace pelage {
 
@@ -33,6 +34,7 @@ struct SolverLine {
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);
-std::string html_of(const std::vector<SolverLine>& lines);
+/// Returns the lines as a table for readers. csv_of() has more digits and the limits of the intervals.
+Table table_of(const std::vector<SolverLine>& lines);
 
 }  // namespace pelage

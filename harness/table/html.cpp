@@ -9,11 +9,16 @@
 namespace pelage {
 namespace {
 
+/// Returns an element "td". Its attribute data-sort is the value by which a page sorts the lines; without
+/// this attribute the page sorts by the shown text. The attribute data-cell is Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
-  return fmt::format("<td{}{}>{}{}</td>", value->failed ? " class=\"bad\"" : "",
-                     value->hint.empty() ? "" : fmt::format(" title=\"{}\"", html_text(value->hint)),
-                     html_text(value->shown),
+  std::string attributes;
+  if (value->failed) attributes += " class=\"bad\"";
+  if (!value->hint.empty()) attributes += fmt::format(" title=\"{}\"", html_text(value->hint));
+  if (value->data != value->shown) attributes += fmt::format(" data-sort=\"{}\"", html_text(value->data));
+  if (value->cell >= 0) attributes += fmt::format(" data-cell=\"{}\"", value->cell);
+  return fmt::format("<td{}>{}{}</td>", attributes, html_text(value->shown),
                      value->mark.empty() ? "" : fmt::format("<sup>{}</sup>", html_text(value->mark)));
 }
 

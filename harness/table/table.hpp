@@ -16,6 +16,7 @@ struct Value {
   std::string hint = {};  ///< a longer text, which an HTML page shows when the pointer is on the value
   std::string mark = {};  ///< mark of a footnote: "a"
   bool failed = false;    ///< true if `shown` is a status that replaces a missing number
+  int cell = -1;  ///< index of the report's cell (harness/report/cells.hpp) that has the value; -1 if none
 };
 
 Value text_value(const std::string& text);

@@ -116,7 +116,7 @@ TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
   EXPECT_NE(report.err.find("2 of 4 rows have the names of other rows but measured different inputs (scene)"),
             std::string::npos)
       << report.err;
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/index.html"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/tables/all-phases.csv"));
   EXPECT_EQ(pelage(folder, "compare first second").code, 0);
   std::filesystem::create_directory(folder.path() / "both");
   for (const char* one : {"first", "second"})

@@ -90,23 +90,17 @@ TEST(Report, WritesEverythingItPromises) {
   const fs::path out = folder.path / "deep" / "report";
   const Report report = write_report(rows, out, note);
   for (const char* file : {"tables/silva2010-table1.csv", "tables/silva2010-table1.tex",
-                           "tables/all-phases.csv", "references.bib", "provenance.txt", "index.html",
+                           "tables/all-phases.csv", "references.bib", "provenance.txt",
                            "images/silva2010-table1-torus.png", "plots/silva2010-table1-frame-time.csv",
                            "plots/silva2010-table1-frame-time.py", "plots/silva2010-table1-frame-time.json"})
     EXPECT_TRUE(fs::is_regular_file(out / file)) << file;
   EXPECT_EQ(lines_of(text_of(out / "tables/silva2010-table1.csv")).size(), 33u);
   EXPECT_NE(text_of(out / "references.bib").find("10.1007/s00371-010-0484-4"), std::string::npos);
   EXPECT_NE(text_of(out / "provenance.txt").find("preset: quick"), std::string::npos);
-  const std::string page = text_of(out / "index.html");
-  EXPECT_EQ(page.find("http://"), page.find("http://www.w3.org"))
-      << "nothing from outside but SVG's own names";
-  EXPECT_NE(page.find("images/silva2010-table1-torus.png"), std::string::npos);
-  EXPECT_NE(page.find("a pig &amp; 100% so"), std::string::npos);
-  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(report.rows.size(), rows.size());
   if (report.notes.empty()) {
     EXPECT_GT(fs::file_size(out / "plots/silva2010-table1-frame-time.svg"), 5000u);
     EXPECT_EQ(text_of(out / "plots/silva2010-table1-frame-time.pdf").substr(0, 5), "%PDF-");
-    EXPECT_NE(page.find("<svg"), std::string::npos);
   }
 }
 
@@ -138,7 +132,6 @@ TEST(Report, CountsRowsThatWereTimedOnALoadedMachine) {
   ASSERT_FALSE(loaded.notes.empty());
   EXPECT_EQ(loaded.notes.front().find("1 of 3 rows were timed on a loaded machine"), 0u)
       << loaded.notes.front();
-  EXPECT_NE(text_of(folder.path / "loaded/index.html").find("1 of 3 rows"), std::string::npos);
 }
 
 TEST(Report, APlotThatFailsIsANote) {

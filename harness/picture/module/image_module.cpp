@@ -106,10 +106,26 @@ void write_float(const fs::path& file, const std::string& name, const Picture& p
   }
 }
 
+void write_webp(const fs::path& file, const Picture& picture, int quality) {
+  OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+  spec.attribute("compression", fmt::format("webp:{}", quality));
+  std::vector<unsigned char> bytes;
+  bytes.reserve(picture.pixel.size() * 3);
+  for (const glm::vec4& pixel : picture.pixel)
+    for (int channel = 0; channel < 3; ++channel)
+      bytes.push_back(static_cast<unsigned char>(std::clamp(pixel[channel], 0.0f, 1.0f) * 255.0f + 0.5f));
+  const auto output = OIIO::ImageOutput::create(file.string());
+  if (!output) throw InputError(fmt::format("WebP: {}", one_line(OIIO::geterror())));
+  if (!output->open(file.string(), spec) || !output->write_image(spec.format, bytes.data()) ||
+      !output->close()) {
+    throw InputError(fmt::format("WebP: {}", one_line(output->geterror())));
+  }
+}
+
 }  // namespace
 }  // namespace pelage
 
 extern "C" {
 extern const pelage::ImageModule pelage_image_module;
-const pelage::ImageModule pelage_image_module{pelage::read, pelage::write_float};
+const pelage::ImageModule pelage_image_module{pelage::read, pelage::write_float, pelage::write_webp};
 }

@@ -1,0 +1,243 @@
+// The body of the page: chapters of each report, the pictures, all rows, the provenance and the libraries.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "harness/claims/print.hpp"
+#include "harness/measure/statistics.hpp"
+#include "harness/page/html.hpp"
+#include "harness/page/page.hpp"
+#include "harness/page/sha256.hpp"
+#include "harness/report/case_table.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+/// Adds a chart's place, which web/charts.js fills. Without Chart.js it contains the plot of the report's
+/// folder as a static picture.
+void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t index, bool scripts) {
+  // The part after ": " repeats the subtitle of the table above.
+  const std::string title = html_text(chart.title.substr(0, chart.title.find(": ")));
+  body.add(
+      fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index, title));
+  if (scripts) {
+    body.add("<noscript><p class=\"soft\">The plot needs JavaScript.</p></noscript>\n");
+  } else {
+    std::ifstream stream(report.folder / "plots" / (chart.stem + ".svg"), std::ios::binary);
+    const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    if (svg.empty())
+      body.remark("The plot needs Chart.js or matplotlib, and neither was installed.");
+    else
+      body.add(fmt::format("<img class=\"plot\" alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
+                           html_text(chart.title), base64(svg)));
+  }
+  body.add("</figure>\n");
+}
+
+/// Adds the charts of a section; -1 stands for the charts that belong to no section.
+void add_charts(Body& body, const Report& report, const std::vector<PlacedChart>& charts, int section,
+                bool scripts) {
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    if (charts[i].section == section) add_chart(body, report, charts[i].chart, i, scripts);
+}
+
+/// Returns what follows the experiment and the device in a table's subtitle, or else the experiment.
+std::string detail_of(const std::string& subtitle) {
+  const std::size_t comma = subtitle.find(", ");
+  return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
+}
+
+void add_table(Body& body, const Table& table, bool latex) {
+  body.heading(table.title, 2, detail_of(table.subtitle));
+  body.remark(table.subtitle);
+  body.add(html_of(table));
+  body.add("<p class=\"buttons\">");
+  body.save_button(table.stem + ".csv", "CSV");
+  if (latex) body.save_button(table.stem + ".tex", "LaTeX");
+  body.add("</p>\n");
+}
+
+void add_claims(Body& body, const Report& report) {
+  if (report.claims.empty()) return;
+  body.heading("Claims of the papers", 2);
+  body.remark("The statements are in our words. The rows of this page decide each verdict.");
+  body.add(
+      "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th>"
+      "<th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
+  for (const claims::Judged& one : report.claims) {
+    std::string details = one.reason;
+    for (const std::string& note : one.notes) details += (details.empty() ? "" : "; ") + note;
+    body.add(fmt::format(
+        "<tr><td><span class=\"verdict {0}\">{0}</span></td><td class=\"prose\">{1}{2}</td>"
+        "<td data-sort=\"{3}\">{4}</td><td>{5}</td><td class=\"prose\">{6}, {7}</td></tr>\n",
+        to_text(one.verdict), html_text(one.claim.statement),
+        details.empty() ? "" : fmt::format("<br><span class=\"soft\">{}</span>", html_text(details)),
+        one.value ? fmt::format("{:.6g}", *one.value) : "",
+        one.value ? fmt::format("{}<br><span class=\"soft\">{}</span>", html_text(claims::effect_text(one)),
+                                html_text(claims::description_of(one.claim)))
+                  : "–",
+        one.value ? html_text(one.claim.relation) : "–", html_text(one.claim.paper),
+        html_text(one.claim.section)));
+  }
+  body.add("</tbody></table></div>\n<p class=\"buttons\">");
+  body.save_button("claims.csv", "CSV");
+  body.add("</p>\n");
+}
+
+void add_report(Body& body, const Report& report, bool scripts) {
+  for (const std::string& note : report.notes) body.remark(note);
+  const std::vector<PlacedChart> charts = charts_of(report);
+  add_claims(body, report);
+  for (std::size_t s = 0; s < report.sections.size(); ++s) {
+    add_table(body, report.sections[s].table, true);
+    add_charts(body, report, charts, int(s), scripts);
+  }
+  if (!report.solvers.empty()) add_table(body, table_of(report.solvers), false);
+  if (std::any_of(charts.begin(), charts.end(), [](const PlacedChart& c) { return c.section < 0; })) {
+    body.heading("Figures of single experiments", 2);
+    add_charts(body, report, charts, -1, scripts);
+  }
+  if (!report.scaling.empty()) {
+    body.heading("Cost of layers, pixels and triangles", 2);
+    body.folded("Ratios and the fitted model", report.scaling);
+  }
+}
+
+/// Adds the pictures, and the place of the comparison of two of them.
+void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
+  if (parts.pictures.empty()) return;
+  body.heading("Pictures of the timed frames", 1);
+  body.remark(fmt::format(
+      "{} pictures, reduced to at most {} pixels across and compressed (WebP). The rows contain the hash of "
+      "each full picture.",
+      parts.pictures.size(),
+      std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
+        return a.width < b.width;
+      })->width));
+  body.add("<div id=\"wipe\" class=\"scripted\"></div>\n<div class=\"grid\">\n");
+  for (const PagePicture& picture : parts.pictures) {
+    const Cell& cell = reports[std::size_t(picture.report)].cells[std::size_t(picture.cell)];
+    const std::string title = fmt::format("{}: {}{}", cell.experiment, name_of(cell),
+                                          cell.variant.empty() ? "" : ", " + cell.variant);
+    body.add(fmt::format(
+        "<figure data-part=\"{}\" data-picture=\"{}\"><img src=\"data:image/webp;base64,{}\" alt=\"{}\" "
+        "width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}</figcaption></figure>\n",
+        picture.report, picture.cell, base64(picture.webp), html_text(title), picture.width, picture.height,
+        html_text(title)));
+  }
+  body.add("</div>\n");
+}
+
+std::string row_html(const Row& row, std::size_t index) {
+  const std::vector<double> times = frame_ms(row);
+  const std::string host = row.provenance.value("host", std::string());
+  const std::string time =
+      times.empty()
+          ? fmt::format("<td class=\"bad\" data-sort=\"\">{}</td>", to_text(row.status))
+          : fmt::format("<td data-sort=\"{:.8g}\">{}</td>", median(times), three_digits(median(times)));
+  const auto utc = row.provenance.find("utc");
+  return fmt::format(
+      "<tr data-row=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}<td>{}</td><td>{}</td></tr>\n",
+      index, html_text(row.experiment), html_text(row.case_name), html_text(row.variant), to_text(row.status),
+      time, times.size(),
+      utc != row.provenance.end() && utc->is_string() ? html_text(utc->get<std::string>()) : "");
+}
+
+void add_rows(Body& body, const std::vector<Report>& reports) {
+  body.heading("All rows", 1);
+  body.remark("A click on a row shows its provenance, its checks and its raw samples.");
+  body.add(
+      "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" "
+      "placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" "
+      "role=\"status\"></span></p>\n"
+      "<div class=\"wide tall\"><table id=\"rows\">\n<thead><tr><th>experiment</th><th>case</th>"
+      "<th>variant</th><th>status</th><th>frame, ms</th><th>samples</th><th>time (UTC)</th></tr></thead>\n"
+      "<tbody>\n");
+  std::size_t index = 0;
+  for (const Report& report : reports)
+    for (const FoundRow& found : report.rows) body.add(row_html(found.row, index++));
+  body.add("</tbody></table></div>\n<p class=\"buttons\">");
+  body.save_button("rows.jsonl", "All rows as JSON lines");
+  body.add("</p>\n");
+}
+
+void add_failures(Body& body, const std::vector<Report>& reports) {
+  std::string items;
+  for (const Report& report : reports)
+    for (const Cell& c : report.cells)
+      if (c.status != Status::ok)
+        items += fmt::format("<li>{} {}: {}: {}</li>\n", html_text(c.experiment), html_text(c.case_name),
+                             to_text(c.status), html_text(c.reason));
+  if (items.empty()) return;
+  body.heading("Cases without a time", 1);
+  body.add("<ul>\n" + items + "</ul>\n");
+}
+
+void add_provenance(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
+  body.heading("Provenance", 1);
+  for (std::size_t r = 0; r < reports.size(); ++r) {
+    const std::string set = reports.size() > 1 ? fmt::format(", set {}", r + 1) : "";
+    body.folded("Runs, machines and programs" + set, provenance_of(reports[r].rows));
+    body.folded("References (BibTeX)" + set, bibliography_of(reports[r].rows));
+  }
+  body.heading("Libraries in this page", 1);
+  if (!parts.charts) {
+    body.remark("None. The scripts of this page are part of pelage.");
+    return;
+  }
+  body.remark(fmt::format("{} {} draws the plots. All other scripts of this page are part of pelage.",
+                          parts.charts->name, parts.charts->version));
+  body.folded(fmt::format("{} {}: copyright and licence", parts.charts->name, parts.charts->version),
+              parts.charts->banner + "\n\n" + parts.charts->licence);
+}
+
+std::string summary_of(const std::vector<Report>& reports) {
+  std::size_t cells = 0, ok = 0;
+  std::array<std::size_t, 4> verdicts{};
+  for (const Report& report : reports) {
+    cells += report.cells.size();
+    for (const Cell& c : report.cells) ok += c.status == Status::ok;
+    for (const claims::Judged& one : report.claims) ++verdicts[std::size_t(one.verdict)];
+  }
+  std::string text = fmt::format(
+      "{} cases, {} of them ok: their timed frame agreed with the double-precision reference. No other case "
+      "has a time.",
+      cells, ok);
+  std::string claims;
+  for (std::size_t v = 0; v < verdicts.size(); ++v)
+    if (verdicts[v] > 0)
+      claims += fmt::format("{}{} {}", claims.empty() ? "" : ", ", to_text(claims::Verdict(v)), verdicts[v]);
+  return claims.empty() ? text : text + " Claims of the papers: " + claims + ".";
+}
+
+}  // namespace
+
+std::string body_of(const std::vector<Report>& reports, const PageParts& parts) {
+  Body body;
+  for (std::size_t r = 0; r < reports.size(); ++r) {
+    body.add(fmt::format("<section data-part=\"{}\">\n", r));
+    body.heading(reports.size() == 1 ? "Results" : fmt::format("Results, set {}", r + 1), 1);
+    add_report(body, reports[r], parts.charts.has_value());
+    body.add("</section>\n");
+  }
+  add_gallery(body, reports, parts);
+  add_failures(body, reports);
+  add_rows(body, reports);
+  add_provenance(body, reports, parts);
+  std::string notes;
+  for (const std::string& note : parts.notes)
+    notes += fmt::format("<p class=\"soft\">{}</p>\n", html_text(note));
+  return fmt::format(
+      "<header>\n<h1>pelage: results</h1>\n<p class=\"lead\">{}</p>\n{}</header>\n"
+      "<nav id=\"contents\" aria-label=\"Contents\"><details "
+      "open><summary>Contents</summary>\n{}</details></nav>\n"
+      "<main>\n{}</main>\n",
+      html_text(summary_of(reports)), notes, contents_of(body.entries()), body.html());
+}
+
+}  // namespace pelage

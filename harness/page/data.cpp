@@ -1,0 +1,106 @@
+// The data of the page's scripts.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "harness/claims/print.hpp"
+#include "harness/page/page.hpp"
+#include "harness/page/study_charts.hpp"
+#include "harness/report/case_table.hpp"
+#include "harness/report/scaling.hpp"
+#include "harness/table/render.hpp"
+
+namespace pelage {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The name of the cell for readers; it differs from the names of the other cells of the experiment.
+std::string label_of(const Cell& cell) {
+  std::string text = name_of(cell);
+  if (!cell.variant.empty()) text += ", " + cell.variant;
+  if (!cell.overrides.empty()) text += "; changed: " + changes_of(cell);
+  return text;
+}
+
+/// `first` is the index of the report's first row in the page's list of rows.
+Json cells_json(const Report& report, std::size_t first) {
+  Json cells = Json::array();
+  for (const Cell& cell : report.cells) {
+    Json rows = Json::array();
+    for (const std::size_t row : cell.rows) rows.push_back(first + row);
+    cells.push_back({{"experiment", cell.experiment},
+                     {"label", label_of(cell)},
+                     {"device", cell.device},
+                     {"status", to_text(cell.status)},
+                     {"rows", std::move(rows)}});
+  }
+  return cells;
+}
+
+/// The files that readers can save from the page: name -> text.
+Json files_json(const Report& report) {
+  Json files = Json::object();
+  for (const Section& section : report.sections) {
+    files[section.table.stem + ".csv"] = csv_of(section.table);
+    files[section.table.stem + ".tex"] = latex_of(section.table);
+  }
+  if (!report.solvers.empty()) files["topology-solvers-ratios.csv"] = csv_of(report.solvers);
+  if (!report.claims.empty()) {
+    std::string csv;
+    for (const std::vector<std::string>& line : claims::table_of(report.claims)) csv += csv_line(line);
+    files["claims.csv"] = std::move(csv);
+  }
+  files["references.bib"] = bibliography_of(report.rows);
+  files["provenance.txt"] = provenance_of(report.rows);
+  return files;
+}
+
+}  // namespace
+
+std::vector<PlacedChart> charts_of(const Report& report) {
+  std::vector<PlacedChart> charts;
+  for (std::size_t s = 0; s < report.sections.size(); ++s)
+    for (const PlotSpec& plot : report.sections[s].plots)
+      if (Chart chart = chart_of(report.sections[s].table, plot); !chart.panels.empty())
+        charts.push_back({int(s), std::move(chart)});
+  for (Chart& chart : spring_charts(report.cells)) charts.push_back({-1, std::move(chart)});
+  if (Chart chart = scaling_chart(scaling_cells(report.cells)); !chart.panels.empty())
+    charts.push_back({-1, std::move(chart)});
+  return charts;
+}
+
+std::string data_of(const std::vector<Report>& reports) {
+  Json parts = Json::array();
+  std::size_t rows = 0;
+  for (const Report& report : reports) {
+    Json charts = Json::array();
+    for (const PlacedChart& placed : charts_of(report)) charts.push_back(json_of(placed.chart));
+    parts.push_back(
+        {{"cells", cells_json(report, rows)}, {"charts", std::move(charts)}, {"files", files_json(report)}});
+    rows += report.rows.size();
+  }
+  std::string text =
+      R"({"parts":)" + parts.dump(-1, ' ', false, Json::error_handler_t::replace) + ",\n\"rows\":[";
+  const char* comma = "\n";
+  for (const Report& report : reports)
+    for (const FoundRow& found : report.rows) {
+      text += comma;
+      text += to_line(found.row);
+      comma = ",\n";
+    }
+  text += "]}";
+  // Inside an element "script", the text "</script" ends the element and "<!--" changes how it is read. Both
+  // begin with "<", which JSON permits only inside strings.
+  std::string escaped;
+  escaped.reserve(text.size() + text.size() / 50);
+  for (const char c : text) {
+    if (c == '<')
+      escaped += "\\u003c";
+    else
+      escaped += c;
+  }
+  return escaped;
+}
+
+}  // namespace pelage

@@ -1,0 +1,239 @@
+#include "harness/page/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "harness/page/sha256.hpp"
+#include "harness/picture/image_io.hpp"
+#include "tests/report/rows.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+  fs::path path;
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
+    path = mkdtemp(name.data());
+  }
+  ~Folder() { fs::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t n = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++n;
+  return n;
+}
+
+std::string no_note(const std::string&) {
+  return {};
+}
+
+/// A picture with a pattern that does not compress to nothing.
+void write_pattern(const fs::path& file, int width, int height) {
+  Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      picture.at(x, y) = {float((x * 7919 + y * 104729) % 251) / 251, float(x % 17) / 17, 0.5f, 1};
+  write_picture(file, picture);
+}
+
+std::string hex(const std::array<std::uint8_t, 32>& digest) {
+  std::string text;
+  for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+/// The examples of FIPS 180-4, and the lengths at which the padding needs another block.
+TEST(Hash, Sha256AndBase64) {
+  EXPECT_EQ(hex(sha256("")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(hex(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(hex(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq")),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(hex(sha256(std::string(1000000, 'a'))),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+/// Texts of the results cannot add elements: neither in the HTML nor in the data of the scripts.
+TEST(Page, HostileNamesAreText) {
+  const Folder folder;
+  const std::string hostile = "</script><img src=x onerror=alert(1)>\"'<!--";
+  std::vector<FoundRow> rows = test::table1_rows();
+  rows.resize(2);
+  rows[0].row.case_name = rows[0].row.axes["model"] = hostile;
+  rows[1].row.status = Status::error;
+  rows[1].row.reason = rows[1].row.provenance["cpu"] = hostile;
+  for (FoundRow& found : rows) found.row.experiment = hostile, found.row.provenance["title"] = hostile;
+  PageParts parts;
+  parts.notes = {hostile};
+  const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
+  EXPECT_EQ(page.find("<img src=x"), std::string::npos);
+  EXPECT_EQ(count(page, "<script>"), count(page, "</script>") - 1)
+      << "one more closes the element with the data";
+  EXPECT_GT(count(page, "&lt;img src=x onerror"), 3u);
+
+  const std::string open = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t start = page.find(open) + open.size();
+  const std::string data = page.substr(start, page.find("</script>", start) - start);
+  EXPECT_EQ(data.find('<'), std::string::npos);
+  const auto json = nlohmann::json::parse(data);
+  EXPECT_EQ(json["rows"][0]["case"], hostile) << "the data are complete";
+}
+
+/// The policy forbids the network, and permits each script by the hash of its text.
+TEST(Page, ThePolicyNamesEveryScript) {
+  const Folder folder;
+  PageParts parts;
+  parts.charts = Library{"Chart.js", "9.9", "Chart.js v9.9", "the licence", "var Chart;//</script><!--"};
+  const std::string page = page_of(write_reports(test::table1_rows(), folder.path, no_note), parts);
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  EXPECT_EQ(page.find("script-src 'unsafe-inline'"), std::string::npos);
+  std::size_t scripts = 0;
+  for (std::size_t at = 0; (at = page.find("<script>", at)) != std::string::npos; ++scripts) {
+    at += 8;
+    const auto digest = sha256(page.substr(at, page.find("</script>", at) - at));
+    EXPECT_NE(page.find("'sha256-" + base64(std::string(digest.begin(), digest.end())) + "'"),
+              std::string::npos);
+  }
+  EXPECT_EQ(scripts, 6u);
+  EXPECT_NE(page.find("Chart.js 9.9"), std::string::npos);
+  EXPECT_NE(page.find("the licence"), std::string::npos);
+  EXPECT_EQ(page.find(" src=\"http"), std::string::npos);
+  EXPECT_EQ(page.find(" href=\"http"), std::string::npos);
+}
+
+/// Each line of a table names the cells that it shows, and each cell names its rows.
+TEST(Page, CellsLeadToRows) {
+  const Folder folder;
+  std::vector<FoundRow> rows = test::table1_rows();
+  std::vector<FoundRow> repeated = rows;
+  for (FoundRow& found : repeated) found.row.repeat = 1;
+  rows.insert(rows.end(), repeated.begin(), repeated.end());
+  const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
+  const auto data = nlohmann::json::parse(data_of(reports));
+  ASSERT_EQ(data["parts"].size(), 1u);
+  ASSERT_EQ(data["parts"][0]["cells"].size(), 32u);
+  ASSERT_EQ(data["rows"].size(), 64u);
+  for (const auto& cell : data["parts"][0]["cells"]) {
+    ASSERT_EQ(cell["rows"].size(), 2u);
+    EXPECT_EQ(data["rows"][cell["rows"][0].get<std::size_t>()]["case"],
+              data["rows"][cell["rows"][1].get<std::size_t>()]["case"]);
+  }
+  const std::string body = body_of(reports, {});
+  for (int cell = 0; cell < 32; ++cell)
+    EXPECT_NE(body.find(fmt::format("data-cell=\"{}\"", cell)), std::string::npos) << cell;
+  EXPECT_EQ(count(body, "<tr data-row="), 64u);
+  EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
+}
+
+/// Rows with the same names and different inputs are two sets of one page.
+TEST(Page, OnePageHasAllSets) {
+  const Folder folder;
+  std::vector<FoundRow> rows = test::table1_rows(), others = test::table1_rows(2);
+  for (FoundRow& found : others) {
+    found.journal = "other.jsonl";
+    found.row.run_id = "other";
+    found.row.identity = {{"mesh", "0123456789abcdef"}};
+  }
+  rows.insert(rows.end(), others.begin(), others.end());
+  const std::vector<Report> reports = write_reports(rows, folder.path, no_note);
+  ASSERT_EQ(reports.size(), 2u);
+  write_page(reports, folder.path / "index.html");
+  const std::string page = text_of(folder.path / "index.html");
+  EXPECT_NE(page.find("Results, set 2"), std::string::npos);
+  EXPECT_EQ(count(page, "<tr data-row="), 64u);
+  EXPECT_FALSE(fs::exists(folder.path / "inputs-2/index.html"));
+  EXPECT_TRUE(fs::exists(folder.path / "inputs-2/tables/all-phases.csv"));
+}
+
+/// Without Chart.js the page has static pictures of the plots, and says what to install.
+TEST(Page, WithoutChartJs) {
+  const Folder folder;
+  EXPECT_FALSE(chart_library(folder.path));
+  ::setenv("PELAGE_JAVASCRIPT", folder.path.c_str(), 1);
+  const std::vector<Report> reports = write_reports(test::table1_rows(), folder.path, no_note);
+  const std::vector<std::string> notes = write_page(reports, folder.path / "index.html");
+  ::unsetenv("PELAGE_JAVASCRIPT");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0], no_chart_library);
+  const std::string page = text_of(folder.path / "index.html");
+  EXPECT_NE(page.find("Debian: libjs-chart.js"), std::string::npos);
+  EXPECT_EQ(count(page, "<script>"), 5u);
+  if (fs::exists(folder.path / "plots/silva2010-table1-frame-time.svg")) {
+    EXPECT_NE(page.find("data:image/svg+xml;base64,"), std::string::npos);
+  }
+}
+
+TEST(Page, TheLibrarysVersionComesFromItsBanner) {
+  const Folder folder;
+  std::ofstream(folder.path / "chart.min.js")
+      << "/*!\n * Chart.js v3.9.1\n * Released under the MIT License\n */\n1;";
+  const auto library = chart_library(folder.path);
+  ASSERT_TRUE(library);
+  EXPECT_EQ(library->version, "3.9.1");
+  EXPECT_EQ(library->banner, "Chart.js v3.9.1\nReleased under the MIT License");
+}
+
+/// All pictures of cells that are ok are in the page, and together they are within the limit.
+TEST(Page, PicturesAreReducedToTheLimit) {
+  const Folder folder;
+  std::vector<FoundRow> rows = test::table1_rows();
+  const fs::path journal = folder.path / "results" / "silva2010-table1" / "test_device@h.jsonl";
+  fs::create_directories(journal.parent_path() / "images");
+  for (FoundRow& found : rows) found.journal = journal;
+  for (const char* name : {"torus-64-800x600", "cow-64-800x600", "lion-16-800x600"})
+    write_pattern(journal.parent_path() / "images" / (std::string(name) + ".png"), 640, 400);
+  std::ofstream(journal.parent_path() / "images" / "pear-64-800x600.png") << "not a picture";
+  const std::vector<Report> reports = write_reports(rows, folder.path / "report", no_note);
+
+  std::vector<std::string> notes;
+  const auto pictures = page_pictures(reports, {.bytes = 1'000'000, .most_width = 500}, notes);
+  ASSERT_EQ(pictures.size(), 3u);
+  EXPECT_EQ(pictures[0].width, 500);
+  EXPECT_EQ(pictures[0].full_width, 640);
+  EXPECT_EQ(pictures[0].webp.substr(0, 4), "RIFF");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("pear-64-800x600.png"), std::string::npos);
+
+  notes.clear();
+  const auto small = page_pictures(reports, {.bytes = 30'000, .most_width = 500, .least_width = 40}, notes);
+  ASSERT_EQ(small.size(), 3u);
+  EXPECT_LT(small[0].width, 500);
+  std::size_t bytes = 0;
+  for (const PagePicture& picture : small) bytes += picture.webp.size();
+  EXPECT_LE(bytes, 30'000u);
+
+  notes.clear();
+  EXPECT_LT(page_pictures(reports, {.bytes = 500, .most_width = 500, .least_width = 200}, notes).size(), 3u);
+  EXPECT_NE(notes.back().find("of 3 pictures"), std::string::npos);
+
+  PageParts parts;
+  parts.pictures = pictures;
+  const std::string body = body_of(reports, parts);
+  EXPECT_EQ(count(body, "src=\"data:image/webp;base64,"), 3u);
+}
+
+TEST(Page, APlaceThatCannotBeWritten) {
+  const Folder folder;
+  EXPECT_THROW(write_page({}, folder.path / "none" / "index.html"), InputError);
+}
+
+}  // namespace
+}  // namespace pelage
