@@ -48,7 +48,11 @@ std::string decoded(const std::string& uri) {
 std::vector<fs::path> gltf_files(const fs::path& file) {
   const std::string ending = ending_of(file);
   if (ending != "gltf" && ending != "glb") return {};
-  const auto json = nlohmann::json::parse(json_text(read_bytes(file, largest_mesh_file)), nullptr, false);
+  return gltf_files(read_bytes(file, largest_mesh_file), file);
+}
+
+std::vector<fs::path> gltf_files(std::string bytes, const fs::path& file) {
+  const auto json = nlohmann::json::parse(json_text(std::move(bytes)), nullptr, false);
   std::vector<fs::path> files;
   if (!json.is_object()) return files;
   for (const char* list : {"buffers", "images"}) {

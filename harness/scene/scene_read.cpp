@@ -287,6 +287,7 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   }
   const std::string wanted = key != keys.end() ? describe_range(*key) : "an array of tables";
   try {
+    refuse_deep_keys(value, fmt::format("{}: {}", source_name, name));
     const toml::table table = toml::parse("value = " + value);
     if (table.size() != 1) throw InputError(fmt::format("{}: {}: give one value", source_name, name));
     read_key(scene, keys, source, *table.get("value"), name);

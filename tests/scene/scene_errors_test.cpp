@@ -159,6 +159,21 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
   std::string dotted = "a";
   for (int i = 0; i < 20000; ++i) dotted += ".a";
   EXPECT_THROW(parse_scene(dotted + " = 1", "dotted"), InputError);
+  Scene scene;
+  const std::string table = "{" + dotted + " = 1}";
+  for (const std::string& text :
+       {"fur = " + table, "fur = [1,\n" + table + "]", "fur = ['''a'''', " + table + "]",
+        "fur = [\"'\", " + table + "]", "fur = [\"\"\"\n.\"\"\", " + table + "]"}) {
+    EXPECT_THROW(parse_scene(text, "inline"), InputError) << text.substr(0, 20);
+    EXPECT_THROW(apply_set(scene, text), InputError) << text.substr(0, 20);
+  }
+  std::string nested = "1";
+  for (int i = 0; i < 200; ++i) nested = "{" + dotted.substr(0, 39) + " = " + nested + "}";
+  EXPECT_THROW(parse_scene("fur = " + nested, "nested"), InputError);
+  // Dots in comments and strings belong to no key.
+  const std::string sentence(2000, '.');
+  EXPECT_NO_THROW(parse_scene("model = 'cow' # " + sentence, "comment"));
+  EXPECT_NO_THROW(parse_scene("model = 'a" + sentence + "'", "string"));
   EXPECT_THROW(parse_scene(std::string("model = 'a'\0", 12), "nul"), InputError);
   EXPECT_THROW(read_scene("/nonexistent/scene.toml"), InputError);
   EXPECT_THROW(read_scene("/dev/zero"), InputError);
