@@ -109,9 +109,10 @@ void check_provenance(const Json& provenance) {
   need("other_cpu_share", "a number", [](const Json& value) { return value.is_number(); });
 }
 
+constexpr int deepest = 32;  // nesting of the values in a row
+
 /// Parses a row. Refuses deeply nested values, because copying and printing them would overflow the stack.
 Json parsed(const std::string& text) {
-  constexpr int deepest = 32;
   return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest)
       throw InputError(fmt::format("the row contains values that are nested more than {} deep", deepest));

@@ -9,9 +9,9 @@ void experiment(std::string_view bytes) {
   const MemoryFile file(bytes);
   may_refuse([&] {
     const Experiment read = read_experiment(file.path());
-    for (const auto& [name, preset] : read.presets)
+    for (const auto& named : read.presets)
       may_refuse([&] {
-        const std::vector<Case> cases = cases_of(read, preset);
+        const std::vector<Case> cases = cases_of(read, named.second);
         for (std::size_t i = 0; i < cases.size() && i < 4; ++i) may_refuse([&] { scene_of(read, cases[i]); });
       });
   });
