@@ -1,4 +1,5 @@
-// Checks PLY files. CGAL's reader trusts the header, and takes memory for lists of any announced length.
+// Checks PLY files and reduces them to points and faces. CGAL's reader trusts the header: it takes memory for
+// lists of any announced length, and crashes on properties of unexpected types.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -26,8 +27,10 @@ constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
                                      {"double", "float64", 8, false, true}}};
 
 struct Property {
+  std::string_view name;
   Type type;
   std::optional<Type> count = {};  ///< type of the number of values, for lists
+  bool kept = false;               ///< whether the property is a coordinate or the list of a face's corners
 };
 
 struct Element {
@@ -39,8 +42,7 @@ struct Element {
 struct Header {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<Element> elements;
-  std::size_t size = 0;   ///< in bytes
-  std::size_t lines = 0;  ///< number of lines
+  std::size_t size = 0;  ///< in bytes
 };
 
 class HeaderReader {
@@ -56,7 +58,7 @@ class HeaderReader {
       const std::string_view word = words.next();
       if (word == "end_header") {
         header_.size = std::size_t(line_.data() - bytes_.data()) + line_.size() + 1;
-        header_.lines = lines_.number();
+        choose();
         return std::move(header_);
       }
       if (word.empty()) fail("the header has an empty line");
@@ -95,7 +97,7 @@ class HeaderReader {
   void read_property(Words& words) {
     if (header_.elements.empty()) fail("a property stands before the first element");
     const std::string_view type = words.next();
-    Property property{};
+    Property property;
     if (type == "list") {
       property.count = type_of(words.next());
       if (!property.count->whole) fail("the length of a list must be a whole number");
@@ -103,8 +105,44 @@ class HeaderReader {
     } else {
       property.type = type_of(type);
     }
-    if (words.next().empty()) fail("the property has no name");
+    property.name = words.next();
+    if (property.name.empty()) fail("the property has no name");
     header_.elements.back().properties.push_back(property);
+  }
+
+  // Chooses the properties that are kept: the first x, y and z of the vertices, and the corners of the faces.
+  void choose() {
+    Element &vertex = one("vertex"), &face = one("face");
+    for (const char* name : {"x", "y", "z"}) {
+      Property* const found = find(vertex, name);
+      if (found == nullptr || found->count || found->type.whole)
+        detail::fail(name_, 0, fmt::format("the vertices have no property {} of type float or double", name));
+      found->kept = true;
+    }
+    for (const char* name : {"vertex_indices", "vertex_index"}) {
+      Property* const found = find(face, name);
+      if (found == nullptr || !found->count || !found->type.whole || found->type.bytes != 4) continue;
+      found->kept = true;
+      return;
+    }
+    detail::fail(name_, 0, "the faces have no list vertex_indices of type int or uint");
+  }
+
+  Element& one(std::string_view name) {
+    Element* found = nullptr;
+    for (Element& element : header_.elements) {
+      if (element.name != name) continue;
+      if (found != nullptr) detail::fail(name_, 0, fmt::format("two elements have the name {}", name));
+      found = &element;
+    }
+    if (found == nullptr || found->count == 0) detail::fail(name_, 0, "the file contains no faces");
+    return *found;
+  }
+
+  static Property* find(Element& element, std::string_view name) {
+    for (Property& property : element.properties)
+      if (property.name == name) return &property;
+    return nullptr;
   }
 
   Type type_of(std::string_view name) const {
@@ -120,24 +158,41 @@ class HeaderReader {
   Header header_;
 };
 
-/// Walks through the body of the file. Each function skips one value or list.
+/// Returns the header of a file that has only the kept properties.
+std::string kept_header(const Header& header) {
+  constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+  std::string text = fmt::format("ply\nformat {} 1.0\n", formats[int(header.format)]);
+  for (const Element& element : header.elements) {
+    if (element.name != "vertex" && element.name != "face") continue;
+    text += fmt::format("element {} {}\n", element.name, element.count);
+    for (const Property& property : element.properties) {
+      if (!property.kept) continue;
+      const std::string list = property.count ? fmt::format("list {} ", property.count->name) : "";
+      text += fmt::format("property {}{} {}\n", list, property.type.name, property.name);
+    }
+  }
+  return text + "end_header\n";
+}
+
+/// Walks through the body of the file and appends the kept values to a text.
 class Body {
  public:
   Body(std::string_view bytes, const Header& header, const std::string& name)
       : rest_(bytes.substr(std::min(header.size, bytes.size()))), header_(header), name_(name) {}
 
-  void check() {
+  void copy(std::string& kept) {
     for (const Element& element : header_.elements)
       for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
         for (const Property& property : element.properties) {
           element_ = element.name.substr(0, 20);
           number_ = i + 1;
-          skip(property);
+          copy(property, kept);
         }
   }
 
  private:
-  void skip(const Property& property) {
+  void copy(const Property& property, std::string& kept) {
+    const std::string_view before = rest_;
     const std::int64_t count = property.count ? whole(*property.count) : 1;
     // Each value takes at least one byte.
     if (count < 0 || std::uint64_t(count) > rest_.size())
@@ -148,6 +203,9 @@ class Body {
     else
       for (std::int64_t k = 0; k < count; ++k)
         property.type.whole ? void(whole(property.type)) : need_number();
+    if (!property.kept) return;
+    kept += before.substr(0, before.size() - rest_.size());
+    if (header_.format == Header::Format::text) kept += ' ';
   }
 
   std::int64_t whole(const Type& type) {
@@ -204,16 +262,11 @@ class Body {
 
 }  // namespace
 
-void check_ply(std::string_view bytes, const std::string& name) {
+std::string check_ply(std::string_view bytes, const std::string& name) {
   const Header header = HeaderReader(bytes, name).read();
-  const auto count = [&](std::string_view wanted) {
-    std::int64_t found = 0;
-    for (const Element& element : header.elements)
-      if (element.name == wanted) found = element.count;
-    return found;
-  };
-  if (count("vertex") == 0 || count("face") == 0) fail(name, 0, "the file contains no faces");
-  Body(bytes, header, name).check();
+  std::string kept = kept_header(header);
+  Body(bytes, header, name).copy(kept);
+  return kept;
 }
 
 }  // namespace pelage::detail

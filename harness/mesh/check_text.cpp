@@ -162,7 +162,7 @@ void check_stl(std::string_view bytes, const std::string& name) {
 void check_text(std::string& bytes, std::string_view format, const std::string& name) {
   if (format == "obj") bytes = check_obj(bytes, name);
   if (format == "off") bytes = check_off(bytes, name);
-  if (format == "ply") check_ply(bytes, name);
+  if (format == "ply") bytes = check_ply(bytes, name);
   if (format == "stl") check_stl(bytes, name);
 }
 

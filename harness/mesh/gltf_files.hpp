@@ -1,7 +1,7 @@
 // Finds the files to which a glTF file refers.
 #pragma once
 #include <filesystem>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pelage::detail {
@@ -14,6 +14,6 @@ namespace pelage::detail {
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
 
 /// The same for the bytes of a glTF file. URIs are relative to the folder of `file`.
-std::vector<std::filesystem::path> gltf_files(std::string bytes, const std::filesystem::path& file);
+std::vector<std::filesystem::path> gltf_files(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace pelage::detail

@@ -11,7 +11,7 @@
 
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_depth.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -108,7 +108,7 @@ std::vector<Model> read_models(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    refuse_deep_keys(text, file.string());
+    check_toml_text(text, file.string());
     table = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));

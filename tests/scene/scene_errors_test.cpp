@@ -96,6 +96,9 @@ const Bad files[] = {
     {"fur.length = 0.1\nfur.length = 0.2", "s.toml:2: not TOML"},
     {"[fur\nlength = 1", "s.toml:1: not TOML"},
     {"model = \"\xff\xfe\"", "s.toml:1: not TOML"},
+    {"\n\xc4\x96.", "s.toml:2: not TOML: a character outside quotes is not ASCII"},
+    {"fur.l\xc3\xa4nge = 1", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
+    {"model = 'cow' \xe2\x80\xa8", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
 };
 
 TEST(SceneErrors, EveryBadFileGetsOneLineThatSaysWhatIsRight) {
@@ -159,6 +162,7 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
   std::string dotted = "a";
   for (int i = 0; i < 20000; ++i) dotted += ".a";
   EXPECT_THROW(parse_scene(dotted + " = 1", "dotted"), InputError);
+  EXPECT_NO_THROW(parse_scene("\xef\xbb\xbfmodel = '\xc3\xa4' # \xc3\xa4\n", "quoted"));
   // Dots in comments and strings belong to no key.
   const std::string sentence(2000, '.');
   EXPECT_NO_THROW(parse_scene("model = 'cow' # " + sentence, "comment"));

@@ -1,5 +1,6 @@
-// Limits the depth of tables in TOML files. toml++ limits the nesting of values but not the number of parts
-// of a dotted key, and a key with thousands of parts overflows the stack.
+// Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
+// a dotted key, and a key with several hundred thousand parts overflows the stack. The behaviour of toml++ is
+// undefined for some characters outside quotes that are not ASCII.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -39,8 +40,9 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
 
 /// Throws InputError if the TOML text has a dotted key, or a table name, with more than most_key_parts parts.
 /// Also throws it if a dotted key in inline tables is more than most_table_depth parts deep, together with
-/// the keys of these tables. The message calls the text `name`.
-inline void refuse_deep_keys(std::string_view text, const std::string& name) {
+/// the keys of these tables, or if a character outside quotes and comments is not ASCII. The message calls
+/// the text `name`.
+inline void check_toml_text(std::string_view text, const std::string& name) {
   int line = 1, parts = 1, around = 0;
   std::vector<int> outer;  // number of parts of each key around the present one; their sum is `around`
   const auto end_key = [&] {
@@ -52,7 +54,8 @@ inline void refuse_deep_keys(std::string_view text, const std::string& name) {
     if (parts > 1 && around + parts > most_table_depth)
       refuse("and the keys around it have ", around + parts, most_table_depth);
   };
-  for (std::size_t i = 0; i < text.size();) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
       const std::size_t end = detail::behind_string(text, i);
@@ -63,6 +66,11 @@ inline void refuse_deep_keys(std::string_view text, const std::string& name) {
       i = std::min(text.find('\n', i), text.size());
       continue;
     }
+    if (static_cast<unsigned char>(c) > 127)
+      throw InputError(
+          name + ":" + std::to_string(line) +
+          ": not TOML: a character outside quotes is not ASCII; write names with such characters "
+          "in quotes");
     if (c == '.') ++parts;
     if (c == '{' || c == '[') {
       end_key();
