@@ -29,7 +29,7 @@ run_one() {
   log=$build/logs/$target.log
   mkdir -p "$build/new/$target"
   # On errors, libpng jumps out of OpenImageIO's functions, whose strings are then never freed.
-  [[ $target != picture ]] || options+=(-detect_leaks=0)
+  [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
   "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=8192 \
     -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
