@@ -31,7 +31,7 @@ run_one() {
   # On errors, libpng jumps out of OpenImageIO's functions, whose strings are then never freed.
   [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
-  "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=8192 \
+  "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=8192 \
     -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
     "$build/new/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 </dev/null && findings=0 || findings=1
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
