@@ -38,7 +38,8 @@ TEST(Hostile, APictureIsWrittenThroughALink) {
 TEST(Hostile, FiltersOfEveryShapeEndWithOneShortLine) {
   const Folder folder;
   folder.write("own.toml", experiment("[\"torus-24x12\"]"));
-  const Outcome deep = pelage(folder, "check --filter " + std::string("'") + std::string(20'000, '(') + "'");
+  const std::string check = "check --filter '";
+  const Outcome deep = pelage(folder, check + std::string(20'000, '(') + "'");
   expect_one_line(deep, 2, "this is not a valid regular expression");
   EXPECT_LT(deep.err.size(), 400u) << "the message must not repeat the expression";
   expect_one_line(pelage(folder, "run own.toml --dry-run --filter '(.*)*x(.*)*y(.*)*z$'"), 2,
@@ -121,8 +122,9 @@ TEST(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
 TEST(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
   const Folder folder;
   folder.write("own.toml", experiment("[\"torus-24x12\"]"));
+  const std::string interrupted = "timeout -s INT ";
   for (const char* seconds : {"0.02", "0.05", "0.1", "0.2"}) {
-    const Outcome outcome = pelage(folder, "run own.toml -o none", "timeout -s INT " + std::string(seconds));
+    const Outcome outcome = pelage(folder, "run own.toml -o none", interrupted + seconds);
     if (fs::exists(folder.path() / "none")) break;
     EXPECT_EQ(outcome.err.find("--resume"), std::string::npos) << seconds << " s: " << outcome.err;
   }

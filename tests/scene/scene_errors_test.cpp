@@ -195,7 +195,8 @@ TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
               std::string::npos);
   }
   std::string nested = "1";
-  for (int i = 0; i < 200; ++i) nested = "{" + dotted.substr(0, 39) + " = " + nested + "}";
+  const std::string before = "{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
+  for (int i = 0; i < 200; ++i) nested = before + nested + "}";
   EXPECT_NE(refusal([&] {
               parse_scene("fur = " + nested, "s");
             }).find("the key and the keys around it have 81 parts separated by dots; the limit is 64"),
