@@ -97,7 +97,7 @@ const std::vector<Bad> cases{
     {"ply_truncated", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
      "face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
-     ": the file is truncated"},
+     ": vertex 3: the file is truncated"},
     {"stl_short", "a.stl", "short",
      ": the file is not STL text, and it is shorter than the 84 bytes of a binary STL header"},
     {"stl_truncated", "a.stl", binary_stl(1000, 500), ": 1000 triangles need 50084 bytes, the file has 584"},
