@@ -29,7 +29,7 @@ TEST_P(Replay, TheCorpusHasNoFinding) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, Replay, ::testing::ValuesIn(targets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& with) { return std::string(with.param.name); });
 
 TEST(Corpus, HasAFolderForEachTargetAndNoOther) {
   std::set<std::string> folders, names;
