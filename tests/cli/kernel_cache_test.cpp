@@ -53,6 +53,14 @@ TEST(KernelCache, AnEmptyFileOfAProgramLeadsToTheSameAdvice) {
   EXPECT_EQ(outcome.err.find("please report"), std::string::npos) << outcome.err;
 }
 
+// PoCL aborts if POCL_CACHE_DIR is set but empty.
+TEST(KernelCache, AnEmptyVariableIsNoFolder) {
+  const Folder folder;
+  const std::string cache = "XDG_CACHE_HOME='" + folder.path().string() + "'";
+  const Outcome outcome = pelage(folder, "devices", "POCL_CACHE_DIR= " + cache);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST(KernelCache, AFullDiskIsNamedAndReplacedByATemporaryFolder) {
   const Folder folder;
   fs::create_directory(folder.path() / "full");
