@@ -103,6 +103,7 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   const IncludePath include(folder);
   const std::string source = read_source(folder / file);
   file_ = file.generic_string();
+  by_pocl_ = device.info().platform.find("Portable Computing Language") != std::string::npos;
   sources_ = sources_of(file);
   const char* text = source.data();
   const std::size_t length = source.size();
@@ -128,7 +129,7 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
     clReleaseProgram(std::exchange(program_, nullptr));
     throw DeviceError(fmt::format(
         "clBuildProgram: {}: {} does not build on {} with options '{}'; the log:\n{}", error_name(code),
-        (folder / file).string(), device.info().name, all, log_.empty() ? "(empty)" : log_));
+        (folder / file).string(), device.info().name, all, log_.empty() ? "(empty)" + cache_advice() : log_));
   }
 }
 
@@ -141,7 +142,8 @@ Program::Program(Program&& other) noexcept
       log_(std::move(other.log_)),
       file_(std::move(other.file_)),
       sources_(std::move(other.sources_)),
-      build_ms_(other.build_ms_) {}
+      build_ms_(other.build_ms_),
+      by_pocl_(other.by_pocl_) {}
 
 Program& Program::operator=(Program&& other) noexcept {
   std::swap(program_, other.program_);
@@ -149,7 +151,18 @@ Program& Program::operator=(Program&& other) noexcept {
   std::swap(file_, other.file_);
   std::swap(sources_, other.sources_);
   std::swap(build_ms_, other.build_ms_);
+  std::swap(by_pocl_, other.by_pocl_);
   return *this;
+}
+
+std::string Program::cache_advice() const {
+  const fs::path folder = by_pocl_ ? kernel_cache() : fs::path();
+  if (folder.empty()) return {};
+  return fmt::format(
+      "; if the kernels are those of pelage, a file in PoCL's folder of compiled kernels is probably "
+      "damaged: "
+      "delete this folder and run the command again: {}",
+      folder.string());
 }
 
 Event::~Event() {
@@ -181,6 +194,9 @@ std::optional<double> Event::milliseconds(const Device& device) const {
 Kernel::Kernel(const Program& program, const std::string& name) : name_(name) {
   cl_int code = CL_SUCCESS;
   kernel_ = clCreateKernel(program.get(), name.c_str(), &code);
+  if (code == CL_INVALID_KERNEL_NAME && !program.cache_advice().empty())
+    throw DeviceError(fmt::format("clCreateKernel of {}: {}: {} has no such kernel{}", name, error_name(code),
+                                  program.file(), program.cache_advice()));
   check(code, fmt::format("clCreateKernel of {}", name));
 }
 

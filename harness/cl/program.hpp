@@ -44,12 +44,16 @@ class Program {
   double build_ms() const { return build_ms_; }
   const std::string& file() const { return file_; }  ///< path of the program's file in the kernel folder
   const Sources& sources() const { return sources_; }
+  /// Text that ends a message about a kernel that the driver does not find: PoCL finds none if a file in its
+  /// folder of compiled kernels is damaged. Empty for other drivers.
+  std::string cache_advice() const;
 
  private:
   cl_program program_ = nullptr;
   std::string log_, file_;
   Sources sources_;
   double build_ms_ = 0;
+  bool by_pocl_ = false;
 };
 
 /// Returns 16 hex digits: the hash of the source files of all these programs.

@@ -17,7 +17,7 @@
 #include "harness/claims/claim_table.hpp"
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_depth.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage::claims {
 namespace {
@@ -170,7 +170,7 @@ toml::table parsed(const fs::path& file) {
   if (!stream || fs::is_directory(file))
     throw InputError(fmt::format("{}: the file of claims cannot be read", file.string()));
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  refuse_deep_keys(text, file.string());
+  check_toml_text(text, file.string());
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {

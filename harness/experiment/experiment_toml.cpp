@@ -16,7 +16,7 @@
 #include "harness/experiment/experiment.hpp"
 #include "harness/experiment/view_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/toml_depth.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -302,7 +302,7 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   }
   if (RE2::FullMatch(text, "< *" + number, &value)) return {value, unit, "<", std::nullopt, value};
   if (RE2::FullMatch(text, "~ *" + number, &value)) return {value, unit, "about", std::nullopt, std::nullopt};
-  if (RE2::FullMatch(text, number + R"(\.\.)" + number, &value, &greatest))
+  if (RE2::FullMatch(text, number + R"(\.\.)" + number, &value, &greatest) && value <= greatest)
     return {(value + greatest) / 2, unit, "range", value, greatest};
   throw InputError(
       fmt::format("'{}' is not a published figure; write for instance 267, < 1, ~ 30 or 20..30", text));
@@ -315,7 +315,7 @@ Experiment read_experiment(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) refuse(file, nullptr, "cannot be read");
     source.text.assign(std::istreambuf_iterator<char>(stream), {});
-    refuse_deep_keys(source.text, file.string());
+    check_toml_text(source.text, file.string());
     for (std::size_t i = 0; i < source.text.size(); ++i)
       if (source.text[i] == '\n') source.lines.push_back(i + 1);
     table = toml::parse(source.text, file.string());

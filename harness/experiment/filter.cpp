@@ -11,10 +11,13 @@ Filter::Filter(const std::string& expression) {
   re2::RE2::Options options;
   options.set_log_errors(false);
   const auto pattern = std::make_shared<const re2::RE2>(expression, options);
+  // RE2's message repeats the part of the expression that is wrong, which may be all of it.
+  const auto shortened = [](const std::string& text) {
+    return text.size() > 80 ? text.substr(0, 80) + "..." : text;
+  };
   if (!pattern->ok())
     throw InputError(fmt::format("--filter {}: this is not a valid regular expression: {}",
-                                 expression.size() > 80 ? expression.substr(0, 80) + "..." : expression,
-                                 pattern->error()));
+                                 shortened(expression), shortened(pattern->error())));
   expression_ = pattern;
 }
 

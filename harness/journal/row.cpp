@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace pelage {
 namespace {
@@ -87,8 +88,40 @@ void refuse_contradiction(const Row& row) {
                                    check.against));
 }
 
+/// Returns a whole number of 0 to `most`. Json::get() would convert any number, and a large one to any value.
+int whole(const Json& json, int most) {
+  if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
+    throw InputError(fmt::format("the row contains {} in place of a whole number of 0 to {}",
+                                 json.dump().substr(0, 40), most));
+  return json.get<int>();
+}
+
+/// Throws InputError if a key of the provenance that pelage reads has a value of another type.
+void check_provenance(const Json& provenance) {
+  if (!provenance.is_object()) throw InputError("the provenance of the row is not an object");
+  const auto need = [&](const char* key, const char* type, auto&& is) {
+    if (const auto found = provenance.find(key); found != provenance.end() && !is(*found))
+      throw InputError(fmt::format("provenance.{} of the row is not {}", key, type));
+  };
+  for (const char* key : {"host", "preset", "shard_deal", "title", "utc"})
+    need(key, "a text", [](const Json& value) { return value.is_string(); });
+  need("converged", "true or false", [](const Json& value) { return value.is_boolean(); });
+  need("other_cpu_share", "a number", [](const Json& value) { return value.is_number(); });
+}
+
+constexpr int deepest = 32;  // nesting of the values in a row
+
+/// Parses a row. Refuses deeply nested values, because copying and printing them would overflow the stack.
+Json parsed(const std::string& text) {
+  return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest)
+      throw InputError(fmt::format("the row contains values that are nested more than {} deep", deepest));
+    return true;
+  });
+}
+
 Row row_from_json(const Json& json) {
-  const int schema = json.at("schema").get<int>();
+  const int schema = whole(json.at("schema"), std::numeric_limits<int>::max());
   if (schema < 1 || schema > kRowSchema)
     throw NewerSchema(fmt::format("the row has schema {}; this version of pelage reads schemas 1 to {}",
                                   schema, kRowSchema));
@@ -102,7 +135,7 @@ Row row_from_json(const Json& json) {
   row.overrides = strings(json.at("overrides"));
   json.at("device").get_to(row.device);
   if (schema > 1) json.at("identity").get_to(row.identity);
-  json.at("repeat").get_to(row.repeat);
+  row.repeat = whole(json.at("repeat"), std::numeric_limits<int>::max());
   const auto status = status_from_text(json.at("status").get<std::string>());
   if (!status) throw InputError(fmt::format("unknown status '{}'", json.at("status").get<std::string>()));
   row.status = *status;
@@ -117,9 +150,11 @@ Row row_from_json(const Json& json) {
   for (const auto& [name, metric] : json.at("metrics").items()) row.metrics[name] = metric_from(metric);
   json.at("build_ms").get_to(row.build_ms);
   json.at("first_launch_ms").get_to(row.first_launch_ms);
-  json.at("tuning").get_to(row.tuning);
+  for (const auto& [axis, value] : json.at("tuning").items())
+    row.tuning[axis] = whole(value, std::numeric_limits<int>::max());
   json.at("image_hash").get_to(row.image_hash);
   row.provenance = json.at("provenance");
+  check_provenance(row.provenance);
   refuse_contradiction(row);
   return row;
 }
@@ -196,7 +231,7 @@ Row row_from_line(std::string_view line) {
   if (line.substr(mark + kCrcMark.size(), 8) != checksum(body))
     throw InputError("the checksum does not match the row");
   try {
-    return row_from_json(Json::parse(std::string(body) + "}"));
+    return row_from_json(parsed(std::string(body) + "}"));
   } catch (const std::logic_error& error) {  // std::stod
     throw InputError(fmt::format("the row contains a text in place of a number: {}", error.what()));
   } catch (const nlohmann::json::exception& error) {

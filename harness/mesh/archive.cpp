@@ -38,8 +38,14 @@ std::optional<std::string> read_member(const std::filesystem::path& file, const 
   }
   const std::int64_t size = archive_entry_size(entry);
   if (size > most_bytes) throw InputError(fmt::format("{}: {} is too large", file.string(), member));
-  std::string bytes(std::size_t(size), '\0');
-  if (archive_read_data(reader.get(), bytes.data(), bytes.size()) != size) damaged(file);
+  // The size in a damaged header may be far larger than the file, so memory is taken only for bytes that
+  // arrive.
+  std::string bytes, chunk(1 << 16, '\0');
+  while (std::int64_t(bytes.size()) < size) {
+    const la_ssize_t count = archive_read_data(reader.get(), chunk.data(), chunk.size());
+    if (count <= 0) damaged(file);
+    bytes.append(chunk.data(), std::size_t(count));
+  }
   return bytes;
 }
 

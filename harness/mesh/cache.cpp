@@ -5,8 +5,6 @@
 namespace pelage {
 namespace {
 
-constexpr std::string_view title = "pelage mesh 1\n";
-
 bool consistent(const Mesh& mesh) {
   const std::size_t copies = mesh.position.size();
   if (mesh.uv.size() != copies || mesh.weld.size() != copies) return false;
@@ -32,11 +30,11 @@ std::string encode(const Mesh& mesh) {
   to.value(mesh.length_per_uv);
   to.value(std::uint64_t(mesh.notes.size()));
   for (const std::string& note : mesh.notes) to.text(note);
-  return to.sealed(title);
+  return to.sealed(mesh_cache_title);
 }
 
 std::optional<Mesh> decode(std::string_view bytes) {
-  const auto content = unsealed(bytes, title);
+  const auto content = unsealed(bytes, mesh_cache_title);
   if (!content) return {};
   Reader from(*content);
   Mesh mesh;

@@ -8,6 +8,9 @@
 
 namespace pelage {
 
+/// The title of the cache files (Writer::sealed()).
+inline constexpr std::string_view mesh_cache_title = "pelage mesh 1\n";
+
 std::string encode(const Mesh& mesh);
 /// Decodes the result of encode(). Returns nothing if the bytes are incomplete, damaged or from another
 /// version.

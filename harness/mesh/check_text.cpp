@@ -9,65 +9,11 @@
 #include <optional>
 
 #include "harness/error.hpp"
+#include "harness/mesh/mesh_text.hpp"
 #include "harness/mesh/soup.hpp"
 
 namespace pelage::detail {
 namespace {
-
-[[noreturn]] void fail(const std::string& name, std::size_t line, const std::string& what) {
-  throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
-}
-
-// Splits a line into words.
-class Words {
- public:
-  explicit Words(std::string_view line) : rest_(line) {}
-  std::string_view next() {
-    const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!rest_.empty() && space(rest_.front())) rest_.remove_prefix(1);
-    std::size_t end = 0;
-    while (end < rest_.size() && !space(rest_[end])) ++end;
-    const std::string_view word = rest_.substr(0, end);
-    rest_.remove_prefix(end);
-    return word;
-  }
-
- private:
-  std::string_view rest_;
-};
-
-class Lines {
- public:
-  explicit Lines(std::string_view text) : rest_(text) {}
-  bool next(std::string_view& line) {
-    if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    line = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    ++number_;
-    return true;
-  }
-  std::size_t number() const { return number_; }
-
- private:
-  std::string_view rest_;
-  std::size_t number_ = 0;
-};
-
-template <class T>
-std::optional<T> read(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  T value{};
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return {};
-  return value;
-}
-
-std::string shown(std::string_view word) {
-  std::string text;
-  for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text.empty() ? "nothing" : "'" + text + "'";
-}
 
 void need_point(Words& words, const std::string& name, std::size_t line) {
   for (int i = 0; i < 3; ++i) {
@@ -119,9 +65,12 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
   return kept;
 }
 
-// Checks an OFF file that has one vertex or one face per line. Other layouts are refused.
-void check_off(std::string_view bytes, const std::string& name) {
+// Checks an OFF file that has one vertex or one face per line, and returns its points and faces. Other
+// layouts are refused. Normals, colours and comments are dropped, because CGAL converts any number to a
+// colour of 8 bits.
+std::string check_off(std::string_view bytes, const std::string& name) {
   no_binary(bytes, "OFF", name);
+  std::string kept;
   Lines lines(bytes);
   std::string_view line;
   const auto next = [&](const std::string& wanted) {
@@ -154,10 +103,12 @@ void check_off(std::string_view bytes, const std::string& name) {
   if (*vertices > size / 5 + 1 || *faces > size / 7 + 1)
     fail(name, lines.number(),
          fmt::format("{} vertices and {} faces do not fit into {} bytes", *vertices, *faces, size));
+  kept = fmt::format("OFF\n{} {} 0\n", *vertices, *faces);
   for (std::int64_t i = 0; i < *vertices; ++i) {
     next(fmt::format("vertex {} of {}", i + 1, *vertices));
     Words words(line);
     need_point(words, name, lines.number());
+    kept.append(line.substr(0, line.size() - words.rest().size())).push_back('\n');
   }
   for (std::int64_t i = 0; i < *faces; ++i) {
     next(fmt::format("face {} of {}", i + 1, *faces));
@@ -174,27 +125,9 @@ void check_off(std::string_view bytes, const std::string& name) {
         fail(name, lines.number(),
              fmt::format("{} is not a vertex; give 0 to {}", shown(corner), *vertices - 1));
     }
+    kept.append(line.substr(0, line.size() - words.rest().size())).push_back('\n');
   }
-}
-
-// Checks that the counts in the header of a PLY file are not larger than the number of bytes in the file.
-void check_ply(std::string_view bytes, const std::string& name) {
-  if (!bytes.starts_with("ply")) fail(name, 1, "the line must be 'ply'");
-  const std::size_t end = bytes.find("end_header");
-  if (end == std::string_view::npos) fail(name, 0, "the header has no end_header");
-  Lines lines(bytes.substr(0, end));
-  std::int64_t vertices = -1, faces = -1;
-  for (std::string_view line; lines.next(line);) {
-    Words words(line);
-    if (words.next() != "element") continue;
-    const std::string_view what = words.next();
-    const auto count = read<std::int64_t>(words.next());
-    if (!count || *count < 0 || *count > std::int64_t(bytes.size()))
-      fail(name, lines.number(), fmt::format("too many elements for a file of {} bytes", bytes.size()));
-    if (what == "vertex") vertices = *count;
-    if (what == "face") faces = *count;
-  }
-  if (vertices <= 0 || faces <= 0) fail(name, 0, "the file contains no faces");
+  return kept;
 }
 
 // Checks the vertices and the end of a text STL file. Checks that a binary STL file is large enough for its
@@ -228,8 +161,8 @@ void check_stl(std::string_view bytes, const std::string& name) {
 
 void check_text(std::string& bytes, std::string_view format, const std::string& name) {
   if (format == "obj") bytes = check_obj(bytes, name);
-  if (format == "off") check_off(bytes, name);
-  if (format == "ply") check_ply(bytes, name);
+  if (format == "off") bytes = check_off(bytes, name);
+  if (format == "ply") bytes = check_ply(bytes, name);
   if (format == "stl") check_stl(bytes, name);
 }
 

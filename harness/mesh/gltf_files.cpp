@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// Returns the JSON text of a glTF file. A binary file (.glb) begins with a header of 12 bytes, followed by
 /// the JSON chunk: its length, its type and its text.
-std::string json_text(std::string bytes) {
+std::string_view json_text(std::string_view bytes) {
   constexpr std::size_t header = 12, chunk = 8;
   if (!bytes.starts_with("glTF")) return bytes;
   std::uint32_t length = 0;
@@ -48,7 +48,11 @@ std::string decoded(const std::string& uri) {
 std::vector<fs::path> gltf_files(const fs::path& file) {
   const std::string ending = ending_of(file);
   if (ending != "gltf" && ending != "glb") return {};
-  const auto json = nlohmann::json::parse(json_text(read_bytes(file, largest_mesh_file)), nullptr, false);
+  return gltf_files(read_bytes(file, largest_mesh_file), file);
+}
+
+std::vector<fs::path> gltf_files(std::string_view bytes, const fs::path& file) {
+  const auto json = nlohmann::json::parse(json_text(bytes), nullptr, false);
   std::vector<fs::path> files;
   if (!json.is_object()) return files;
   for (const char* list : {"buffers", "images"}) {

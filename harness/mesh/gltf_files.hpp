@@ -1,6 +1,7 @@
 // Finds the files to which a glTF file refers.
 #pragma once
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace pelage::detail {
@@ -11,5 +12,8 @@ namespace pelage::detail {
 /// URI is absolute, leads out of the folder of `file`, or does not refer to a regular file.
 /// Returns no paths for a file with another extension than .gltf and .glb.
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
+
+/// The same for the bytes of a glTF file. URIs are relative to the folder of `file`.
+std::vector<std::filesystem::path> gltf_files(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace pelage::detail

@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -102,7 +105,11 @@ Model read_model(const Reader& in, const toml::table& table) {
 std::vector<Model> read_models(const std::filesystem::path& file) {
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    check_toml_text(text, file.string());
+    table = toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
   }

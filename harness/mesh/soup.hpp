@@ -41,9 +41,12 @@ inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 
 namespace detail {
-/// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. For OBJ,
-/// `bytes` is replaced by its v and f lines, because CGAL refuses files with elements that it does not know.
+/// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. Replaces
+/// `bytes` by the points and faces, except for STL, because CGAL refuses or misreads other contents.
 void check_text(std::string& bytes, std::string_view format, const std::string& name);
+/// Checks the header of a PLY file, and that the body has all numbers and lists that the header announces.
+/// Returns a PLY file with the points and faces only.
+std::string check_ply(std::string_view bytes, const std::string& name);
 bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup);
 Soup read_by_assimp(const std::filesystem::path& file);
 }  // namespace detail

@@ -11,7 +11,7 @@
 #include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
-#include "harness/toml_depth.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -233,7 +233,7 @@ std::string trimmed(std::string_view text) {
 Scene parse_scene(std::string_view text, const std::string& name, const fs::path& folder, const Scene& base) {
   Scene scene = base;
   try {
-    refuse_deep_keys(text, name);
+    check_toml_text(text, name);
     const toml::table table = toml::parse(text, name);
     read_table(scene, scene_keys(scene), Source{name, folder}, table, "");
   } catch (const toml::parse_error& error) {
@@ -287,6 +287,7 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   }
   const std::string wanted = key != keys.end() ? describe_range(*key) : "an array of tables";
   try {
+    check_toml_text(value, fmt::format("{}: {}", source_name, name));
     const toml::table table = toml::parse("value = " + value);
     if (table.size() != 1) throw InputError(fmt::format("{}: {}: give one value", source_name, name));
     read_key(scene, keys, source, *table.get("value"), name);

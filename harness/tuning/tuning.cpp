@@ -13,7 +13,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
-#include "harness/toml_depth.hpp"
+#include "harness/toml_text.hpp"
 
 namespace pelage {
 namespace {
@@ -45,7 +45,7 @@ toml::table parsed(const fs::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
-    refuse_deep_keys(text, file.string());
+    check_toml_text(text, file.string());
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& error) {
     throw InputError(

@@ -32,6 +32,35 @@ TEST(KernelCache, ADamagedFileLeadsToTheAdviceToDeleteTheFolder) {
   EXPECT_EQ(pelage(folder, render, kept).code, 0) << folder.read("stderr");
 }
 
+// PoCL finds no kernel in an empty file of a program, and reports no error of the file.
+TEST(KernelCache, AnEmptyFileOfAProgramLeadsToTheSameAdvice) {
+  const Folder folder;
+  const std::string kept = "POCL_CACHE_DIR='" + (folder.path() / "kept").string() + "'";
+  ASSERT_EQ(pelage(folder, render, kept).code, 0) << folder.read("stderr");
+  int emptied = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "kept"))
+    if (entry.path().filename() == "program.bc") {
+      fs::resize_file(entry.path(), 0);
+      ++emptied;
+    }
+  ASSERT_GT(emptied, 0);
+  const Outcome outcome = pelage(folder, render, kept);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_NE(
+      outcome.err.find("delete this folder and run the command again: " + (folder.path() / "kept").string()),
+      std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(outcome.err.find("please report"), std::string::npos) << outcome.err;
+}
+
+// PoCL aborts if POCL_CACHE_DIR is set but empty.
+TEST(KernelCache, AnEmptyVariableIsNoFolder) {
+  const Folder folder;
+  const std::string cache = "XDG_CACHE_HOME='" + folder.path().string() + "'";
+  const Outcome outcome = pelage(folder, "devices", "POCL_CACHE_DIR= " + cache);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST(KernelCache, AFullDiskIsNamedAndReplacedByATemporaryFolder) {
   const Folder folder;
   fs::create_directory(folder.path() / "full");

@@ -143,7 +143,7 @@ TEST(Experiment, PublishedFiguresAndTheirRelations) {
   EXPECT_EQ(*published_figure("2.5", "ms").low, 2.45);
   EXPECT_EQ(published_figure("~ 30", "fps").relation, "about");
   EXPECT_EQ(published_figure("20..30", "fps").value, 25);
-  for (const std::string text : {"", "fast", "-3", "> 4", "1e3", "1 2"})
+  for (const std::string text : {"", "fast", "-3", "> 4", "1e3", "1 2", "30..20"})
     EXPECT_FALSE(refusal([&] { published_figure(text, "fps"); }).empty()) << text;
 }
 

@@ -28,6 +28,8 @@ const std::string garbage = [] {
   return bytes;
 }();
 
+const std::string coordinates = "property float x\nproperty float y\nproperty float z\n";
+
 const std::vector<Bad> cases{
     {"empty", "a.obj", "", ": the file is empty"},
     {"unknown_ending", "a.fbx", "x", ": meshes are read from .obj, .off, .ply, .stl, .3ds, .gltf and .glb"},
@@ -69,10 +71,33 @@ const std::vector<Bad> cases{
     {"ply_huge_counts", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 3000000000\nproperty float x\nend_header\n",
      ":3: too many elements for a file of 75 bytes"},
+    {"ply_property_first", "a.ply",
+     "ply\nformat ascii 1.0\nproperty float x\nelement vertex 3\nelement face 1\nend_header\n",
+     ":3: a property stands before the first element"},
+    {"ply_unknown_type", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty half x\nelement face 1\nend_header\n",
+     ":4: the type 'half' is unknown"},
+    {"ply_no_coordinate", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty int y\nelement face "
+     "1\nend_header\n",
+     ": the vertices have no property y of type float or double"},
+    {"ply_no_corners", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n" + coordinates +
+         "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n0 0 0\n3 0 0 0\n",
+     ": the faces have no list vertex_indices of type int or uint"},
+    {"ply_long_list", "a.ply",
+     "ply\nformat ascii 1.0\nelement vertex 1\n" + coordinates +
+         "element face 1\nproperty list uint int vertex_indices\nend_header\n0 0 0\n4000000000 0 1 2\n",
+     ": face 1: a list of 4000000000 values does not fit into the rest of the file, which has 7 bytes"},
+    {"ply_negative_list", "a.ply",
+     "ply\nformat binary_big_endian 1.0\nelement vertex 1\n" + coordinates +
+         "element face 1\nproperty list short int vertex_indices\nend_header\n" + std::string(12, '\0') +
+         "\xff\xff",
+     ": face 1: a list of -1 values does not fit into the rest of the file, which has 0 bytes"},
     {"ply_truncated", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
      "face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
-     ": not a readable ply file; is it truncated?"},
+     ": vertex 3: the file is truncated"},
     {"stl_short", "a.stl", "short",
      ": the file is not STL text, and it is shorter than the 84 bytes of a binary STL header"},
     {"stl_truncated", "a.stl", binary_stl(1000, 500), ": 1000 triangles need 50084 bytes, the file has 584"},

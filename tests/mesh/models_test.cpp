@@ -121,6 +121,10 @@ TEST(Models, a_mistake_in_the_file_is_named_with_its_line) {
             "springs]");
   EXPECT_EQ(message("[[model]]\nname = \"a\"\n"), "models.toml:1: source must be given as a string");
   EXPECT_EQ(message("x = 1\n"), "models.toml: the file has no [[model]]");
+  std::string dotted = "a";
+  for (int i = 1; i < 50'000; ++i) dotted += ".a";
+  EXPECT_EQ(message(head + "published = {" + dotted + " = 1}\n"),
+            "models.toml:6: the key has 50000 parts separated by dots; the limit is 32");
 }
 
 }  // namespace

@@ -96,6 +96,9 @@ const Bad files[] = {
     {"fur.length = 0.1\nfur.length = 0.2", "s.toml:2: not TOML"},
     {"[fur\nlength = 1", "s.toml:1: not TOML"},
     {"model = \"\xff\xfe\"", "s.toml:1: not TOML"},
+    {"\n\xc4\x96.", "s.toml:2: not TOML: a character outside quotes is not ASCII"},
+    {"fur.l\xc3\xa4nge = 1", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
+    {"model = 'cow' \xe2\x80\xa8", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
 };
 
 TEST(SceneErrors, EveryBadFileGetsOneLineThatSaysWhatIsRight) {
@@ -159,10 +162,45 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
   std::string dotted = "a";
   for (int i = 0; i < 20000; ++i) dotted += ".a";
   EXPECT_THROW(parse_scene(dotted + " = 1", "dotted"), InputError);
+  EXPECT_NO_THROW(parse_scene("\xef\xbb\xbfmodel = '\xc3\xa4' # \xc3\xa4\n", "quoted"));
+  // Dots in comments and strings belong to no key.
+  const std::string sentence(2000, '.');
+  EXPECT_NO_THROW(parse_scene("model = 'cow' # " + sentence, "comment"));
+  EXPECT_NO_THROW(parse_scene("model = 'a" + sentence + "'", "string"));
   EXPECT_THROW(parse_scene(std::string("model = 'a'\0", 12), "nul"), InputError);
   EXPECT_THROW(read_scene("/nonexistent/scene.toml"), InputError);
   EXPECT_THROW(read_scene("/dev/zero"), InputError);
   EXPECT_THROW(read_scene("/"), InputError);
+}
+
+// toml++ crashes on keys of several hundred thousand parts.
+TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
+  const auto refusal = [](const auto& read) -> std::string {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  std::string dotted = "a";
+  for (int i = 1; i < 400'000; ++i) dotted += ".a";
+  const std::string table = "{" + dotted + " = 1}";
+  const std::string expected = "the key has 400000 parts separated by dots; the limit is 32";
+  Scene scene;
+  for (const std::string& value : {table, "[1,\n" + table + "]", "['''a'''', " + table + "]",
+                                   "[\"'\", " + table + "]", "[\"\"\"\n.\"\"\", " + table + "]"}) {
+    EXPECT_NE(refusal([&] { parse_scene("fur = " + value, "s"); }).find(expected), std::string::npos);
+    EXPECT_NE(refusal([&] { apply_set(scene, "shading.light = " + value); }).find(expected),
+              std::string::npos);
+  }
+  std::string nested = "1";
+  const std::string before = "{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
+  for (int i = 0; i < 200; ++i) nested = before + nested + "}";
+  EXPECT_NE(refusal([&] {
+              parse_scene("fur = " + nested, "s");
+            }).find("the key and the keys around it have 81 parts separated by dots; the limit is 64"),
+            std::string::npos);
 }
 
 TEST(SceneErrors, ASceneMadeInCodeIsCheckedToo) {

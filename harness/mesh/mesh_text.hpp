@@ -1,0 +1,75 @@
+// Functions that the checks of mesh files use to read text.
+#pragma once
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "harness/error.hpp"
+
+namespace pelage::detail {
+
+/// Throws InputError. `line` is the number of the line, 0 if it is unknown.
+[[noreturn]] inline void fail(const std::string& name, std::size_t line, const std::string& what) {
+  throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
+}
+
+/// Splits a line into words.
+class Words {
+ public:
+  explicit Words(std::string_view line) : rest_(line) {}
+  std::string_view next() {
+    const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!rest_.empty() && space(rest_.front())) rest_.remove_prefix(1);
+    std::size_t end = 0;
+    while (end < rest_.size() && !space(rest_[end])) ++end;
+    const std::string_view word = rest_.substr(0, end);
+    rest_.remove_prefix(end);
+    return word;
+  }
+  std::string_view rest() const { return rest_; }  ///< what follows the last word that next() returned
+
+ private:
+  std::string_view rest_;
+};
+
+/// Splits a text into lines.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : rest_(text) {}
+  bool next(std::string_view& line) {
+    if (rest_.empty()) return false;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+    return true;
+  }
+  std::size_t number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t number_ = 0;
+};
+
+/// Returns the number that the word is; empty if it is none.
+template <class T>
+std::optional<T> read(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  T value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return {};
+  return value;
+}
+
+/// Returns the beginning of the word in quotes, for messages.
+inline std::string shown(std::string_view word) {
+  std::string text;
+  for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text.empty() ? "nothing" : "'" + text + "'";
+}
+
+}  // namespace pelage::detail

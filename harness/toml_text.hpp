@@ -1,0 +1,97 @@
+// Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
+// a dotted key, and a key with several hundred thousand parts overflows the stack. The behaviour of toml++ is
+// undefined for some characters outside quotes that are not ASCII.
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+
+inline constexpr int most_key_parts = 32;    ///< of one key, or of the name of a table
+inline constexpr int most_table_depth = 64;  ///< parts of a dotted key and of all keys around it
+
+namespace detail {
+
+/// Returns the offset behind the string that begins at `start` with a quote. A string that does not end
+/// extends to the end of its line or, with three quotes, to the end of the text.
+inline std::size_t behind_string(std::string_view text, std::size_t start) {
+  const char quote = text[start];
+  const bool three = text.substr(start, 3) == std::string(3, quote);
+  std::size_t i = start + (three ? 3 : 1);
+  for (; i < text.size(); ++i) {
+    if (quote == '"' && text[i] == '\\') {
+      ++i;
+    } else if (!three && (text[i] == quote || text[i] == '\n')) {
+      return text[i] == quote ? i + 1 : i;
+    } else if (three && text.substr(i, 3) == std::string(3, quote)) {
+      // Two more quotes may belong to the string: """a""" and """a""""" are both complete.
+      for (i += 3; i < text.size() && text[i] == quote;) ++i;
+      return i;
+    }
+  }
+  return text.size();
+}
+
+}  // namespace detail
+
+/// Throws InputError if the TOML text has a dotted key, or a table name, with more than most_key_parts parts.
+/// Also throws it if a dotted key in inline tables is more than most_table_depth parts deep, together with
+/// the keys of these tables, or if a character outside quotes and comments is not ASCII. The message calls
+/// the text `name`.
+inline void check_toml_text(std::string_view text, const std::string& name) {
+  int line = 1, parts = 1, around = 0;
+  std::vector<int> outer;  // number of parts of each key around the present one; their sum is `around`
+  const auto end_key = [&] {
+    const auto refuse = [&](const char* what, int count, int limit) {
+      throw InputError(name + ":" + std::to_string(line) + ": the key " + what + std::to_string(count) +
+                       " parts separated by dots; the limit is " + std::to_string(limit));
+    };
+    if (parts > most_key_parts) refuse("has ", parts, most_key_parts);
+    if (parts > 1 && around + parts > most_table_depth)
+      refuse("and the keys around it have ", around + parts, most_table_depth);
+  };
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = detail::behind_string(text, i);
+      for (; i < end; ++i) line += text[i] == '\n';
+      continue;
+    }
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (static_cast<unsigned char>(c) > 127)
+      throw InputError(
+          name + ":" + std::to_string(line) +
+          ": not TOML: a character outside quotes is not ASCII; write names with such characters "
+          "in quotes");
+    if (c == '.') ++parts;
+    if (c == '{' || c == '[') {
+      end_key();
+      outer.push_back(parts);
+      around += parts;
+      parts = 1;
+    } else if (c == '}' || c == ']') {
+      end_key();
+      if (!outer.empty()) {
+        around -= outer.back();
+        outer.pop_back();
+      }
+      parts = 1;
+    } else if (c == ',' || c == '\n') {
+      end_key();
+      parts = 1;
+      line += c == '\n';
+    }
+    ++i;
+  }
+  end_key();
+}
+
+}  // namespace pelage

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Builds the fuzz targets of tests/fuzz with clang, runs each for a number of seconds, two targets at a time, and prints
+# the executions and the findings of each target. Exit code 1: there is a finding. The inputs of findings are in
+# build/fuzz/findings; a copy in tests/fuzz/corpus/TARGET makes the tests repeat them.
+#
+# Usage: scripts/fuzz.sh SECONDS [TARGET...]
+#   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+build=build/fuzz
+seconds=${1:-}
+[[ $seconds =~ ^[1-9][0-9]{0,5}$ ]] || { echo "usage: scripts/fuzz.sh SECONDS [TARGET...]" >&2; exit 2; }
+shift
+targets=("$@")
+if ((${#targets[@]} == 0)); then
+  for folder in tests/fuzz/corpus/*/; do targets+=("$(basename "$folder")"); done
+fi
+for target in "${targets[@]}"; do
+  [[ -d tests/fuzz/corpus/$target ]] || { echo "fuzz: no target $target; see tests/fuzz/corpus" >&2; exit 2; }
+done
+[[ -e $build/build.ninja ]] || cmake --preset fuzz >&2
+cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/#/fuzz_}" >&2
+mkdir -p "$build/findings" "$build/logs"
+
+# Runs one target. The new inputs that libFuzzer finds stay in build/fuzz/new, so a later run continues with them.
+# shellcheck disable=SC2317  # xargs calls it
+run_one() {
+  local build=$1 seconds=$2 target=$3 options=() log executions findings
+  log=$build/logs/$target.log
+  mkdir -p "$build/new/$target"
+  # On errors, libpng jumps out of OpenImageIO's functions, whose strings are then never freed.
+  [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
+  [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
+  "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=8192 \
+    -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
+    "$build/new/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 </dev/null && findings=0 || findings=1
+  executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  printf '%-12s %12s executions  %d findings\n' "$target" "${executions:-no}" "$findings"
+  ((findings == 0)) || { grep -m1 -E 'ERROR: |runtime error|terminate called' "$log" || tail -n 5 "$log"; return 1; }
+}
+export -f run_one
+status=0
+# shellcheck disable=SC2016  # the inner bash expands it
+printf '%s\n' "${targets[@]}" |
+  xargs -P "${PELAGE_FUZZ_JOBS:-2}" -n 1 bash -c 'run_one "$@"' fuzz "$build" "$seconds" || status=1
+((status == 0)) || echo "fuzz: there are findings; their inputs are in $build/findings, their logs in $build/logs"
+exit "$status"

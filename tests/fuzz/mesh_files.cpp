@@ -1,0 +1,52 @@
+#include "harness/mesh/archive.hpp"
+#include "harness/mesh/cache.hpp"
+#include "harness/mesh/gltf_files.hpp"
+#include "harness/mesh/soup.hpp"
+#include "tests/fuzz/support.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace pelage::fuzz {
+namespace {
+
+void mesh(std::string_view bytes, std::string_view format) {
+  may_refuse([&] { parse_soup(std::string(bytes), format, "mesh"); });
+}
+
+}  // namespace
+
+void obj(std::string_view bytes) {
+  mesh(bytes, "obj");
+}
+
+void off(std::string_view bytes) {
+  mesh(bytes, "off");
+}
+
+void ply(std::string_view bytes) {
+  mesh(bytes, "ply");
+}
+
+void stl(std::string_view bytes) {
+  mesh(bytes, "stl");
+}
+
+void gltf(std::string_view bytes) {
+  may_refuse([&] {
+    for (const std::filesystem::path& file : detail::gltf_files(bytes, "/nowhere/mesh.gltf"))
+      expect(file.string().starts_with("/nowhere/"), "a glTF file may name only files in its folder");
+  });
+}
+
+void cached(std::string_view bytes) {
+  Writer writer;
+  for (const char byte : bytes) writer.value(byte);
+  if (const auto found = decode(writer.sealed(mesh_cache_title)))
+    expect(decode(encode(*found)).has_value(), "the decoded mesh cannot be encoded again");
+}
+
+void archive(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  may_refuse([&] { read_member(file.path(), "data/meshes/a.off"); });
+}
+
+}  // namespace pelage::fuzz

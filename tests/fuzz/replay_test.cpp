@@ -1,0 +1,42 @@
+// Runs every fuzz target on its corpus, which contains the inputs of all findings of scripts/fuzz.sh.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "tests/fuzz/targets.hpp"
+
+namespace pelage::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path corpus = fs::path(PELAGE_SOURCE_DIR) / "tests/fuzz/corpus";
+
+struct Replay : ::testing::TestWithParam<Target> {};
+
+TEST_P(Replay, TheCorpusHasNoFinding) {
+  int inputs = 0;
+  for (const auto& entry : fs::directory_iterator(corpus / GetParam().name)) {
+    std::ifstream stream(entry.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NO_THROW(GetParam().run(bytes)) << entry.path();
+    ++inputs;
+  }
+  EXPECT_GT(inputs, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Replay, ::testing::ValuesIn(targets),
+                         [](const auto& with) { return std::string(with.param.name); });
+
+TEST(Corpus, HasAFolderForEachTargetAndNoOther) {
+  std::set<std::string> folders, names;
+  for (const auto& entry : fs::directory_iterator(corpus)) folders.insert(entry.path().filename().string());
+  for (const Target& target : targets) names.insert(std::string(target.name));
+  EXPECT_EQ(folders, names);
+}
+
+}  // namespace
+}  // namespace pelage::fuzz

@@ -1,0 +1,18 @@
+#include "harness/tuning/tuning.hpp"
+
+#include "tests/fuzz/support.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace pelage::fuzz {
+
+// `pelage tune` writes its values into an existing file. read_tuning() must be able to read the new file.
+void tuning(std::string_view bytes) {
+  const MemoryFile file(bytes);
+  may_refuse([&] {
+    read_tuning(file.path());
+    const MemoryFile changed(with_stage(std::string(bytes), "wet", {}, "a note"));
+    may_refuse([&] { read_tuning(changed.path()); });
+  });
+}
+
+}  // namespace pelage::fuzz
