@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "harness/journal/contradiction.hpp"
+
 namespace pelage {
 namespace {
 
@@ -75,16 +77,6 @@ Metric metric_from(const Json& json) {
   if (json.contains("low")) result.low = json["low"].get<double>();
   if (json.contains("high")) result.high = json["high"].get<double>();
   return result;
-}
-
-/// Throws InputError if the row's status is ok although one of its checks does not hold or there is no check.
-void refuse_contradiction(const Row& row) {
-  if (row.status != Status::ok) return;
-  if (row.check.empty()) throw InputError("the row is ok, but nothing was checked");
-  for (const Check& check : row.check)
-    if (!check.holds())
-      throw InputError(fmt::format("the row is ok, but its check {} against {} does not hold", check.metric,
-                                   check.against));
 }
 
 Row row_from_json(const Json& json) {
