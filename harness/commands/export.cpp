@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 
 #include "harness/atomic_file.hpp"
+#include "harness/journal/all_results.hpp"
 #include "harness/report/csv.hpp"
 
 namespace pelage {
@@ -19,8 +21,20 @@ struct ExportOptions {
   bool raw = false;
 };
 
+/// Names the parts of the inputs that are not in the CSV, at most ten of them.
+void note_left_out(const std::vector<LeftOut>& list) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(list.size(), most); ++i)
+    fmt::print(stderr, "pelage: left out: {}{}{}: {}\n", list[i].where, list[i].case_name.empty() ? "" : ": ",
+               list[i].case_name, list[i].reason);
+  if (list.size() > most)
+    fmt::print(stderr, "pelage: left out: {} more parts of the results\n", list.size() - most);
+}
+
 int export_csv(const ExportOptions& options) {
-  const std::vector<FoundRow> rows = read_results(options.results);
+  const Results results = read_all_results(options.results);
+  const std::vector<FoundRow>& rows = results.rows;
+  note_left_out(results.left_out);
   const std::string text = options.raw ? csv_by_sample(rows) : csv_by_phase(rows);
   if (options.csv == "-") {
     fmt::print("{}", text);

@@ -7,6 +7,7 @@
 #include "harness/commands/report.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/page/page.hpp"
+#include "harness/report/left_out.hpp"
 #include "harness/table/render.hpp"
 
 namespace pelage {
@@ -29,14 +30,16 @@ void print(const Report& written) {
 }
 
 int report(const ReportOptions& options) {
-  const std::vector<FoundRow> rows = read_results(options.results);
+  Results results = read_all_results(options.results);
+  for (LeftOut& one : missing_cases(journals_of(options.results), results.rows))
+    results.left_out.push_back(std::move(one));
   const std::vector<Model> known = models();
   const auto footnote = [&known](const std::string& name) {
     for (const Model& model : known)
       if (model.name == name) return model.footnote;
     return std::string{};
   };
-  const std::vector<Report> reports = write_reports(rows, options.output, footnote);
+  const std::vector<Report> reports = write_reports(results.rows, options.output, footnote, results.left_out);
   for (const Report& written : reports) print(written);
   const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
   for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);
@@ -48,7 +51,9 @@ int report(const ReportOptions& options) {
 
 void add_report(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand("report", "Write tables, plots and a page from results; the page is one HTML file that needs no network");
+  CLI::App* command = app.add_subcommand(
+      "report",
+      "Write tables, plots and a page from results; the page is one HTML file that needs no network");
   command->add_option("results", options->results, "Folders with results, or journal files")
       ->required()
       ->type_name("RESULTS");

@@ -36,10 +36,10 @@ const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper",
                                                   "require",  "preset", "report"};
 
 /// Columns of CSV files and data frames. An axis is a column, too.
-const std::set<std::string, std::less<>> columns{"case",    "clock",  "converged", "device", "experiment",
-                                                 "high_ms", "host",   "identity",  "low_ms", "median_ms",
-                                                 "ms",      "phase",  "overrides", "reason", "repeat",
-                                                 "run_id",  "sample", "samples",   "status"};
+const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
+                                                 "experiment", "high_ms", "host",      "identity",  "low_ms",
+                                                 "median_ms",  "ms",      "phase",     "overrides", "reason",
+                                                 "repeat",     "run_id",  "sample",    "samples",   "status"};
 
 [[noreturn]] void refuse(const fs::path& file, const toml::node* node, const std::string& what) {
   const auto line = node ? node->source().begin.line : 0;

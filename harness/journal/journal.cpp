@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "harness/error.hpp"
+#include "harness/journal/all_results.hpp"
 
 namespace pelage {
 namespace {
@@ -44,14 +45,14 @@ void make_folder(const fs::path& folder) {
 }
 
 struct Contents {
-  std::vector<Row> rows;
+  JournalContents journal;
   std::set<std::string> keys;
   std::size_t good = 0;  ///< bytes up to and including the last line feed
-  std::size_t torn = 0;  ///< bytes after the last line feed
 };
 
 Contents parse(const fs::path& file, std::string_view text) {
   Contents result;
+  std::vector<Row> all;
   std::map<std::string, std::size_t> last;  // key -> index of the last row with this key
   int line_number = 0;
   while (true) {
@@ -59,7 +60,7 @@ Contents parse(const fs::path& file, std::string_view text) {
     if (end == std::string_view::npos) break;
     ++line_number;
     try {
-      result.rows.push_back(row_from_line(text.substr(result.good, end - result.good)));
+      all.push_back(row_from_line(text.substr(result.good, end - result.good)));
     } catch (const NewerSchema& error) {
       throw InputError(fmt::format("{}:{}: {}", file.string(), line_number, error.what()));
     } catch (const InputError& error) {
@@ -67,19 +68,19 @@ Contents parse(const fs::path& file, std::string_view text) {
           fmt::format("{}:{}: damaged: {}; if you delete this line, --resume runs its case again",
                       file.string(), line_number, error.what()));
     }
-    const std::string key = row_key(result.rows.back());
+    const std::string key = row_key(all.back());
     if (result.keys.contains(key))
       throw InputError(
           fmt::format("{}:{}: damaged: second row with the key {}", file.string(), line_number, key));
-    if (result.rows.back().status != Status::error) result.keys.insert(key);
-    last[key] = result.rows.size() - 1;
+    if (all.back().status != Status::error) result.keys.insert(key);
+    last[key] = all.size() - 1;
     result.good = end + 1;
   }
-  result.torn = text.size() - result.good;
-  std::vector<Row> valid;
-  for (std::size_t i = 0; i < result.rows.size(); ++i)
-    if (last.at(row_key(result.rows[i])) == i) valid.push_back(std::move(result.rows[i]));
-  result.rows = std::move(valid);
+  result.journal.torn = text.size() - result.good;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool valid = last.at(row_key(all[i])) == i;
+    (valid ? result.journal.rows : result.journal.replaced).push_back(std::move(all[i]));
+  }
   return result;
 }
 
@@ -112,15 +113,15 @@ Journal::Journal(const fs::path& file, Mode mode, JournalCalls calls) : file_(fi
     }
     if (!existed) sync_folder(file.parent_path().empty() ? fs::path(".") : file.parent_path());
     Contents contents = parse(file, read_text(file));
-    if (contents.torn > 0) {
+    if (contents.journal.torn > 0) {
       if (mode == Mode::fresh)
         throw InputError(fmt::format("{}: the last row is truncated; continue with --resume", file.string()));
       if (::ftruncate(descriptor_, off_t(contents.good)) != 0 || ::fdatasync(descriptor_) != 0)
         fail(file, "cannot remove the truncated last row", errno);
     }
-    rows_ = std::move(contents.rows);
+    rows_ = std::move(contents.journal.rows);
     keys_ = std::move(contents.keys);
-    dropped_ = contents.torn;
+    dropped_ = contents.journal.torn;
     good_length_ = off_t(contents.good);
   } catch (...) {
     ::close(descriptor_);
@@ -178,8 +179,12 @@ void Journal::write_all(const std::string& text) {
   }
 }
 
+JournalContents read_contents(const fs::path& file) {
+  return parse(file, read_text(file)).journal;
+}
+
 std::vector<Row> read_journal(const fs::path& file) {
-  return parse(file, read_text(file)).rows;
+  return read_contents(file).rows;
 }
 
 }  // namespace pelage

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "harness/error.hpp"
+#include "harness/journal/part_hashes.hpp"
 
 namespace pelage {
 namespace {
@@ -47,7 +48,8 @@ void refuse_names(const FoundRow& found) {
 std::map<std::string, std::string> common_of(const Row& row) {
   std::map<std::string, std::string> common;
   for (const auto& [part, hash] : row.identity)
-    if (part == "device" || part == "sampling" || part == shader_part || part.starts_with(kernel_part))
+    if (part == "device" || part == "sampling" || part == build_part || part == shader_part ||
+        part == renderer_part || part.starts_with(kernel_part))
       common[part] = hash;
   for (const char* key : {"preset", "cpu", "driver", "device_version"})
     if (const std::string value = text(row, key); !value.empty()) common[key] = value;

@@ -16,6 +16,12 @@
 namespace pelage {
 namespace {
 
+/// Environment variables of PoCL that change the code of kernels, or the threads that run them. POCL_AFFINITY
+/// has a field of its own.
+constexpr std::array kPoclVariables{"POCL_WORK_GROUP_METHOD",   "POCL_EXTRA_BUILD_FLAGS",
+                                    "POCL_MAX_WORK_GROUP_SIZE", "POCL_CPU_MAX_CU_COUNT",
+                                    "POCL_MAX_PTHREAD_COUNT",   "POCL_MAX_COMPUTE_UNITS"};
+
 std::string first_line(const std::filesystem::path& file) {
   std::ifstream stream(file);
   std::string line;
@@ -130,7 +136,12 @@ nlohmann::ordered_json device_provenance(const cl::DeviceInfo& info) {
   json["device_version"] = info.version;
   json["driver"] = info.driver;
   json["compute_units"] = info.compute_units;
+  json["lanes"] = info.lanes;
   if (const char* pinned = std::getenv("POCL_AFFINITY"); pinned && info.cpu) json["pocl_affinity"] = pinned;
+  nlohmann::ordered_json environment;
+  for (const char* name : kPoclVariables)
+    if (const char* value = std::getenv(name); value && info.cpu) environment[name] = value;
+  if (!environment.empty()) json["environment"] = environment;
   json["timer"] = info.timer_resolution_ns > 0 ? "OpenCL events and the wall clock" : "the wall clock";
   json["timer_resolution_ns"] = info.timer_resolution_ns;
   return json;

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "harness/error.hpp"
-#include "harness/journal/journal.hpp"
+#include "harness/journal/all_results.hpp"
 
 namespace pelage {
+
+namespace fs = std::filesystem;
+
 namespace {
 
 /// Returns a text that identifies the measurement of a row: the run, the device and the row's key. Two rows
@@ -18,9 +22,55 @@ std::string measurement_of(const Row& row) {
   return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
 }
 
-}  // namespace
+/// The rows read so far, by measurement and by times.
+class Known {
+ public:
+  /// Returns the row of which `row` is a copy; null if there is none. Throws InputError for a changed copy.
+  const FoundRow* copied(const Row& row, const fs::path& journal, const std::vector<FoundRow>& rows) const {
+    if (const auto same = measurements_.find(measurement_of(row)); same != measurements_.end()) {
+      const FoundRow& first = rows[same->second];
+      if (to_line(first.row) == to_line(row)) return &first;
+      throw InputError(
+          fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows differ. "
+                      "One of the files was changed; give only the original",
+                      first.journal.string(), journal.string(), row.case_name));
+    }
+    if (const auto same = times_.find(frame_ms(row)); same != times_.end()) {
+      const FoundRow& first = rows[same->second];
+      throw InputError(fmt::format(
+          "{} and {}: the rows of the cases {} and {} claim to be different measurements, but their {} frame "
+          "times are equal. One of them is a changed copy; give only the original",
+          first.journal.string(), journal.string(), first.row.case_name, row.case_name,
+          frame_ms(row).size()));
+    }
+    return nullptr;
+  }
 
-namespace fs = std::filesystem;
+  void add(const Row& row, std::size_t index) {
+    measurements_[measurement_of(row)] = index;
+    if (frame_ms(row).size() >= fewest_times) times_.try_emplace(frame_ms(row), index);
+  }
+
+ private:
+  /// A single time may be equal in two measurements by chance, because clocks have a limited resolution.
+  static constexpr std::size_t fewest_times = 2;
+
+  std::map<std::string, std::size_t> measurements_;   // measurement_of() -> index of the row
+  std::map<std::vector<double>, std::size_t> times_;  // frame times -> index of the row
+};
+
+/// Lists the parts of a journal that are not among its rows.
+void list_rest(const fs::path& journal, const JournalContents& contents, std::vector<LeftOut>& into) {
+  for (const Row& row : contents.replaced)
+    into.push_back({row.experiment, row.case_name, journal.string(),
+                    fmt::format("error: {}; a later row replaces this one", row.reason)});
+  if (contents.torn > 0)
+    into.push_back(
+        {"", "", journal.string(), fmt::format("the last line ({} bytes) is not complete", contents.torn)});
+  if (contents.rows.empty()) into.push_back({"", "", journal.string(), "the journal has no complete row"});
+}
+
+}  // namespace
 
 std::vector<fs::path> journals_of(const std::vector<std::string>& places) {
   std::vector<fs::path> all;
@@ -41,26 +91,30 @@ std::vector<fs::path> journals_of(const std::vector<std::string>& places) {
   return all;
 }
 
-std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
-  std::vector<FoundRow> rows;
-  std::map<std::string, std::size_t> known;  // measurement -> index in `rows`
-  for (const fs::path& journal : journals_of(places))
-    for (Row& row : read_journal(journal)) {
-      const auto [entry, added] = known.try_emplace(measurement_of(row), rows.size());
-      if (added) {
-        rows.push_back({std::move(row), journal});
+Results read_all_results(const std::vector<std::string>& places) {
+  Results results;
+  Known known;
+  std::set<fs::path> seen;
+  for (const fs::path& journal : journals_of(places)) {
+    JournalContents contents = read_contents(journal);
+    if (seen.insert(journal).second) list_rest(journal, contents, results.left_out);
+    for (Row& row : contents.rows) {
+      const FoundRow* first = known.copied(row, journal, results.rows);
+      if (!first) {
+        known.add(row, results.rows.size());
+        results.rows.push_back({std::move(row), journal});
         continue;
       }
-      FoundRow& first = rows[entry->second];
-      if (to_line(first.row) != to_line(row))
-        throw InputError(
-            fmt::format("{} and {}: each contains a row of case {} from the same run, but the two rows "
-                        "differ. One of the "
-                        "files was changed; give only the original",
-                        first.journal.string(), journal.string(), row.case_name));
-      first.copies.push_back(journal);
+      results.left_out.push_back({row.experiment, row.case_name, journal.string(),
+                                  fmt::format("copy of a row of {}", first->journal.string())});
+      results.rows[std::size_t(first - results.rows.data())].copies.push_back(journal);
     }
-  return rows;
+  }
+  return results;
+}
+
+std::vector<FoundRow> read_results(const std::vector<std::string>& places) {
+  return read_all_results(places).rows;
 }
 
 JournalName journal_name(const fs::path& journal) {

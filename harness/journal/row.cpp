@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "harness/journal/contradiction.hpp"
+
 namespace pelage {
 namespace {
 
@@ -78,16 +80,6 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
-/// Throws InputError if the row's status is ok although one of its checks does not hold or there is no check.
-void refuse_contradiction(const Row& row) {
-  if (row.status != Status::ok) return;
-  if (row.check.empty()) throw InputError("the row is ok, but nothing was checked");
-  for (const Check& check : row.check)
-    if (!check.holds())
-      throw InputError(fmt::format("the row is ok, but its check {} against {} does not hold", check.metric,
-                                   check.against));
-}
-
 /// Returns a whole number of 0 to `most`. Json::get() would convert any number, and a large one to any value.
 int whole(const Json& json, int most) {
   if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
@@ -106,7 +98,8 @@ void check_provenance(const Json& provenance) {
   for (const char* key : {"host", "preset", "shard_deal", "title", "utc"})
     need(key, "a text", [](const Json& value) { return value.is_string(); });
   need("converged", "true or false", [](const Json& value) { return value.is_boolean(); });
-  need("other_cpu_share", "a number", [](const Json& value) { return value.is_number(); });
+  for (const char* key : {"other_cpu_share", "precision", "started_s"})
+    need(key, "a number", [](const Json& value) { return value.is_number(); });
 }
 
 constexpr int deepest = 32;  // nesting of the values in a row

@@ -8,9 +8,12 @@
 
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
+#include "harness/file_hash.hpp"
 #include "harness/hash.hpp"
+#include "harness/journal/contradiction.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
+#include "harness/measure/event_times.hpp"
 #include "harness/measure/interrupt.hpp"
 #include "harness/measure/precision.hpp"
 #include "harness/measure/statistics.hpp"
@@ -109,12 +112,15 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     if (!picture.pixel.empty()) row.image_hash = picture_hash(picture);
     if (!plan.images.empty() && !picture.pixel.empty()) {
       std::filesystem::create_directories(plan.images);
-      write_picture(plan.images / (which.name + plan.image_suffix + ".png"), picture);
+      const std::filesystem::path file = plan.images / (which.name + plan.image_suffix + ".png");
+      write_picture(file, picture);
+      row.provenance["picture_hash"] = hash_of_file(file);
     }
     const auto check_from = std::chrono::steady_clock::now();
     row.check = subject->check(picture);
     row.provenance["check_s"] = seconds_since(check_from);
     row.samples = sampling.samples;
+    remove_implausible_events(row);
     subject->describe(row);
     for (const auto& [metric, least] : which.require)
       row.check.push_back({"experiment", metric,
@@ -126,6 +132,8 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     if (const auto covered = row.metrics.find("covered_fragments");
         row.status == Status::ok && covered != row.metrics.end())
       row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
+    // For instance, a texture was edited after the identity was computed.
+    if (row.status == Status::ok) refuse_contradiction(row);
   } catch (const Unsupported& error) {
     fails(Status::unsupported, error.what());
   } catch (const OutOfBounds& error) {

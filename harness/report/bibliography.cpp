@@ -66,9 +66,9 @@ std::string provenance_of(const std::vector<FoundRow>& rows) {
   // These fields differ between the rows of a run. The report omits them, because each recorded row contains
   // them.
   static const std::set<std::string> of_a_row{
-      "utc",        "started_s",  "cpu_mhz",         "cpu_mhz_after", "load",         "prepare_s",
-      "sampling_s", "load_after", "other_cpu_share", "check_s",       "kernel_hash",  "converged",
-      "mesh_hash",  "scene_hash", "check_seed",      "bad_input",     "mesh_warnings"};
+      "utc",        "started_s",  "cpu_mhz",         "cpu_mhz_after", "load",          "prepare_s",
+      "sampling_s", "load_after", "other_cpu_share", "check_s",       "kernel_hash",   "converged",
+      "mesh_hash",  "scene_hash", "check_seed",      "bad_input",     "mesh_warnings", "picture_hash"};
   std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
   for (const FoundRow& found : rows)
     runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);

@@ -127,8 +127,7 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
       table.layout.values.end())
     table.remarks.insert(table.remarks.begin(),
                          "Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
-  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return timed(c) && !c.converged; }))
-    table.remarks.emplace_back(star_remark);
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   if (std::string drift = drift_remark(cells); !drift.empty()) table.remarks.push_back(std::move(drift));
   section.plots = plots_of(table, cells, view, *sources.notes);
   return {std::move(section)};

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "harness/experiment/experiment.hpp"
+#include "harness/measure/cpu_use.hpp"
 #include "harness/scene/scene_keys.hpp"
 
 namespace pelage {
@@ -60,7 +61,7 @@ CellColumn time_column(const std::string& name, const std::string& heading, doub
             }
             Value value = number_value(number(c));
             if (!starred) return value;
-            if (!c.converged) value.shown += "*";
+            value.shown += marks_of(c);
             value.hint = fmt::format("{:.4g} ms, 95% interval {:.4g} to {:.4g} ms", c.median_ms,
                                      c.interval_ms.low, c.interval_ms.high);
             return value;
@@ -258,6 +259,24 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
       count = std::max(count, found->second.value);
   }
   return counts;
+}
+
+std::string marks_of(const Cell& cell) {
+  return std::string(cell.converged ? "" : "*") + (cell.contended ? "!" : "");
+}
+
+std::vector<std::string> mark_remarks(const std::vector<Cell>& cells) {
+  const auto any = [&](bool (*marked)(const Cell&)) {
+    return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return timed(c) && marked(c); });
+  };
+  std::vector<std::string> remarks;
+  if (any([](const Cell& c) { return !c.converged; }))
+    remarks.emplace_back("* the 95% interval of the median is wider than the preset requires.");
+  if (any([](const Cell& c) { return c.contended; }))
+    remarks.push_back(fmt::format(
+        "! other processes used more than {:.0f}% of the machine's CPU time while the case was timed.",
+        100 * most_other_share));
+  return remarks;
 }
 
 std::string name_of(const Cell& cell) {

@@ -20,9 +20,9 @@ struct CellColumn {
 /// Returns the columns in this order: the axes (model first, layers and size last; the number of triangles
 /// follows the model), the variant, the experiment, the device, the host, the settings that the user changed
 /// and the status; the frame rate and the frame time with 95% intervals, the CPU time, the numbers of samples
-/// and processes, and whether the median converged; the median time of each phase ("simulate_ms"); each
-/// metric, with its interval if it has one. Cells that are not ok have no times, rates and metrics; in place
-/// of fps and median_ms, readers see the status.
+/// and processes, whether the median converged, and whether other processes disturbed the timing; the median
+/// time of each phase ("simulate_ms"); each metric, with its interval if it has one. Cells that are not ok
+/// have no times, rates and metrics; in place of fps and median_ms, readers see the status.
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells);
 
 /// Returns a table with one line per cell and without a layout.
@@ -56,9 +56,12 @@ void sort_cells(std::vector<Cell>& cells);
 /// reading "default".
 std::string name_of(const Cell& cell);
 
-/// The remark that explains the star after a number.
-inline constexpr const char* star_remark =
-    "* the 95% interval of the median is wider than the preset requires.";
+/// Returns the marks of the cell's times: "*" if the median did not converge, "!" if other processes
+/// disturbed the timing, "*!" for both.
+std::string marks_of(const Cell& cell);
+
+/// Returns the sentences that explain those marks that times of these cells have.
+std::vector<std::string> mark_remarks(const std::vector<Cell>& cells);
 
 /// Returns a remark that names the cases whose times drift (drifts()), with the change of each: "Times drift
 /// during the run: torus, 16 layers, 800x600 (+3.2%)."; "" if there is none. Names at most five cases.

@@ -47,6 +47,7 @@ void add(Cell& cell, const Row& row) {
     cell.reason = row.reason;
   }
   cell.contended = cell.contended || !load_warning(row).empty();
+  if (const std::string hash = text(row, "picture_hash"); !hash.empty()) cell.picture_hashes.insert(hash);
   std::vector<double> times = frame_ms(row);
   if (times.empty()) return;
   cell.converged = cell.converged && is_precise(row);

@@ -3,6 +3,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct Cell {
   std::filesystem::path image;    ///< file of the cell's picture; it may not exist
   int index = -1;                 ///< index in the result of cells_of()
   std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
+  /// Hashes of the picture files that the rows wrote; empty for rows of earlier versions.
+  std::set<std::string> picture_hashes;
   /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
   /// paper; "default" if the cell has no such axis.
   std::string reading() const;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/table/render.hpp"
 
@@ -36,11 +37,18 @@ std::string of_provenance(const Row& row, const char* key) {
   return found->is_string() ? found->get<std::string>() : found->dump();
 }
 
+/// Returns "1" if other processes disturbed the timing of the row (load_warning()), "0" if not, and "" if the
+/// row does not record their share of the CPU time.
+std::string contended_text(const Row& row) {
+  if (!row.provenance.contains("other_cpu_share")) return {};
+  return load_warning(row).empty() ? "0" : "1";
+}
+
 std::vector<std::string> head(const Columns& columns, std::vector<std::string> rest) {
   std::vector<std::string> fields{"experiment", "case", "variant"};
   fields.insert(fields.end(), columns.axes.begin(), columns.axes.end());
-  for (const char* name :
-       {"overrides", "device", "host", "run_id", "repeat", "preset", "identity", "status", "reason"})
+  for (const char* name : {"overrides", "device", "host", "run_id", "repeat", "preset", "identity", "status",
+                           "reason", "contended"})
     fields.emplace_back(name);
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics) fields.push_back("metric." + name);
@@ -51,9 +59,9 @@ std::vector<std::string> body(const Columns& columns, const Row& row, const std:
   std::vector<std::string> fields{row.experiment, row.case_name, row.variant};
   for (const std::string& key : columns.axes)
     fields.push_back(row.axes.contains(key) ? row.axes.at(key) : "");
-  for (std::string text :
-       {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id, std::to_string(row.repeat),
-        of_provenance(row, "preset"), hash_of(row.identity), std::string(to_text(row.status)), row.reason})
+  for (std::string text : {overrides_text(row), row.device, of_provenance(row, "host"), row.run_id,
+                           std::to_string(row.repeat), of_provenance(row, "preset"), hash_of(row.identity),
+                           std::string(to_text(row.status)), row.reason, contended_text(row)})
     fields.push_back(std::move(text));
   fields.insert(fields.end(), rest.begin(), rest.end());
   for (const std::string& name : columns.metrics)

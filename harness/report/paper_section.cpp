@@ -94,8 +94,7 @@ Section section_of(std::vector<Cell> cells, const std::string& stem, const Sourc
     table.remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",
                                         experiment.table.empty() ? "the paper" : experiment.table,
                                         experiment.hardware));
-  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return c.median_ms > 0 && !c.converged; }))
-    table.remarks.emplace_back(star_remark);
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
   if (view.x.empty() && has("triangles")) {
     view.x = "triangles";

@@ -114,8 +114,8 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
              if (!ratio) return Value{"", std::string(to_text(cell.status)), cell.reason, "", true};
              const Metric& m = cell.metrics.at("opengl_ratio");
              return Value{fmt::format("{:.6g}", *ratio),
-                          fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, cell.converged ? "" : "*",
-                                      m.low.value_or(0), m.high.value_or(0))};
+                          fmt::format("{:.2f}{} [{:.2f}, {:.2f}]", *ratio, marks_of(cell), m.low.value_or(0),
+                                      m.high.value_or(0))};
            }};
   Section section{table_of(cells, columns), {}};
   Table& table = section.table;
@@ -138,6 +138,7 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
                   "round: median over the "
                   "rounds, and its 95% interval.",
                   renderer == cells.end() ? "OpenGL" : renderer->renderer)};
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   for (std::string& sentence : means_of(cells)) table.remarks.push_back(std::move(sentence));
   if (std::string sentence = overhead_of(cells); !sentence.empty())
     table.remarks.push_back(std::move(sentence));

@@ -9,11 +9,13 @@
 #include "harness/atomic_file.hpp"
 #include "harness/claims/claim_file.hpp"
 #include "harness/claims/print.hpp"
+#include "harness/file_hash.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/input_sets.hpp"
+#include "harness/report/left_out.hpp"
 #include "harness/report/plot.hpp"
 #include "harness/report/scaling.hpp"
 #include "harness/table/render.hpp"
@@ -103,6 +105,18 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
+/// Removes from the cells the paths of picture files that no row of the cell wrote, and lists them.
+void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_out) {
+  for (Cell& c : cells) {
+    if (c.picture_hashes.empty() || !fs::is_regular_file(c.image) ||
+        c.picture_hashes.contains(hash_of_file(c.image)))
+      continue;
+    left_out.push_back({c.experiment, c.case_name, c.image.string(),
+                        "picture: the file is not the picture that the row recorded"});
+    c.image.clear();
+  }
+}
+
 /// Copies one picture for each combination of experiment, changes on the command line, model and value of the
 /// axis "reading". Among the pictures with the largest number of layers, it copies the picture with the
 /// smallest width.
@@ -186,7 +200,7 @@ void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::p
 }  // namespace
 
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::path& folder,
-                                  const ModelNote& note) {
+                                  const ModelNote& note, const std::vector<LeftOut>& left_out) {
   const std::vector<InputSet> sets = input_sets(rows);
   std::vector<Report> reports;
   std::vector<std::string> apart;
@@ -202,12 +216,13 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
                             : std::vector<std::string>{fmt::format(
                                   "the inputs of these rows ({}) differ from the inputs of the rows with "
                                   "the same names in the first set",
-                                  sets[i].differs)}));
+                                  sets[i].differs)},
+                     i == 0 ? left_out : std::vector<LeftOut>()));
   return reports;
 }
 
 Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, const ModelNote& note,
-                    std::vector<std::string> notes) {
+                    std::vector<std::string> notes, std::vector<LeftOut> left_out) {
   for (const char* part : {"tables", "plots", "images"}) make_folder(folder / part);
   Report report;
   report.folder = folder;
@@ -219,6 +234,10 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   Sources sources{note, devices_of(report.cells) > 1, hosts_of(report.cells) > devices_of(report.cells),
                   &report.notes};
   report.sections = sections_of(report.cells, sources);
+  drop_other_pictures(report.cells, left_out);
+  copy_pictures(report, folder);
+  for (LeftOut& one : without_numbers(report.cells, rows)) left_out.push_back(std::move(one));
+  if (!left_out.empty()) report.sections.push_back(left_out_section(left_out));
   write_sections(report, folder);
   write_file(folder / "tables" / "all-phases.csv", csv_by_phase(rows));
   report.solvers = solver_lines(rows);
@@ -228,7 +247,6 @@ Report write_report(const std::vector<FoundRow>& rows, const fs::path& folder, c
   draw_springs(report, rows, folder);
   write_scaling(report, folder);
   write_in_turns(report, folder);
-  copy_pictures(report, folder);
   write_file(folder / "references.bib", bibliography_of(rows));
   write_file(folder / "provenance.txt", provenance_of(rows));
   return report;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/claims/judge.hpp"
+#include "harness/journal/all_results.hpp"
 #include "harness/report/sections.hpp"
 #include "harness/report/springs.hpp"
 
@@ -37,15 +38,17 @@ struct Report {
 };
 
 /// Writes one report per set of rows (input_sets()): the report of the first set into `folder`, the other
-/// reports into the folders inputs-2, inputs-3 and so on in `folder`. Returns the reports in this order.
-/// Throws like write_report().
+/// reports into the folders inputs-2, inputs-3 and so on in `folder`. The first report lists also what
+/// `left_out` contains. Returns the reports in this order. Throws like write_report().
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
-                                  const ModelNote& note);
+                                  const ModelNote& note, const std::vector<LeftOut>& left_out = {});
 
 /// Writes all parts into `folder` (created if missing) and returns them. `notes` become the first notes of
-/// the report. Throws InputError for a path that cannot be written.
+/// the report. The last section lists `left_out` and all cases without a time. Throws InputError for a path
+/// that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
-                    const ModelNote& note, std::vector<std::string> notes = {});
+                    const ModelNote& note, std::vector<std::string> notes = {},
+                    std::vector<LeftOut> left_out = {});
 
 /// Returns BibTeX entries of pelage and of the papers whose experiments are among the rows.
 std::string bibliography_of(const std::vector<FoundRow>& rows);

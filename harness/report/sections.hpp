@@ -68,8 +68,8 @@ void add_footnotes(Table& table, const ModelNote& note);
 /// Returns the geometric mean; 0 for an empty list.
 double geometric_mean(const std::vector<double>& numbers);
 
-/// Returns the view of the rows. Rows of earlier versions have no view; for such rows, returns the view of the
-/// shipped experiment that has the same name as the experiment of the rows.
+/// Returns the view of the rows. Rows of earlier versions have no view; for such rows, returns the view of
+/// the shipped experiment that has the same name as the experiment of the rows.
 View view_of(const std::vector<Cell>& cells);
 
 }  // namespace pelage

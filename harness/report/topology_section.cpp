@@ -120,8 +120,7 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
       "frame: median wall time of a warm frame; simulate: median time of its simulation by the device's "
       "timer; both in "
       "ms."};
-  if (std::any_of(cells.begin(), cells.end(), [](const Cell& c) { return timed(c) && !c.converged; }))
-    table.remarks.emplace_back(star_remark);
+  for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
   if (view == View{} && has("triangles")) {
     view = {.x = "triangles", .y = {"median_ms"}, .series = {axis}, .x_scale = "log", .y_scale = "log"};

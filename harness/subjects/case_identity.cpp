@@ -6,6 +6,7 @@
 #include "harness/cl/program.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
+#include "harness/journal/part_hashes.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
@@ -17,16 +18,22 @@ std::string hash(const std::string& text) {
   return Hash().text(text).hex();
 }
 
-std::string text_of(const std::map<std::string, int>& tuning) {
-  std::string text;
-  for (const auto& [axis, value] : tuning) text += fmt::format("{}={} ", axis, value);
-  return text;
-}
-
 /// Returns the limits as text. Every number has its shortest decimal form, so that equal limits have equal
 /// texts.
 std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
+}
+
+/// Returns renderer_hash() of this machine; "absent" if OpenGL is not available.
+std::string present_renderer() {
+  static const std::string known = [] {
+    try {
+      return renderer_hash(opengl_renderer());
+    } catch (const InputError&) {
+      return std::string("absent");
+    }
+  }();
+  return known;
 }
 
 }  // namespace
@@ -36,15 +43,17 @@ Identity case_identity(SubjectContext& context, const Case& which, const Samplin
   return {{"scene", scene_hash(scene)},
           {"mesh", context.mesh_of(scene)->hash},
           {"variant", Hash().text(which.pipeline).text(which.mapping).text(which.opengl).hex()},
-          {"tuning", hash(text_of(context.tuning))},
+          {"tuning", tuning_hash(context.tuning)},
           {"sampling", hash(text_of(limits))},
-          {"device", hash(device_provenance(context.device.info()).dump())}};
+          {"device", device_hash(device_provenance(context.device.info()))},
+          {build_part, build_hash()}};
 }
 
 Identity present_identity(Identity planned, const Identity& recorded) {
   const std::string prefix = kernel_part;
   for (const auto& [part, unused] : recorded) {
     if (part == shader_part) planned[part] = shader_hash();
+    if (part == renderer_part) planned[part] = present_renderer();
     if (!part.starts_with(prefix)) continue;
     try {
       planned[part] = cl::hash_of(cl::sources_of(part.substr(prefix.size())));

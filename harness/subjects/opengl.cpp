@@ -6,7 +6,7 @@
 #include "harness/compare/shares.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
-#include "harness/hash.hpp"
+#include "harness/journal/part_hashes.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/mesh/quality.hpp"
@@ -69,7 +69,9 @@ class OpenGlSubject : public Subject {
     row.provenance["mesh_warnings"] = uv_warnings(*input_->mesh);
     row.provenance["scene_hash"] = scene_hash(input_->scene);
     row.provenance["check_seed"] = seed_;
-    row.provenance["opengl_renderer"] = opengl_renderer();
+    const std::string renderer = opengl_renderer();
+    row.provenance["opengl_renderer"] = renderer;
+    row.identity[renderer_part] = renderer_hash(renderer);
     row.provenance["opengl_options"] = to_text(options_);
     row.provenance["shader_hash"] = row.identity[shader_part] = shader_hash();
   }
@@ -149,7 +151,7 @@ std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which)
   const OpenGlOptions options = opengl_options(which.opengl);
   const Scene scene = scene_of(context.experiment, which);
   return std::make_unique<OpenGlSubject>(prepare(scene, context.mesh_of(scene)), options,
-                                         std::uint32_t(Hash().text(which.name).value()));
+                                         check_seed(which.name));
 }
 
 }  // namespace pelage

@@ -12,7 +12,7 @@
 #include "harness/compare/sticks.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/error.hpp"
-#include "harness/hash.hpp"
+#include "harness/journal/part_hashes.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/memory.hpp"
 #include "harness/mesh/quality.hpp"
@@ -27,10 +27,6 @@ namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint32_t seed_of(const std::string& name) {
-  return std::uint32_t(Hash().text(name).value());
-}
 
 class ShellsSubject : public Subject {
  public:
@@ -121,7 +117,8 @@ std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which)
   const auto mesh = context.mesh_of(scene);
   const ShellOptions options{which.mapping, context.tuning};
   reset_peak_memory();
-  return std::make_unique<ShellsSubject>(context.device, prepare(scene, mesh), options, seed_of(which.name));
+  return std::make_unique<ShellsSubject>(context.device, prepare(scene, mesh), options,
+                                         check_seed(which.name));
 }
 
 }  // namespace pelage

@@ -19,6 +19,12 @@ def _value(text):
     return text
 
 
+def _contended(provenance):
+    """Returns whether other processes used more than 10% of the CPU time; None if the row does not record it."""
+    share = provenance.get("other_cpu_share")
+    return None if share is None else share > 0.1
+
+
 def _names(row):
     """Returns the columns that identify a row."""
     provenance = row["provenance"]
@@ -27,7 +33,8 @@ def _names(row):
             "overrides": ";".join(f"{key}={value}" for key, value in sorted(row["overrides"].items())),
             "device": row["device"], "host": provenance.get("host", ""), "run_id": row["run_id"],
             "repeat": row["repeat"], "preset": provenance.get("preset", ""),
-            "identity": identity_hash(row.get("identity", {})), "status": row["status"], "reason": row["reason"]}
+            "identity": identity_hash(row.get("identity", {})), "status": row["status"], "reason": row["reason"],
+            "contended": _contended(provenance)}
 
 
 def _metrics(row):
@@ -67,6 +74,8 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
       experiment, case, variant, and one column per axis, such as model, layers, size
       overrides ("key=value;..." of --set, --axis and --model; "" if the experiment was not changed)
       device, host, run_id, repeat, preset, status, reason
+      contended: whether other processes used more than 10% of the machine's CPU time while the case was timed; None in
+        rows that do not record it
       identity: a hash of all inputs of the measurement; lines with different identities measured different things;
         "" in rows of schema 1, which do not record their inputs
       phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged

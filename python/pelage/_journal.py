@@ -4,6 +4,8 @@ import math
 import zlib
 from pathlib import Path
 
+from ._contradiction import contradiction, hash_of_texts
+
 NEWEST_SCHEMA = 2
 CRC_MARK = b',"crc":"'
 FIELDS = ("schema", "run_id", "experiment", "case", "variant", "axes", "overrides", "device", "repeat", "status",
@@ -50,6 +52,8 @@ def parse_line(line):
     for check in row["check"] if row["status"] == "ok" else ():
         if not holds(check):
             raise ResultsError(f"the row is ok, but its check {check['metric']} does not hold")
+    if text := contradiction(row):
+        raise ResultsError(text)
     return row
 
 
@@ -93,7 +97,7 @@ def journals_in(place):
 
 def read_rows(places):
     """Returns the rows of all places. A row that several journals contain is returned once."""
-    known = {}
+    known, timed = {}, {}
     for place in places:
         for file in journals_in(place):
             for row in read_journal(file):
@@ -103,6 +107,12 @@ def read_rows(places):
                     raise ResultsError(f"{other} and {file}: each contains a row of case {row['case']} from the same "
                                        "run, but the two rows differ. One of the files was changed; give only the "
                                        "original")
+                times = tuple(row["samples"].get("frame", {}).get("wall_ms", ()))
+                same, other = timed.setdefault(times, (key, file)) if len(times) > 1 else (key, file)
+                if same != key:
+                    raise ResultsError(f"{other} and {file}: two rows claim to be different measurements, but their "
+                                       f"{len(times)} frame times are equal. One of them is a changed copy; give only "
+                                       "the original")
     return [row for row, file in known.values()]
 
 
@@ -110,12 +120,7 @@ def identity_hash(identity):
     """Returns the 16 hexadecimal digits that `pelage export` prints for an identity; "" if there is none."""
     if not identity:
         return ""
-    value = 0xcbf29ce484222325
-    for text in (text for pair in sorted(identity.items()) for text in pair):
-        data = text.encode()
-        for byte in len(data).to_bytes(8, "little") + data:
-            value = (value ^ byte) * 0x100000001b3 % 2**64
-    return f"{value:016x}"
+    return f"{hash_of_texts(text for pair in sorted(identity.items()) for text in pair):016x}"
 
 
 def median(values):

@@ -1,38 +1,11 @@
 // `pelage run` warns if other processes use much of the machine's CPU time while a case is timed.
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <vector>
 
 #include "tests/cli/shell.hpp"
+#include "tests/support/busy.hpp"
 
 namespace pelage::cli {
 namespace {
-
-/// Uses all CPUs of the machine until it is destroyed.
-class BusyMachine {
- public:
-  BusyMachine() {
-    for (long i = 0; i < sysconf(_SC_NPROCESSORS_ONLN); ++i) {
-      const pid_t child = fork();
-      if (child == 0)
-        for (volatile unsigned long count = 0;;) count = count + 1;
-      children_.push_back(child);
-    }
-  }
-  ~BusyMachine() {
-    for (const pid_t child : children_) {
-      kill(child, SIGKILL);
-      waitpid(child, nullptr, 0);
-    }
-  }
-  BusyMachine(const BusyMachine&) = delete;
-  BusyMachine& operator=(const BusyMachine&) = delete;
-
- private:
-  std::vector<pid_t> children_;
-};
 
 TEST(Load, OfOtherProcessesIsWarnedOfAndRecorded) {
   if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
@@ -41,7 +14,7 @@ TEST(Load, OfOtherProcessesIsWarnedOfAndRecorded) {
                "name = 'one'\ntitle = 'one'\n[axes]\nmodel = ['torus']\nlayers = [4]\nsize = ['320x240']\n"
                "[scene]\nfur.texture = 64\n"
                "[preset.quick]\nwarm_up_s = 1.0\nleast = 2\nmost = 2\nprecision = 1.0\nlimit_s = 5.0\n");
-  const BusyMachine busy;
+  const test::BusyMachine busy;
   const Outcome run = pelage(folder, "run one.toml -o out; cat out/one/*.jsonl >rows");
   EXPECT_NE(run.err.find("pelage: warning: torus-4-320x240: other processes took "), std::string::npos)
       << run.err;

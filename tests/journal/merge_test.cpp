@@ -25,6 +25,7 @@ const Identity kInputs{
 Row row_of(const std::string& name, const std::string& run = "run1") {
   Row row = test::sample_row(name);
   row.run_id = run;
+  test::vary_times(row, run);
   row.experiment = "own";
   row.identity = kInputs;
   row.provenance["host"] = "node1";

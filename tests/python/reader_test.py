@@ -35,13 +35,15 @@ def row(**changes):
             "variant": "shells/tile", "axes": {"layers": 8, "mood": "calm", "curl.radius": "0.10"}, "overrides": {},
             "device": "a device", "repeat": 0, "status": "ok", "reason": "",
             "check": [{"against": "reference", "metric": "psnr", "value": "inf", "limit": 60, "sense": ">="}],
-            "samples": {"frame": {"event_ms": [], "wall_ms": [3.0, 1.0, 2.0, 4.0, 6.0, 5.0, 7.0, 100.0]},
-                        "bin": {"event_ms": [0.5], "wall_ms": []}},
+            "samples": {"frame": {"event_ms": [0.5] * 8, "wall_ms": [3.0, 1.0, 2.0, 4.0, 6.0, 5.0, 7.0, 100.0]},
+                        "bin": {"event_ms": [0.5] * 8, "wall_ms": []}},
             "metrics": {"triangles": {"value": 12, "unit": "triangles"},
                         "ratio": {"value": 2, "unit": "times", "low": 1, "high": 3}},
             "build_ms": 1, "first_launch_ms": 1, "tuning": {}, "image_hash": "",
             "provenance": {"host": "here", "preset": "quick", "converged": True},
             "identity": {"scene": "0123456789abcdef"}}
+    if "case" in changes:  # two measurements never have equal times
+        base["samples"]["frame"]["wall_ms"][-1] += zlib.crc32(changes["case"].encode()) % 1000 / 1000
     return {**base, **changes}
 
 
@@ -107,6 +109,17 @@ class Reader(unittest.TestCase):
                    line(row(schema=3)): "schema 3; this version of pelage reads schemas 1 to 2",
                    line(row(status="fine")): "unknown status 'fine'",
                    line(row(check=[])): "nothing was checked",
+                   line(row(identity={"scene": "torus"})): "part scene is 'torus', not a hash",
+                   line(row(image_hash="1")): "image_hash is '1', not a hash",
+                   line(row(samples={})): "no times of frames",
+                   line(row(samples={"frame": {"event_ms": [], "wall_ms": [1, 0]}})): "that is not above 0",
+                   line(row(samples={"frame": {"event_ms": [], "wall_ms": [1, 2]}})): "only 2 timed frames",
+                   line(row(samples={"frame": {"event_ms": [1] * 8, "wall_ms": [2] * 7}})): "but 7 timed frames",
+                   line(row(samples={"frame": {"event_ms": [3] * 8, "wall_ms": [2] * 8},
+                                     "bin": {"event_ms": [3] * 8, "wall_ms": []}})): "above its median wall time",
+                   line(row(metrics={"covered_fragments": {"value": 9, "unit": "fragments"},
+                                     "fragments_per_s": {"value": 9, "unit": "1/s"}})): "does not follow",
+                   line(row(status="skipped")): "the status skipped, but it has times",
                    line(row(check=[{**row()["check"][0], "value": 50}])): "check psnr does not hold",
                    line({key: value for key, value in row().items() if key != "axes"}): "no field axes"}
         for text, pattern in damaged.items():
@@ -117,7 +130,7 @@ class Reader(unittest.TestCase):
 
     def test_contradicting_copies_are_an_error(self):
         self.journal(line(row()))
-        self.journal(line(row(image_hash="1")), "other/a.jsonl")
+        self.journal(line(row(image_hash="0" * 16)), "other/a.jsonl")
         self.refuses("the two rows differ", self.folder)
 
     def test_all_recordings_are_read_as_export_writes_them(self):

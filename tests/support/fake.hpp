@@ -7,6 +7,7 @@
 #include <fstream>
 #include <string>
 
+#include "harness/hash.hpp"
 #include "harness/measure/runner.hpp"
 
 namespace pelage::test {
@@ -32,6 +33,12 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
   std::ofstream(file, std::ios::binary) << text;
 }
 
+/// Adds less than 0.01 ms to a frame time. Two measurements never have equal times, so rows of different
+/// cases or runs get different texts.
+inline void vary_times(Row& row, const std::string& text) {
+  row.samples["frame"].wall_ms.front() += 1e-5 * double(Hash().text(text).value() % 997);
+}
+
 inline Row sample_row(const std::string& name) {
   Row row;
   row.run_id = "20261121T000000Z-1";
@@ -41,8 +48,9 @@ inline Row sample_row(const std::string& name) {
   row.axes = {{"model", "torus"}, {"layers", "16"}, {"size", "800x600"}};
   row.device = "a \"device\", with\ttab";
   row.check = {{"reference", "psnr", 71.5, 60, true}, {"reference", "p99.9", 0.0039, 0.0078, false}};
-  row.samples["frame"] = {{10.25, 10.5}, {10.75, 11.0, 1e-3}, {20.5, 21.25, 0}};
-  row.samples["raster"] = {{8, 9}, {}};
+  row.samples["frame"] = {{4, 4.5, 5e-4}, {10.75, 11.0, 1e-3}, {20.5, 21.25, 0}};
+  row.samples["raster"] = {{4, 4.5, 5e-4}, {}};
+  vary_times(row, name);
   row.metrics["triangles"] = {9360, "triangles"};
   row.metrics["paper_fps"] = {1, "fps", "<", std::nullopt, 1.0};
   row.build_ms = 812.5;

@@ -1,0 +1,87 @@
+#include "harness/report/left_out.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "harness/journal/shards.hpp"
+
+namespace pelage {
+namespace {
+
+/// The longest reason that a table shows. The log of a kernel that cannot be compiled has many lines.
+constexpr std::size_t longest_reason = 300;
+
+/// Returns the first line of the text, shortened to longest_reason bytes.
+std::string first_line(const std::string& text) {
+  std::string line = text.substr(0, text.find('\n'));
+  if (line.size() > longest_reason) {
+    std::size_t end = longest_reason;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0) == 0x80)
+      --end;  // inside a UTF-8 character
+    line = line.substr(0, end);
+  }
+  if (line.size() < text.size()) line += " ...";
+  return line;
+}
+
+std::string place_of(const Cell& cell) {
+  std::string place = fmt::format("{} on {}", cell.variant, cell.device);
+  if (const std::string changes = changes_of(cell); !changes.empty())
+    place += fmt::format("; changed: {}", changes);
+  return place;
+}
+
+}  // namespace
+
+std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& journals,
+                                   const std::vector<FoundRow>& rows) {
+  std::vector<LeftOut> list;
+  for (const RunState& state : run_states(journals, rows))
+    for (const Gap& gap : state.gaps)
+      list.push_back(
+          {state.experiment, "", state.where, fmt::format("cases without a row: {}", text_of(gap))});
+  return list;
+}
+
+std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::vector<FoundRow>& rows) {
+  std::vector<LeftOut> list;
+  std::set<std::string> with_ratio;  // experiments
+  for (const Cell& c : cells)
+    if (c.metrics.contains("opengl_ratio")) with_ratio.insert(c.experiment);
+  for (const Cell& c : cells) {
+    std::string reason;
+    if (c.status != Status::ok)
+      reason = fmt::format("no time: {}: {}", to_text(c.status), first_line(c.reason));
+    else if (c.median_ms <= 0)
+      reason = "no time: the row has no times of frames";
+    else if (with_ratio.contains(c.experiment) && !c.metrics.contains("opengl_ratio"))
+      reason = "no ratio: the row does not contain the time of the OpenGL baseline";
+    if (!reason.empty()) list.push_back({c.experiment, c.case_name, place_of(c), reason});
+  }
+  for (const FoundRow& found : rows)
+    if (const auto note = found.row.provenance.find("event_times");
+        note != found.row.provenance.end() && note->is_string())
+      list.push_back({found.row.experiment, found.row.case_name, found.journal.string(),
+                      fmt::format("event times {}", note->get<std::string>())});
+  return list;
+}
+
+Section left_out_section(const std::vector<LeftOut>& list) {
+  Section section;
+  Table& table = section.table;
+  table.title = "Left out";
+  table.subtitle = "Cases without a time, and parts of the inputs that are in no other table";
+  table.stem = "left-out";
+  table.columns = {{"experiment", "experiment"}, {"case", "case"}, {"where", "where"}, {"reason", "reason"}};
+  table.layout = {{}, {"experiment", "case", "where"}, {}, {"reason"}};
+  for (const LeftOut& one : list) {
+    std::vector<Value>& line = table.lines.emplace_back();
+    for (const std::string& text : {one.experiment, one.case_name, one.where, one.reason})
+      line.push_back({text, text.empty() ? "-" : text});
+  }
+  return section;
+}
+
+}  // namespace pelage

@@ -1,0 +1,215 @@
+// Honest runs: none may be refused, and none of their rows may be kept apart from rows of the same
+// measurement. The numbers of the runs are those of docs/trust.md.
+#include <algorithm>
+
+#include "harness/journal/part_hashes.hpp"
+#include "harness/report/left_out.hpp"
+#include "tests/planted/runs.hpp"
+
+namespace pelage::planted {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Honest : Runs {
+  /// Runs own.toml with the options, and expects that all rows are ok and that no row or case is left out.
+  void run(const std::string& text, const std::string& options = "", const std::string& results = "results") {
+    folder.write("own.toml", text);
+    const Outcome outcome = cli::pelage(folder, "run own.toml -o " + results + " " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    expect_whole({path(results)});
+  }
+  /// Expects that all rows of the results are ok, are read, and are in one set.
+  static void expect_whole(const std::vector<fs::path>& places) {
+    std::vector<std::string> names;
+    for (const fs::path& place : places) names.push_back(place.string());
+    const Results results = read_all_results(names);
+    EXPECT_FALSE(results.rows.empty());
+    for (const FoundRow& found : results.rows) EXPECT_EQ(found.row.status, Status::ok) << found.row.reason;
+    for (const LeftOut& one : results.left_out) ADD_FAILURE() << one.reason;
+    for (const LeftOut& one : missing_cases(journals_of(names), results.rows)) ADD_FAILURE() << one.reason;
+    for (const LeftOut& one : without_numbers(cells_of(results.rows), results.rows))
+      ADD_FAILURE() << one.reason;
+    EXPECT_TRUE(kept_apart(places).empty());
+  }
+  void expect_resumed(const std::string& options = "", const std::string& file = "own.toml") {
+    const Outcome again = cli::pelage(folder, options + " run " + file + " --resume results");
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.err.find(" kept from the interrupted run"), std::string::npos) << again.err;
+  }
+  /// Expects that the row of a resumed case is measured again, and that the other row is kept.
+  void expect_one_more(const Outcome& again) {
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.err.find("1 cases ok, 0 cases not ok, 1 kept"), std::string::npos) << again.err;
+    expect_whole({path("results")});
+  }
+};
+
+const std::string torus = "model = [\"torus-24x12\"]\nlayers = [4]\nsize = [\"320x240\"]";
+
+TEST_F(Honest, FinishedRunResumed) {
+  take("base");
+  expect_resumed();
+}
+
+TEST_F(Honest, ResumeAfterAKill) {
+  take("base");
+  fs::resize_file(journal(), fs::file_size(journal()) - 20);
+  expect_one_more(resume());
+}
+
+TEST_F(Honest, ResumeAfterAnError) {
+  take("base");
+  reseal([this](Row& row) {
+    if (row.case_name != rows().front().case_name) return;
+    row.status = Status::error;
+    row.reason = "disk full";
+    row.samples.clear();
+  });
+  const Outcome again = resume();
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(rows().size(), 2U);
+  for (const Row& row : rows()) EXPECT_EQ(row.status, Status::ok) << row.reason;
+  const Results results = read_all_results({path("results").string()});
+  ASSERT_EQ(results.left_out.size(), 1U) << "the list names the row with the error";
+  EXPECT_EQ(results.left_out.front().reason, "error: disk full; a later row replaces this one");
+}
+
+TEST_F(Honest, ResumeOfTheOtherHalf) {
+  folder.write("own.toml", base_experiment());
+  ASSERT_EQ(cli::pelage(folder, "run own.toml --filter -4- -o results").code, 0) << folder.read("stderr");
+  expect_one_more(resume());
+}
+
+TEST_F(Honest, UnusedKernelEdited) {
+  take("base");
+  edit_kernel("springs/gradients.cl", "\n", "\n// edited\n");
+  expect_resumed("--kernels mine");
+}
+
+TEST_F(Honest, CommentInTheScene) {
+  take("base");
+  edit("own.toml", "[scene]", "# a comment\n[scene] # another one");
+  expect_resumed();
+}
+
+TEST_F(Honest, MovedCheckout) {
+  take("base");
+  fs::copy(PELAGE_SOURCE_DIR "/kernels", path("elsewhere"), fs::copy_options::recursive);
+  fs::create_directory(path("deep"));
+  fs::rename(path("own.toml"), path("deep/renamed.toml"));
+  expect_resumed("--kernels elsewhere", "deep/renamed.toml");
+}
+
+TEST_F(Honest, CopyOfAFolderAlone) {
+  take("base");
+  fs::copy(path("results"), path("copy"), fs::copy_options::recursive);
+  fs::remove_all(path("results"));
+  expect_whole({path("copy")});
+}
+
+TEST_F(Honest, RenamedFolder) {
+  take("base");
+  fs::create_directory(path("kept"));
+  fs::rename(path("results"), path("kept/of monday"));
+  fs::rename(path("kept"), path("results"));
+  expect_whole({path("results")});
+}
+
+TEST_F(Honest, RepeatedInProcesses) {
+  run(base_experiment(), "--filter -4- --repeat 2");
+  const std::vector<Cell> cells = cells_in({path("results")});
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells.front().timings.processes.size(), 2U);
+  EXPECT_FALSE(cells.front().picture_hashes.empty());
+}
+
+TEST_F(Honest, TwoRunsOfOneScene) {
+  take("base");
+  const Outcome second = cli::pelage(folder, "run own.toml --filter -4- -o second");
+  ASSERT_EQ(second.code, 0) << second.err;
+  expect_whole({path("results"), path("second")});
+  EXPECT_EQ(cells_in({path("results"), path("second")}).front().timings.processes.size() +
+                cells_in({path("results"), path("second")}).back().timings.processes.size(),
+            3U);
+}
+
+TEST_F(Honest, MergedShards) {
+  folder.write("own.toml", base_experiment());
+  for (const char* options : {"--shard 0/2 -o s0", "--shard 1/2 -o s1"}) {
+    const Outcome shard = cli::pelage(folder, std::string("run own.toml --host nodes ") + options);
+    ASSERT_EQ(shard.code, 0) << shard.err;
+  }
+  const Outcome merged = cli::pelage(folder, "merge results s0 s1");
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_EQ(rows().size(), 2U);
+  expect_whole({path("results")});
+}
+
+TEST_F(Honest, MeshFilesAndACoatOfOnesOwn) {
+  take("files");
+  expect_whole({path("results")});
+  for (const char* file : {"own.obj", "buffered.gltf", "own.bin", "own.png"})
+    fs::last_write_time(path(file), fs::file_time_type::clock::now());
+  expect_resumed();
+}
+
+TEST_F(Honest, ChangedByTheCommandLine) {
+  folder.write("own.toml", base_experiment());
+  const std::string command = "run own.toml --filter -4- --set fur.length=0.12 ";
+  ASSERT_EQ(cli::pelage(folder, command + "-o results").code, 0) << folder.read("stderr");
+  expect_whole({path("results")});
+  const Outcome again = cli::pelage(folder, command + "--resume results");
+  EXPECT_EQ(again.code, 0) << again.err;
+}
+
+TEST_F(Honest, WetFur) {
+  run(experiment(torus, "shading.model = \"wet\"\nwetness.random = 60"));
+}
+
+TEST_F(Honest, CurledFur) {
+  run(experiment(torus, "curl.radius = 0.05\ncurl.turns = 2.0"));
+}
+
+TEST_F(Honest, MassSprings) {
+  run(experiment(torus, "dynamics.topology = \"sticks\"\ndynamics.wind.strength = 0.05"));
+  expect_resumed();
+}
+
+TEST_F(Honest, AnotherMapping) {
+  run(experiment(torus, ""), "--mapping pixel");
+}
+
+TEST_F(Honest, FramesInTurns) {
+  run(experiment("variant = [\"fewer\"]\nmodel = [\"torus-24x12\"]\nlayers = [8]\nsize = [\"320x240\"]", "") +
+      "[variant.fewer]\npipeline = \"shells+fewer\"\n");
+}
+
+TEST_F(Honest, SolverWithoutAPicture) {
+  run(experiment("variant = [\"springs\"]\nmodel = [\"torus-24x12\"]", "dynamics.topology = \"sticks\"") +
+      "[variant.springs]\npipeline = \"springs+rivals\"\n");
+}
+
+TEST_F(Honest, OpenGlBaseline) {
+  folder.write("own.toml", experiment("variant = [\"opengl\"]\n" + torus, "") +
+                               "[variant.opengl]\npipeline = \"shells+opengl\"\n");
+  const Outcome outcome = cli::pelage(folder, "run own.toml -o results");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  if (rows().front().status == Status::unsupported) GTEST_SKIP() << rows().front().reason;
+  expect_whole({path("results")});
+  EXPECT_TRUE(rows().front().identity.contains(renderer_part));
+  expect_resumed();
+}
+
+TEST_F(Honest, RunWithoutNames) {
+  run(base_experiment(), "--filter -4- --anonymous");
+}
+
+TEST_F(Honest, RecordingsOfTheRepository) {
+  const Results results = read_all_results({PELAGE_SOURCE_DIR "/results"});
+  EXPECT_GT(results.rows.size(), 700U);
+  for (const LeftOut& one : results.left_out) ADD_FAILURE() << one.where << ": " << one.reason;
+}
+
+}  // namespace
+}  // namespace pelage::planted

@@ -1,0 +1,52 @@
+// Tests that docs/trust.md lists exactly the tests of this folder.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace pelage::planted {
+namespace {
+
+/// Returns the names of the tests of a suite, in the order of the executable.
+std::vector<std::string> tests_of(const std::string& suite) {
+  std::vector<std::string> names;
+  const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
+  for (int s = 0; s < all.total_test_suite_count(); ++s) {
+    const ::testing::TestSuite& one = *all.GetTestSuite(s);
+    if (one.name() != suite) continue;
+    for (int t = 0; t < one.total_test_count(); ++t) names.emplace_back(one.GetTestInfo(t)->name());
+  }
+  return names;
+}
+
+/// Returns the tests of a suite that the document names in the last column of a table, in the order of their
+/// numbers.
+std::vector<std::string> listed(const std::string& text, const std::string& suite) {
+  const std::regex line("\\| ([0-9]+) \\|.*\\| `" + suite + "\\.(\\w+)` \\|");
+  std::vector<std::string> names;
+  for (std::sregex_iterator match(text.begin(), text.end(), line), end; match != end; ++match) {
+    names.push_back((*match)[2]);
+    EXPECT_EQ((*match)[1], std::to_string(names.size()))
+        << "the numbers of the suite " << suite << " have a gap";
+  }
+  return names;
+}
+
+TEST(List, TheDocumentNamesEveryTestOnce) {
+  std::ifstream stream(PELAGE_SOURCE_DIR "/docs/trust.md", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  for (const auto& [suite, least] : {std::pair{"Planted", 24U}, {"Honest", 20U}}) {
+    std::vector<std::string> in_document = listed(text, suite), in_program = tests_of(suite);
+    EXPECT_GE(in_document.size(), least);
+    std::sort(in_document.begin(), in_document.end());
+    std::sort(in_program.begin(), in_program.end());
+    EXPECT_EQ(in_document, in_program);
+  }
+}
+
+}  // namespace
+}  // namespace pelage::planted

@@ -1,0 +1,49 @@
+// A library that is loaded before the C library (LD_PRELOAD). The wall clock of a process with this library
+// steps by a day with every second call, forward and backward. The monotonic clocks do not change.
+#include <sys/syscall.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <ctime>
+
+namespace {
+
+constexpr time_t day = 86400;
+
+std::atomic<unsigned> calls{0};
+
+time_t step() {
+  return calls++ % 2 == 0 ? -day : day;
+}
+
+bool is_wall(clockid_t clock) {
+  return clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE;
+}
+
+}  // namespace
+
+extern "C" {
+
+int clock_gettime(clockid_t clock, timespec* now) noexcept {
+  const long code = syscall(SYS_clock_gettime, clock, now);
+  if (code == 0 && is_wall(clock)) now->tv_sec += step();
+  return int(code);
+}
+
+int gettimeofday(timeval* now, void* /*zone*/) noexcept {
+  timespec precise{};
+  const int code = clock_gettime(CLOCK_REALTIME, &precise);
+  now->tv_sec = precise.tv_sec;
+  now->tv_usec = precise.tv_nsec / 1000;
+  return code;
+}
+
+time_t time(time_t* into) noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_REALTIME, &now);
+  if (into != nullptr) *into = now.tv_sec;
+  return now.tv_sec;
+}
+
+}  // extern "C"

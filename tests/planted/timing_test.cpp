@@ -1,0 +1,231 @@
+// Plants ways to get a wrong number: times that are not times of the frames, and pictures that are not the
+// pictures of the timed frames. The numbers of the ways are those of docs/trust.md.
+#include "harness/measure/runner.hpp"
+#include "harness/picture/image_io.hpp"
+#include "harness/subjects/case_identity.hpp"
+#include "harness/subjects/pipelines.hpp"
+#include "tests/planted/runs.hpp"
+#include "tests/support/busy.hpp"
+
+namespace pelage::planted {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A real subject behind which a test plants a fault.
+class Faulty : public Subject {
+ public:
+  explicit Faulty(std::unique_ptr<Subject> real) : real_(std::move(real)) {}
+  FrameSample frame() override { return real_->frame(); }
+  Picture read() override { return real_->read(); }
+  std::vector<Check> check(const Picture& timed) override { return real_->check(timed); }
+  void describe(Row& row) override { real_->describe(row); }
+
+ protected:
+  std::unique_ptr<Subject> real_;
+};
+
+/// Times the first case of own.toml in this process. `Fault` is the class of the faulty subject; `arguments`
+/// are those of its constructor after the real subject.
+template <class Fault, class... Arguments>
+Row time_faulty(const Folder& folder, Arguments... arguments) {
+  const Experiment own = read_experiment(folder.path() / "own.toml");
+  const auto context = make_context(cl::choose_device(""), own, {}, [](const std::string&) {});
+  RunPlan plan;
+  plan.run_id = "run";
+  plan.experiment = own.name;
+  plan.device = context->device.info().name;
+  plan.limits = preset_of(own, "quick").limits;
+  plan.identity = [&](const Case& which) { return case_identity(*context, which, plan.limits); };
+  Case which = cases_of(own, preset_of(own, "quick")).front();
+  if (which.mapping.empty()) which.mapping = "tile";
+  const MakeSubject make = subjects_of(context);
+  return run_case(plan, which, plan.limits,
+                  [&](const Case& one) { return std::make_unique<Fault>(make(one), arguments...); });
+}
+
+/// Runs a case of the experiment base with the kernels of the folder mine, and expects that its row is not
+/// ok.
+Row row_with_kernels(const Folder& folder) {
+  folder.write("own.toml", base_experiment());
+  const Outcome outcome =
+      cli::pelage(folder, "--kernels mine run own.toml --filter -4- --mapping tile -o results");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  const std::vector<FoundRow> rows = read_results({(folder.path() / "results").string()});
+  EXPECT_EQ(rows.size(), 1U);
+  EXPECT_TRUE(rows.front().row.samples.empty());
+  return rows.front().row;
+}
+
+/// Returns the picture of the first frame for all frames.
+struct Stale : Faulty {
+  using Faulty::Faulty;
+  FrameSample frame() override {
+    FrameSample sample = real_->frame();
+    if (first.pixel.empty()) first = real_->read();
+    return sample;
+  }
+  Picture read() override { return first; }
+  Picture first;
+};
+
+TEST_F(Planted, StalePicture) {
+  folder.write("own.toml", base_experiment());
+  const Row row = time_faulty<Stale>(folder);
+  EXPECT_EQ(row.status, Status::failed_check) << row.reason;
+}
+
+TEST_F(Planted, PictureFileOfAnotherRun) {
+  take("base");
+  take("other", "second");
+  for (const char* layers : {"4", "8"}) {
+    const std::string name = std::string("/own/images/torus_24x12-") + layers + "-320x240.png";
+    ASSERT_NE(folder.read("results" + name), folder.read("second" + name));
+    fs::copy_file(path("second" + name), path("results" + name), fs::copy_options::overwrite_existing);
+  }
+  const Outcome report = cli::pelage(folder, "report results -o page");
+  EXPECT_EQ(report.code, 0) << report.err;
+  EXPECT_TRUE(holds(folder.read("page/tables/left-out.csv"),
+                    "picture: the file is not the picture that the row recorded"))
+      << folder.read("page/tables/left-out.csv");
+  EXPECT_TRUE(fs::is_empty(path("page/images")));
+}
+
+TEST_F(Planted, KernelThatWritesNothing) {
+  edit_kernel("rasterize/tile/tile.cl", "  RasterBuffers of = RASTER_RECORD;\n",
+              "  if (s.tiles_x > 0) return;\n  RasterBuffers of = RASTER_RECORD;\n");
+  const Row row = row_with_kernels(folder);
+  EXPECT_TRUE(row.status == Status::failed_check || row.status == Status::diverged) << row.reason;
+}
+
+TEST_F(Planted, PictureThatIsNotANumber) {
+  edit_kernel("rasterize/tile/tile.cl", "    uint fragments = draw_tile(",
+              "    image[0] = (float4)(NAN);\n    uint fragments = number == 0 ? 0 : draw_tile(");
+  const Row row = row_with_kernels(folder);
+  EXPECT_EQ(row.status, Status::diverged) << row.reason;
+  EXPECT_TRUE(row.samples.empty());
+}
+
+TEST_F(Planted, SimulationThatStandsStill) {
+  edit_kernel("simulate/simulate.cl", "  for (int i = 0; i < s.substeps; ++i) {",
+              "  for (int i = 0; i < s.substeps - s.substeps; ++i) {");
+  const Row row = row_with_kernels(folder);
+  EXPECT_EQ(row.status, Status::failed_check) << row.reason;
+  EXPECT_TRUE(row.samples.empty());
+}
+
+/// Replaces a file during the first frame.
+struct Editor : Faulty {
+  Editor(std::unique_ptr<Subject> real, fs::path old_file, fs::path new_file)
+      : Faulty(std::move(real)), old_(std::move(old_file)), new_(std::move(new_file)) {}
+  FrameSample frame() override {
+    if (fs::exists(new_)) fs::rename(new_, old_);
+    return real_->frame();
+  }
+  fs::path old_, new_;
+};
+
+TEST_F(Planted, TextureEditedDuringTheRun) {
+  folder.write("own.toml", experiment("model = [\"torus-24x12\"]\nlayers = [4]\nsize = [\"320x240\"]",
+                                      "coat.image = \"own.png\""));
+  write_picture(path("own.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.5F, 0.4F, 0.3F, 1))});
+  write_picture(path("new.png"), {2, 2, std::vector<glm::vec4>(4, glm::vec4(0.1F, 0.4F, 0.3F, 1))});
+  const Row row = time_faulty<Editor>(folder, path("own.png"), path("new.png"));
+  EXPECT_EQ(row.status, Status::error);
+  EXPECT_TRUE(holds(row.reason, "but scene_hash of the row gives")) << row.reason;
+  EXPECT_TRUE(row.samples.empty());
+  EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "") << "the journal stays readable";
+}
+
+/// Event times of a driver whose timer does not measure time: every time is multiplied by `factor`, or is
+/// `constant`.
+struct FakeTimer : Faulty {
+  FakeTimer(std::unique_ptr<Subject> real, double by, double same)
+      : Faulty(std::move(real)), factor(by), constant(same) {}
+  FrameSample frame() override {
+    FrameSample sample = real_->frame();
+    for (auto& [phase, ms] : sample.phase_event_ms) ms = constant > 0 ? constant : factor * ms;
+    return sample;
+  }
+  double factor, constant;
+};
+
+TEST_F(Planted, FakeTimer) {
+  folder.write("own.toml", base_experiment());
+  for (const auto& [factor, constant] : {std::pair{1e6, 0.0}, std::pair{1.0, 0.1}}) {
+    const Row row = time_faulty<FakeTimer>(folder, factor, constant);
+    ASSERT_EQ(row.status, Status::ok) << row.reason;
+    for (const auto& [phase, times] : row.samples)
+      EXPECT_TRUE(times.event_ms.empty()) << phase << " " << factor;
+    EXPECT_TRUE(holds(row.provenance.value("event_times", ""), "left out: ")) << factor;
+    EXPECT_EQ(row.samples.at("frame").wall_ms.size(), 6U);
+    EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "");
+  }
+}
+
+/// The first frame takes an hour, as if the driver compiled the kernels at the first launch.
+struct Compiling : Faulty {
+  using Faulty::Faulty;
+  FrameSample frame() override {
+    FrameSample sample = real_->frame();
+    if (first) sample.wall_ms += hour_ms;
+    first = false;
+    return sample;
+  }
+  bool first = true;
+  static constexpr double hour_ms = 3.6e6;
+};
+
+TEST_F(Planted, CompileTimeInside) {
+  folder.write("own.toml", base_experiment());
+  const Row row = time_faulty<Compiling>(folder);
+  ASSERT_EQ(row.status, Status::ok) << row.reason;
+  EXPECT_GE(row.first_launch_ms, Compiling::hour_ms);
+  for (const double ms : row.samples.at("frame").wall_ms) EXPECT_LT(ms, Compiling::hour_ms);
+  EXPECT_GT(row.build_ms, 0) << "the time of the build stands apart, too";
+}
+
+/// The wall clock steps by a day. No time of a row may contain a step of an hour or more.
+TEST_F(Planted, WallClockThatSteps) {
+  folder.write("own.toml", base_experiment());
+  const Outcome outcome =
+      cli::pelage(folder, "run own.toml --filter -4- -o results",
+                  "ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0 LD_PRELOAD='" PELAGE_CLOCK "'");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Row row = rows().front();
+  EXPECT_EQ(row.status, Status::ok);
+  for (const auto& [phase, times] : row.samples)
+    for (const auto* list : {&times.wall_ms, &times.event_ms, &times.cpu_ms})
+      for (const double ms : *list) EXPECT_LT(ms, Compiling::hour_ms) << phase;
+  for (const double ms :
+       {row.build_ms, row.first_launch_ms, 1000 * row.provenance.at("sampling_s").get<double>()})
+    EXPECT_TRUE(ms > 0 && ms < Compiling::hour_ms) << ms;
+}
+
+TEST_F(Planted, LoadedMachine) {
+  if (!std::ifstream("/proc/stat")) GTEST_SKIP() << "no /proc/stat";
+  std::string text = base_experiment();
+  folder.write("own.toml", text.replace(text.find("warm_up_s = 0.0"), 15, "warm_up_s = 1.0"));
+  {
+    const test::BusyMachine busy;
+    const Outcome outcome = cli::pelage(folder, "run own.toml --filter -4- -o results");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(holds(outcome.err, "other processes took ")) << outcome.err;
+  }
+  const std::vector<Cell> cells = cells_in({path("results")});
+  ASSERT_EQ(cells.size(), 1U);
+  EXPECT_EQ(cells.front().status, Status::ok);
+  EXPECT_TRUE(cells.front().contended);
+  const Outcome report = cli::pelage(folder, "report results -o page");
+  EXPECT_EQ(report.code, 0) << report.err;
+  for (const char* file : {"stdout", "page/tables/own.tex", "page/index.html"})
+    EXPECT_TRUE(holds(folder.read(file), "! other processes used more than 10")) << file;
+  EXPECT_TRUE(holds(cli::pelage(folder, "export results").out, ",contended,"));
+}
+
+}  // namespace
+}  // namespace pelage::planted
