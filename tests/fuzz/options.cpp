@@ -22,7 +22,7 @@ void options(std::string_view bytes) {
     const Shard shard = shard_from_text(first);
     expect(shard.index >= 0 && shard.index < shard.count, "a shard out of range");
   });
-  may_refuse([&] { expect(threshold_from_text(first) >= 0, "a negative threshold"); });
+  may_refuse([&] { expect(fraction_from_text("--threshold", first) >= 0, "a negative threshold"); });
   may_refuse([&] { CompareBy by(first); });
   may_refuse([&] {
     const Metric figure = published_figure(first, "ms");
