@@ -21,8 +21,7 @@ struct Honest : Runs {
   }
   /// Expects that all rows of the results are ok, are read, and are in one set.
   static void expect_whole(const std::vector<fs::path>& places) {
-    std::vector<std::string> names;
-    for (const fs::path& place : places) names.push_back(place.string());
+    const std::vector<std::string> names(places.begin(), places.end());
     const Results results = read_all_results(names);
     EXPECT_FALSE(results.rows.empty());
     for (const FoundRow& found : results.rows) EXPECT_EQ(found.row.status, Status::ok) << found.row.reason;
