@@ -36,7 +36,7 @@ std::string output_of(const std::string& arguments) {
 Options from_help() {
   const std::string all = output_of("--help");
   std::string commands = all.substr(all.find("Subcommands:") + 12);
-  static const std::regex name("\n  ([a-z]+) ");
+  static const std::regex name("\n  ([a-z-]+) ");
   Options options;
   for (std::sregex_iterator match(commands.begin(), commands.end(), name), end; match != end; ++match) {
     // A line that describes an option starts with two blanks and a dash. Other lines may mention options of
@@ -57,7 +57,7 @@ Options from_page(std::string page) {
   page = std::regex_replace(page, std::regex("\\\\f[A-Z]"), "");
   page = std::regex_replace(page, std::regex("\\\\-"), "-");
   Options options;
-  static const std::regex section("\n\\.SS pelage ([a-z]+)"), heading("\n\\.TP\n([^\n]*)");
+  static const std::regex section("\n\\.SS pelage ([a-z-]+)"), heading("\n\\.TP\n([^\n]*)");
   const std::string commands = page.substr(0, page.find("\n.SH ENVIRONMENT"));
   for (std::sregex_iterator match(commands.begin(), commands.end(), section), end; match != end; ++match) {
     const auto start = static_cast<std::size_t>(match->position());
