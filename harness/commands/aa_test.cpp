@@ -78,6 +78,7 @@ TimePipeline timing_of(const SideScene& side, int frames) {
     Shells shells(side.device, side.input, side.options);
     for (int i = 0; i < warm_up; ++i) shells.frame();
     std::vector<double> times;
+    times.reserve(std::size_t(frames));
     for (int i = 0; i < frames; ++i) times.push_back(shells.frame().wall_ms);
     return times;
   };
@@ -143,6 +144,7 @@ int aa_test(AaOptions options) {
   if (!slower.empty()) {
     const TrialCounts counts = count_of(slower);
     std::vector<double> changes;
+    changes.reserve(slower.size());
     for (const Trial& t : slower) changes.push_back(std::expm1(t.difference.log_ratio));
     fmt::print(
         "{:.2f}% more pixels ({}x{}): {} called slower, {} faster, {} same, {} undecided; "

@@ -40,6 +40,7 @@ double variance_of_mean(const std::vector<double>& values) {
 
 std::vector<double> log_medians(const Timings& timings) {
   std::vector<double> result;
+  result.reserve(timings.processes.size());
   for (const auto& process : timings.processes) result.push_back(std::log(median(process)));
   return result;
 }
@@ -74,6 +75,7 @@ std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   };
   const std::vector<double> in_a = log_medians(a), in_b = log_medians(b);
   std::vector<Process> all;
+  all.reserve(2 * count);
   for (std::size_t i = 0; i < count; ++i) {
     all.push_back({a.started_s[i], in_a[i], false});
     all.push_back({b.started_s[i], in_b[i], true});
@@ -123,6 +125,8 @@ std::vector<Decision> decide(std::span<const Difference> differences, double thr
   const Limits limits = limits_of(threshold);
   std::vector<Decision> decisions;
   std::vector<Side> sides;
+  decisions.reserve(differences.size());
+  sides.reserve(differences.size());
   for (const Difference& d : differences) {
     const double above = d.log_ratio - limits.high, below = limits.low - d.log_ratio;
     sides.push_back(above > 0 ? Side::above : below > 0 ? Side::below : Side::within);

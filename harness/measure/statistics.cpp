@@ -97,6 +97,7 @@ Drift drift_of(std::span<const double> values) {
   if (values.size() < least) return {};
   std::vector<double> chosen;
   const std::size_t count = std::min(values.size(), most);
+  chosen.reserve(count);
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(values[i * values.size() / count]);
   std::vector<double> slopes;
   double rises = 0;  // Kendall's S: pairs that rise minus pairs that fall

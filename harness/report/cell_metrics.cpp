@@ -10,6 +10,7 @@ namespace pelage {
 Metric combined_metric(std::span<const Metric> values) {
   Metric result = values.front();
   std::vector<double> numbers;
+  numbers.reserve(values.size());
   for (const Metric& metric : values) numbers.push_back(metric.value);
   const bool equal = std::all_of(numbers.begin(), numbers.end(), [&](double v) { return v == numbers[0]; });
   const bool finite = std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });

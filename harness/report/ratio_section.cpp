@@ -30,6 +30,7 @@ std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   std::vector<double> means;
   for (std::size_t run = 0; run < count; ++run) {
     std::vector<double> ratios;
+    ratios.reserve(cells.size());
     for (const Cell* c : cells) {
       const std::vector<double>& own = c->runs.at("opengl_ratio");
       if (own.size() != count) return {};

@@ -14,6 +14,7 @@ struct Machine {
   TimePipeline side(double ms) {
     return [this, ms] {
       std::vector<double> times;
+      times.reserve(9);
       for (int i = 0; i < 9; ++i) {
         times.push_back(ms * (1 + 0.1 * now_s) * (1 + noise(random)));
         now_s += 0.01;
@@ -27,6 +28,7 @@ std::vector<Trial> trials_of(double change, int count) {
   Machine machine;
   std::mt19937_64 order(5);
   std::vector<Trial> trials;
+  trials.reserve(std::size_t(count));
   for (int i = 0; i < count; ++i) {
     machine.now_s = 0;
     trials.push_back(run_trial(machine.side(10), machine.side(10 * (1 + change)), {}, order,

@@ -112,6 +112,7 @@ TEST(Statistics, IntervalOfTheMeanOfSeparateRuns) {
   EXPECT_NEAR(mean_interval(v).low, -0.5297804, 5e-8);
   EXPECT_NEAR(mean_interval(v).high, 2.0297804, 5e-8);
   std::vector<double> positive;
+  positive.reserve(v.size());
   for (const double x : v) positive.push_back(std::exp(x));
   EXPECT_NEAR(std::log(mean_interval(positive).low), -0.5297804, 5e-8);
   EXPECT_FALSE(has_mean_interval(2));
@@ -137,8 +138,8 @@ TEST(Statistics, DriftOfALineAndOfNoise) {
 // Kendall's test of the ranks 1 to 10 in order: S = 45, variance 125. R's cor.test(exact = FALSE, continuity
 // = TRUE) prints p = 8.303e-05.
 TEST(Statistics, DriftHasThePValueOfKendall) {
-  std::vector<double> v;
-  for (int i = 1; i <= 10; ++i) v.push_back(i);
+  std::vector<double> v(10);
+  std::iota(v.begin(), v.end(), 1.0);
   EXPECT_NEAR(drift_of(v).p, 8.303e-05, 5e-8);
 }
 

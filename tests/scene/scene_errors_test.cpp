@@ -194,9 +194,9 @@ TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
     EXPECT_NE(refusal([&] { apply_set(scene, "shading.light = " + value); }).find(expected),
               std::string::npos);
   }
-  std::string nested = "1";
-  const std::string before = "{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
-  for (int i = 0; i < 200; ++i) nested = before + nested + "}";
+  std::string nested;
+  for (int i = 0; i < 200; ++i) nested += "{a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a.a = ";
+  nested += "1" + std::string(200, '}');
   EXPECT_NE(refusal([&] {
               parse_scene("fur = " + nested, "s");
             }).find("the key and the keys around it have 81 parts separated by dots; the limit is 64"),
