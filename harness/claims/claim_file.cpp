@@ -114,7 +114,8 @@ void read_relation(Table table, Claim& claim) {
       table.refuse("between", "between needs two numbers, the smaller one first: between = [0.8, 1.25]");
     region.low = limits[0];
     region.high = limits[1];
-    claim.relation = fmt::format("between {:g} and {:g}", limits[0], limits[1]);
+    claim.relation = limits[0] == limits[1] ? fmt::format("exactly {:g}", limits[0])
+                                            : fmt::format("between {:g} and {:g}", limits[0], limits[1]);
   }
   if (claim.relation.empty())
     table.refuse("", "the relation has no limit; give at_most, at_least, below, above, between or about");
