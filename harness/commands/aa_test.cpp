@@ -27,7 +27,7 @@ constexpr const char* kExperiment = "silva2010-table1";
 struct AaOptions {
   std::string model = "torus", size = "400x300", layers = "16", device, alpha = "2%", threshold = "0",
               work = "5%", csv;
-  int equal = 200, slower = 100, frames = 12;
+  int equal = 200, slower = 100, frames = 20;
   TrialLimits limits;
 };
 
@@ -35,14 +35,12 @@ struct Size {
   int width = 0, height = 0;
 };
 
-/// Returns the size of the same shape with `factor` times as many pixels.
-Size scaled(const std::string& text, double factor) {
+Size size_from_text(const std::string& text) {
   Size size;
   if (std::sscanf(text.c_str(), "%5dx%5d", &size.width, &size.height) != 2 || size.width < 16 ||
       size.height < 16)
     throw InputError(fmt::format("--size '{}' is not WIDTHxHEIGHT; write for instance 400x300", text));
-  return {int(std::lround(size.width * std::sqrt(factor))),
-          int(std::lround(size.height * std::sqrt(factor)))};
+  return size;
 }
 
 /// Returns the scene of the experiment's case with this picture size.
@@ -72,15 +70,15 @@ std::string failed_check(const SideScene& side) {
   return {};
 }
 
+/// Returns a side whose only sample is the time of `frames` frames together.
 TimePipeline timing_of(const SideScene& side, int frames) {
   return [&side, frames] {
     constexpr int warm_up = 3;
     Shells shells(side.device, side.input, side.options);
     for (int i = 0; i < warm_up; ++i) shells.frame();
-    std::vector<double> times;
-    times.reserve(std::size_t(frames));
-    for (int i = 0; i < frames; ++i) times.push_back(shells.frame().wall_ms);
-    return times;
+    double sum_ms = 0;
+    for (int i = 0; i < frames; ++i) sum_ms += shells.frame().wall_ms;
+    return std::vector<double>{sum_ms};
   };
 }
 
@@ -99,22 +97,21 @@ int aa_test(AaOptions options) {
   if (!options.csv.empty()) require_place(options.csv);
   const cl::Device device = cl::choose_device(options.device);
   const Experiment experiment = read_experiment(experiment_file(kExperiment));
-  const Size plain = scaled(options.size, 1), larger = scaled(options.size, 1 + work);
+  const Size size = size_from_text(options.size);
+  const int more = int(std::lround(options.frames * (1 + work)));
+  if (more == options.frames)
+    throw InputError(
+        fmt::format("--work '{}' is less than half a frame of --frames {}", options.work, options.frames));
   Progress progress(std::size_t(options.equal + options.slower));
-  const auto mesh = load_scene_mesh(scene_with(experiment, options, plain),
-                                    [&](const std::string& text) { progress.note("  " + text); });
-  const auto side_of = [&](Size size) {
-    return SideScene{device, prepare(scene_with(experiment, options, size), mesh), {}};
-  };
-  const SideScene a = side_of(plain), b = side_of(larger);
-  for (const SideScene* side : {&a, &b})
-    if (const std::string failed = failed_check(*side); !failed.empty()) {
-      fmt::print(stderr, "pelage: {}x{}: the picture fails its check: {}\n", side->input->scene.image.width,
-                 side->input->scene.image.height, failed);
-      return 1;
-    }
+  const Scene scene = scene_with(experiment, options, size);
+  const auto mesh = load_scene_mesh(scene, [&](const std::string& text) { progress.note("  " + text); });
+  const SideScene side{device, prepare(scene, mesh), {}};
+  if (const std::string failed = failed_check(side); !failed.empty()) {
+    fmt::print(stderr, "pelage: the picture fails its check: {}\n", failed);
+    return 1;
+  }
 
-  const TimePipeline time_a = timing_of(a, options.frames), time_b = timing_of(b, options.frames);
+  const TimePipeline time_a = timing_of(side, options.frames), time_b = timing_of(side, more);
   std::mt19937_64 random(options.limits.seed);
   const auto now_s = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -123,18 +120,17 @@ int aa_test(AaOptions options) {
   const CpuWatch watch;
   // The two kinds of trials take turns, so that a busy period affects both.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
-    const auto trial = [&](const char* name, const TimePipeline& side, std::vector<Trial>& trials) {
+    const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
       progress.start(name);
-      trials.push_back(run_trial(time_a, side, options.limits, random, now_s));
+      trials.push_back(run_trial(time_a, other, options.limits, random, now_s));
       progress.finish(fmt::format("{:+.2f}%", 100 * std::expm1(trials.back().difference.log_ratio)));
     };
     if (i < options.equal) trial("equal sides", time_a, equal);
-    if (i < options.slower) trial("more pixels", time_b, slower);
+    if (i < options.slower) trial("more frames", time_b, slower);
   }
 
-  const double pixels = double(larger.width) * larger.height / plain.width / plain.height - 1;
-  fmt::print("{}, {} layers, {}x{}; {} pipelines a side with {} timed frames each; threshold {}, alpha {}\n",
-             options.model, options.layers, plain.width, plain.height, options.limits.rounds, options.frames,
+  fmt::print("{}, {} layers, {}x{}; {} pipelines a side, {} frames each; threshold {}, alpha {}\n",
+             options.model, options.layers, size.width, size.height, options.limits.rounds, options.frames,
              options.threshold, options.alpha);
   if (!equal.empty()) {
     const TrialCounts counts = count_of(equal);
@@ -147,10 +143,9 @@ int aa_test(AaOptions options) {
     changes.reserve(slower.size());
     for (const Trial& t : slower) changes.push_back(std::expm1(t.difference.log_ratio));
     fmt::print(
-        "{:.2f}% more pixels ({}x{}): {} called slower, {} faster, {} same, {} undecided; "
-        "median change {:+.2f}%\n",
-        100 * pixels, larger.width, larger.height, rate_text(counts.slower, counts.all()), counts.faster,
-        counts.same, counts.undecided, 100 * median(changes));
+        "{} frames against {}: {} called slower, {} faster, {} same, {} undecided; median change {:+.2f}%\n",
+        more, options.frames, rate_text(counts.slower, counts.all()), counts.faster, counts.same,
+        counts.undecided, 100 * median(changes));
   }
   if (const auto share = watch.other_share())
     fmt::print("other processes used {:.1f}% of the machine's CPU time\n", 100 * *share);
@@ -176,11 +171,11 @@ void add_aa_test(CLI::App& app, Chosen& chosen) {
     command->add_option(name, value, help)->type_name(type)->capture_default_str();
   };
   count("--equal", options->equal, "Number of comparisons of equal sides", 0);
-  count("--slower", options->slower, "Number of comparisons whose second side draws more pixels", 0);
+  count("--slower", options->slower, "Number of comparisons whose second side draws more frames", 0);
   count("--rounds", options->limits.rounds, "Pipelines per side and comparison; the sides take turns",
         int(fewest_processes));
-  count("--frames", options->frames, "Timed frames of each pipeline", 1);
-  text("--work", options->work, "Additional pixels of the slower side", "5%");
+  count("--frames", options->frames, "Frames that each pipeline draws; their total time is one sample", 1);
+  text("--work", options->work, "Additional frames of the slower side", "5%");
   text("--threshold", options->threshold, "As in pelage compare", "0");
   text("--alpha", options->alpha, "As in pelage compare", "2%");
   text("--model", options->model, "Model or mesh file", "NAME|FILE");

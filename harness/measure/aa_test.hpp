@@ -11,11 +11,11 @@
 
 namespace pelage {
 
-/// Makes a new pipeline with new buffers, and returns the wall times of its warm frames in ms.
+/// Makes a new pipeline with new buffers, and returns wall times of its warm frames in ms.
 using TimePipeline = std::function<std::vector<double>()>;
 
 struct TrialLimits {
-  int rounds = 8;          ///< number of pipelines per side; at least fewest_processes
+  int rounds = 12;         ///< number of pipelines per side; at least fewest_processes
   double threshold = 0;    ///< see decide()
   double alpha = 0.02;     ///< see decide()
   std::uint64_t seed = 1;  ///< of the order of the sides
