@@ -38,10 +38,12 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
 
 }  // namespace detail
 
-/// Throws InputError if the TOML text has a dotted key, or a table name, with more than most_key_parts parts.
-/// Also throws it if a dotted key in inline tables is more than most_table_depth parts deep, together with
-/// the keys of these tables, or if a character outside quotes and comments is not ASCII. The message calls
-/// the text `name`.
+/// Throws InputError in three cases:
+/// - a dotted key or the name of a table has more than most_key_parts parts;
+/// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
+///   parts;
+/// - a character outside quotes and comments is not ASCII.
+/// The message begins with `name`, the name of the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
   int line = 1, parts = 1, around = 0;
   std::vector<int> outer;  // number of parts of each key around the present one; their sum is `around`

@@ -1,4 +1,4 @@
-// Effects: which cells belong together, and the number that is computed from them.
+// Effects of claims: the choice of the cells that belong to one effect, and the number computed from them.
 #pragma once
 #include <string>
 #include <vector>

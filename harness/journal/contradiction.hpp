@@ -1,5 +1,5 @@
-// Refuses rows whose fields contradict each other. A line with a correct checksum may still contain such a
-// row, if somebody edited it and computed the checksum again.
+// Refuses rows whose fields contradict each other. The checksum of a line does not exclude such rows:
+// somebody may edit a row and then compute its checksum again.
 #pragma once
 #include "harness/journal/row.hpp"
 

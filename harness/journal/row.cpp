@@ -80,7 +80,8 @@ Metric metric_from(const Json& json) {
   return result;
 }
 
-/// Returns a whole number of 0 to `most`. Json::get() would convert any number, and a large one to any value.
+/// Returns the value as a whole number. Throws InputError if it is not a whole number from 0 to `most`.
+/// Json::get() alone would convert any number: 2.7 to 2, and a number above the range of int to a wrong one.
 int whole(const Json& json, int most) {
   if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
     throw InputError(fmt::format("the row contains {} in place of a whole number of 0 to {}",

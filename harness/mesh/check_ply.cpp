@@ -174,7 +174,7 @@ std::string kept_header(const Header& header) {
   return text + "end_header\n";
 }
 
-/// Walks through the body of the file and appends the kept values to a text.
+/// Reads the values in the body of the file in their order, and appends the values that are kept to a text.
 class Body {
  public:
   Body(std::string_view bytes, const Header& header, const std::string& name)

@@ -9,9 +9,9 @@
 
 #include "harness/claims/print.hpp"
 #include "harness/measure/statistics.hpp"
+#include "harness/page/base64.hpp"
 #include "harness/page/html.hpp"
 #include "harness/page/page.hpp"
-#include "harness/page/sha256.hpp"
 #include "harness/report/case_table.hpp"
 #include "harness/table/render.hpp"
 

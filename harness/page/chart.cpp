@@ -18,7 +18,8 @@ class Columns {
     return line[std::size_t(column_of(table_, column))];
   }
 
-  /// The number in the column; empty without a number or without such a column.
+  /// Returns the number that the line has in the column. Returns nothing if the table has no such column or
+  /// the value is not a number.
   std::optional<double> number(const Line& line, const std::string& column) const {
     const int index = column_of(table_, column);
     return index < 0 ? std::nullopt : number_of(line[std::size_t(index)].data);

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
+#include <random>
 
 #include "harness/atomic_file.hpp"
-#include "harness/page/sha256.hpp"
 
 namespace pelage {
 namespace {
@@ -13,20 +12,23 @@ namespace {
 /// The page's own scripts, in the order in which they run.
 constexpr const char* own_scripts[] = {"base.js", "tables.js", "rows.js", "charts.js", "gallery.js"};
 
-/// Returns the source of the script for a Content-Security-Policy: 'sha256-...'.
-std::string source_of(const std::string& script) {
-  const auto digest = sha256(script);
-  return fmt::format("'sha256-{}'", base64(std::string(digest.begin(), digest.end())));
+/// Returns 128 random bits in hexadecimal digits. The Content-Security-Policy of a page permits only the
+/// scripts that have this number as their attribute `nonce`. Texts in results cannot contain it, because each
+/// page gets another one.
+std::string new_nonce() {
+  std::random_device random;
+  std::string text;
+  for (int i = 0; i < 4; ++i) text += fmt::format("{:08x}", std::uint32_t(random()));
+  return text;
 }
 
 }  // namespace
 
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts) {
-  std::string sources, elements;
+  const std::string nonce = new_nonce();
+  std::string elements;
   const auto add_script = [&](const std::string& text) {
-    const std::string script = script_text(text);
-    sources += " " + source_of(script);
-    elements += "<script>" + script + "</script>\n";
+    elements += fmt::format("<script nonce=\"{}\">{}</script>\n", nonce, script_text(text));
   };
   if (parts.charts) add_script(parts.charts->text);
   for (const char* name : own_scripts) add_script(web_file(name));
@@ -34,8 +36,8 @@ std::string page_of(const std::vector<Report>& reports, const PageParts& parts) 
   std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += fmt::format(
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; "
-      "style-src 'unsafe-inline'; script-src{}; base-uri 'none'; form-action 'none'\">\n",
-      sources);
+      "style-src 'unsafe-inline'; script-src 'nonce-{}'; base-uri 'none'; form-action 'none'\">\n",
+      nonce);
   page +=
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
@@ -52,11 +54,7 @@ std::vector<std::string> write_page(const std::vector<Report>& reports, const st
   if (!parts.charts) parts.notes.emplace_back(no_chart_library);
   parts.pictures = page_pictures(reports, {}, parts.notes);
   const std::string page = page_of(reports, parts);
-  write_atomically(file, [&](const std::filesystem::path& temporary) {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream << page << std::flush;
-    if (!stream) throw InputError(fmt::format("{}: cannot be written", file.string()));
-  });
+  write_text_atomically(file, page);
   return parts.notes;
 }
 

@@ -23,8 +23,8 @@ struct PageParts {
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file);
 
 /// Returns the page as text. Texts of the results cannot add elements or scripts: they are escaped, and the
-/// page's Content-Security-Policy permits only the page's own scripts, which it names by their hashes, and no
-/// network access.
+/// page's Content-Security-Policy permits no network access and only scripts with a random number that
+/// the page contains (its nonce).
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 
 /// Returns the page's element "body" without its scripts.

@@ -13,7 +13,7 @@
 
 namespace pelage::fuzz {
 
-// The first line is the value of an option. The second line is the name of a case or of a device.
+// The input has two lines: the value of an option, and the name of a case or of a device.
 void options(std::string_view bytes) {
   const std::size_t end = std::min(bytes.find('\n'), bytes.size());
   const std::string first(bytes.substr(0, end)), second(bytes.substr(std::min(end + 1, bytes.size())));

@@ -7,30 +7,17 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "harness/page/sha256.hpp"
+#include "harness/page/base64.hpp"
 #include "harness/picture/image_io.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using test::Folder;
+using test::text_of;
 
 std::size_t count(const std::string& text, const std::string& part) {
   std::size_t n = 0;
@@ -51,20 +38,8 @@ void write_pattern(const fs::path& file, int width, int height) {
   write_picture(file, picture);
 }
 
-std::string hex(const std::array<std::uint8_t, 32>& digest) {
-  std::string text;
-  for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
-  return text;
-}
-
-/// The examples of FIPS 180-4, and the lengths at which the padding needs another block.
-TEST(Hash, Sha256AndBase64) {
-  EXPECT_EQ(hex(sha256("")), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(hex(sha256("abc")), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(hex(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq")),
-            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(hex(sha256(std::string(1000000, 'a'))),
-            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+/// The examples of RFC 4648.
+TEST(Page, Base64) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
   EXPECT_EQ(base64("fo"), "Zm8=");
@@ -85,8 +60,16 @@ TEST(Page, HostileNamesAreText) {
   parts.notes = {hostile};
   const std::string page = page_of(write_reports(rows, folder.path, no_note), parts);
   EXPECT_EQ(page.find("<img src=x"), std::string::npos);
-  EXPECT_EQ(count(page, "<script>"), count(page, "</script>") - 1)
+  const std::string policy = "script-src 'nonce-";
+  const std::size_t nonce = page.find(policy);
+  ASSERT_NE(nonce, std::string::npos);
+  const std::string number = page.substr(nonce + policy.size(), 32);
+  EXPECT_EQ(number.find_first_not_of("0123456789abcdef"), std::string::npos);
+  EXPECT_EQ(count(page, "<script nonce=\"" + number + "\">"), count(page, "</script>") - 1)
       << "one more closes the element with the data";
+  EXPECT_EQ(count(page, "<script"), count(page, "</script>"));
+  const std::string other = page_of(write_reports(rows, folder.path / "other", no_note), parts);
+  EXPECT_EQ(other.find(number), std::string::npos) << "each page has its own nonce";
   EXPECT_GT(count(page, "&lt;img src=x onerror"), 3u);
 
   const std::string open = "<script type=\"application/json\" id=\"data\">";

@@ -13,28 +13,15 @@
 #include "harness/report/csv.hpp"
 #include "harness/report/plot.hpp"
 #include "tests/report/rows.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Folder;
 using test::table1_rows;
-
-struct Folder {
-  fs::path path;
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
+using test::text_of;
 
 std::string note(const std::string& model) {
   return model == "hippo" ? "stand-in: a pig & 100% so" : "";

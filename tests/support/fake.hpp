@@ -1,37 +1,13 @@
 // A fake pipeline that needs no device, and experiment cases for it. Tests use it for behaviour of the
 // harness that does not depend on the pipeline.
 #pragma once
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "harness/hash.hpp"
 #include "harness/measure/runner.hpp"
+#include "tests/support/files.hpp"
 
 namespace pelage::test {
-
-/// A temporary folder, which the destructor deletes.
-struct Folder {
-  std::filesystem::path path;
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "pelage-test-XXXXXX").string();
-    path = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
-
-inline std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-inline void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 /// Adds less than 0.01 ms to a frame time. Two measurements never have equal times, so rows of different
 /// cases or runs get different texts.
