@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Writes the table of verdicts in docs/claims.md from the recorded rows of results/.
 
-The table stands between two comment lines of the document. Run the script after new rows were recorded, or after
-experiments/claims.toml changed. A test (cli.Claims) fails if the table differs from the rows.
+Two HTML comments of the document enclose the table. Run the script after new rows were recorded, or after
+experiments/claims.toml changed. The test cli.Claims fails if the table does not follow from the rows.
 
 Usage: scripts/claims_table.py [PELAGE]
-PELAGE is the program; the default is build/release/pelage.
+PELAGE is the path of the program pelage; the default is build/release/pelage.
 """
 import subprocess
 import sys

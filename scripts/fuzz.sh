@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Builds the fuzz targets of tests/fuzz with clang, runs each for a number of seconds, two targets at a time, and prints
-# the executions and the findings of each target. Exit code 1: there is a finding. The inputs of findings are in
-# build/fuzz/findings; a copy in tests/fuzz/corpus/TARGET makes the tests repeat them.
+# Builds the fuzz targets of tests/fuzz with clang and runs each target for SECONDS, two targets at a time. For each
+# target, prints the number of executions and whether there is a finding (an input that causes an error). The exit code
+# is 1 if there is a finding. The inputs of findings are in build/fuzz/findings. If such an input is copied to
+# tests/fuzz/corpus/TARGET, the tests run the target with it.
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET...]
 #   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)
@@ -23,12 +24,12 @@ cmake --build "$build" --parallel "$(nproc)" --target "${targets[@]/#/fuzz_}" >&
 mkdir -p "$build/findings" "$build/logs"
 
 # Runs one target. The new inputs that libFuzzer finds stay in build/fuzz/new, so a later run continues with them.
-# shellcheck disable=SC2317  # xargs calls it
+# shellcheck disable=SC2317  # xargs calls this function
 run_one() {
   local build=$1 seconds=$2 target=$3 options=() log executions findings
   log=$build/logs/$target.log
   mkdir -p "$build/new/$target"
-  # On errors, libpng jumps out of OpenImageIO's functions, whose strings are then never freed.
+  # On errors, libpng leaves OpenImageIO's functions by longjmp, so the strings of these functions are never freed.
   [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
   "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=8192 \
@@ -40,7 +41,7 @@ run_one() {
 }
 export -f run_one
 status=0
-# shellcheck disable=SC2016  # the inner bash expands it
+# shellcheck disable=SC2016  # the inner bash expands $@
 printf '%s\n' "${targets[@]}" |
   xargs -P "${PELAGE_FUZZ_JOBS:-2}" -n 1 bash -c 'run_one "$@"' fuzz "$build" "$seconds" || status=1
 ((status == 0)) || echo "fuzz: there are findings; their inputs are in $build/findings, their logs in $build/logs"

@@ -27,7 +27,7 @@
 #
 #   pelage run layers --anonymous --preset quick -o LAYERS
 #
-# After a recording, scripts/claims_table.py writes the verdicts on the papers' claims into docs/claims.md.
+# After a recording, run scripts/claims_table.py. It writes the verdicts on the papers' claims into docs/claims.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 (($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }

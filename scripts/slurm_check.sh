@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Tests experiments/slurm with a real Slurm on this machine: scripts/slurm_check.sh FOLDER. The script runs 16 cases in
-# an array of 4 tasks. It kills one task and requeues it, deletes the results of another and submits it again, merges
-# the shards, and compares the rows with those of a single run. FOLDER must be empty or new. The exit code is 77 if Slurm
-# is not installed. The variable PELAGE names another binary than build/release/pelage.
+# an array of 4 tasks. It kills one task and requeues this task, and deletes the results of another task and submits
+# that task again. Then it merges the results of all tasks, and compares the rows with the rows of a single run. FOLDER
+# must be empty or new. The exit code is 77 if Slurm is not installed. The environment variable PELAGE selects a binary
+# other than build/release/pelage.
 set -euo pipefail
 (($# == 1)) || { sed -n '2s/^# *//p' "$0" >&2; exit 2; }
 mkdir -p "$1"
@@ -28,7 +29,7 @@ rows() { cat "$results/shard-$1"/silva2010-table1/*.jsonl 2>/dev/null | wc -l; }
 drained() {
   for ((i = 0; i < 3000; ++i)); do
     [[ -n $(squeue --noheader) ]] || return 0
-    # A requeued task may not start before a time of Slurm's choice, up to two minutes later.
+    # Slurm delays a requeued task by up to two minutes. scontrol makes the task start now.
     squeue --noheader --array --states=PENDING --format='%i %r' | awk '$2 == "BeginTime" { print $1 }' |
       xargs -r -I '{}' scontrol update 'JobId={}' StartTime=now
     sleep 0.2

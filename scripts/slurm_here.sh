@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Runs a command with a Slurm cluster of one node on this machine: scripts/slurm_here.sh FOLDER COMMAND [ARGUMENT...].
 # The script starts munged, slurmctld and slurmd with all their files in FOLDER, sets SLURM_CONF, runs the command and
-# stops the three programs. It changes nothing outside FOLDER, and needs neither root nor systemd. The exit code is that
-# of the command; 77 if Slurm is not installed. Needs the packages munge, slurm-client, slurmctld and slurmd.
+# stops the three programs. It changes nothing outside FOLDER, and needs neither root nor systemd. The exit code is the
+# exit code of COMMAND, or 77 if Slurm is not installed. The script needs the packages munge, slurm-client, slurmctld
+# and slurmd.
 #   SLURM_HERE_CPUS=N: the number of cores that the node offers (default: all)
 set -euo pipefail
 (($# >= 2)) || { sed -n '2s/^# *//p' "$0" >&2; exit 2; }
@@ -16,12 +17,12 @@ shift
 export SLURM_CONF=$here/slurm.conf
 
 mkdir -p "$here"/{state,spool,sock,munge}
-# Only this user may read the key.
+# Only this user may read the key of munge.
 chmod 755 "$here" "$here"/{state,spool,sock}
 chmod 700 "$here/munge"
 head -c 1024 /dev/urandom >"$here/munge/key"
 chmod 600 "$here/munge/key"
-# Two free ports: a port is free if nothing accepts a connection to it.
+# Prints a free port. A port is free if no program accepts a connection to it.
 free_port() {
   local port
   while port=$((20000 + RANDOM % 10000)); do
@@ -59,7 +60,7 @@ NodeName=$host NodeAddr=127.0.0.1 CPUs=${SLURM_HERE_CPUS:-$(nproc)} State=UNKNOW
 PartitionName=bench Nodes=ALL Default=YES OverSubscribe=NO
 CONF
 
-# shellcheck disable=SC2317  # called by trap
+# shellcheck disable=SC2317  # trap calls this function
 stop() {
   local program pid i
   scancel --user "$user" 2>/dev/null || true
@@ -73,8 +74,8 @@ stop() {
   done
 }
 trap stop EXIT
-# --force: munged otherwise refuses a socket in a folder that only this user can enter, such as a temporary folder. Here
-# all programs run as this user.
+# Without --force, munged refuses a socket in a folder that only this user can enter, such as a temporary folder. Here
+# such a folder is sufficient, because all programs run as this user.
 munged --force --key-file="$here/munge/key" --socket="$here/sock/munge.sock" --pid-file="$here/sock/munged.pid" \
   --log-file="$here/munge/munged.log" --seed-file="$here/munge/seed"
 slurmctld -f "$SLURM_CONF"

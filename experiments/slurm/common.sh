@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# Functions of submit.sh and hosts.sh: they record the command of a run in RESULTS/command, and find the shards of this
-# run that are not finished.
+# Functions for submit.sh and hosts.sh. They record the command of a run in RESULTS/command, and find the unfinished
+# shards of the run. A shard is a part of the cases of an experiment.
 
 fail() { echo "${0##*/}: $*" >&2; exit 2; }
 
@@ -15,8 +15,8 @@ record() {
     fail "$results: contains a run; without further arguments this script submits its unfinished shards again"
   program=$(command -v "${PELAGE:-pelage}") || fail "${PELAGE:-pelage}: no such program; set PELAGE to the binary"
   program=$(realpath "$program")
-  # The dry run reports a mistake in the arguments now, so that not every shard reports it later. The dry run opens a
-  # device. A login node may have no device (exit code 3); this is not a mistake.
+  # The dry run finds mistakes in the arguments before any shard starts. It opens an OpenCL device. A login node may
+  # have no device (exit code 3), which is not an error.
   local code=0 message
   message=$("$program" run "$@" --shard "0/$shards" --dry-run 2>&1 >/dev/null) || code=$?
   ((code == 0 || code == 3)) || { echo "$message" >&2; exit "$code"; }
@@ -29,12 +29,12 @@ load() {
   [[ -r $1/command ]] || fail "$1: contains no run; give also the number of shards and an experiment"
   local words
   mapfile -t words <"$1/command"
-  # shellcheck disable=SC2034  # submit.sh uses them
+  # shellcheck disable=SC2034  # submit.sh uses these variables
   program=${words[0]} folder=${words[1]} shards=${words[2]} arguments=("${words[@]:3}")
 }
 
-# unfinished RESULTS: prints the numbers of the shards that have no journal, and of the shards with cases without a row.
-# A case that ended with an error counts as a case without a row. Call load first.
+# unfinished RESULTS: prints the numbers of the unfinished shards. A shard is unfinished if it has no journal (file of
+# result rows), or if the row of one of its cases is missing or has the status error. Call load first.
 unfinished() {
   local results=$1 i found=() numbers=() lines code=0
   for ((i = 0; i < shards; ++i)); do
@@ -45,8 +45,8 @@ unfinished() {
     fi
   done
   if ((${#found[@]} > 0)); then
-    # `pelage merge` prints one line per shard with missing rows: experiment, device, "shard 2/4: 5 of 8 cases". The
-    # exit code is then 4.
+    # If rows are missing, `pelage merge` exits with code 4. It prints one line for each unfinished shard, with the
+    # experiment, the device and a text such as "shard 2/4: 5 of 8 cases".
     lines=$("$program" merge --dry-run "$results/merged" "${found[@]}" 2>"$results/merge.log") || code=$?
     ((code == 0 || code == 4)) || { cat "$results/merge.log" >&2; return "$code"; }
     mapfile -t -O "${#numbers[@]}" numbers < <(sed -n "s|.*\tshard \([0-9]*\)/$shards: .*|\1|p" <<<"$lines")

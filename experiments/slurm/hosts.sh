@@ -2,9 +2,10 @@
 # Measures an experiment on a list of hosts with GNU parallel and ssh, one shard at a time on each host.
 #   hosts.sh RESULTS HOSTS SHARDS EXPERIMENT [options of pelage run]   start a run, and wait for it
 #   hosts.sh RESULTS HOSTS                                             run lost and failed shards again
-# HOSTS is a file with one host per line, as ssh accepts it; the line ":" is this machine without ssh. RESULTS, pelage
-# and this folder must have the same paths on all hosts. If the hosts have equal hardware, give them one name with
-# --host NAME; otherwise the rows of each host are in a separate table.
+# HOSTS is a file with one ssh host per line; the line ":" stands for this machine, without ssh. RESULTS, pelage and
+# this folder must have the same paths on all hosts. If the hosts have equal hardware, give all of them one name with
+# --host NAME. Otherwise the report shows the rows of each host in a separate table. A shard is a part of the cases of
+# an experiment.
 set -euo pipefail
 scripts=$(dirname "$(realpath "$0")")
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -19,6 +20,7 @@ load "$results"
 missing=$(unfinished "$results")
 [[ -n $missing ]] || { echo "hosts.sh: $results: all $shards shards are finished" >&2; exit 0; }
 mkdir -p "$results/logs"
-# --jobs 1: two shards on one host would change each other's times. The exit code is the number of failed shards.
+# --jobs 1 runs one shard at a time on each host, because two shards would slow each other down. The exit code of
+# parallel is the number of failed shards.
 parallel --sshloginfile "$hosts" --jobs 1 --joblog "$results/logs/parallel.log" --line-buffer --tag --quote \
   "$scripts/shard.sh" "$results" '{}' <<<"$missing"

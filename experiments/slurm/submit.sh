@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures an experiment in a Slurm job array, one shard per task.
+# Measures an experiment in a Slurm job array. Each task measures one shard, which is a part of the cases.
 #   submit.sh RESULTS SHARDS EXPERIMENT [options of pelage run]   start a run
 #   submit.sh RESULTS                                             submit lost and failed shards again
 # RESULTS must be on a file system that all nodes share. Shard i writes into RESULTS/shard-i, and its log is
@@ -16,7 +16,7 @@ results=$(realpath -m "$1")
 (($# == 1)) || record "$results" "${@:2}"
 load "$results"
 
-# All jobs of this run have the same name, so that squeue finds the tasks that are waiting or running.
+# All jobs of this run have the same name, by which squeue finds the tasks that wait or run.
 name=pelage-$(cksum <<<"$results" | cut -d ' ' -f 1)
 busy=$(squeue --noheader --array --me --name="$name" --format=%K)
 missing=$(unfinished "$results")

@@ -25,7 +25,7 @@ bool covers(const Claim& claim, const Row& row) {
   });
 }
 
-/// Returns why the row has no quantity of the claim; "" if it has one.
+/// Returns why the claim's quantity cannot be computed from the row, or "" if it can.
 std::string missing(const Claim& claim, const Row& row, const std::string& phase) {
   if (row.status != Status::ok)
     return fmt::format("{}{}{}", to_text(row.status), row.reason.empty() ? "" : ": ", row.reason);
@@ -41,7 +41,7 @@ std::string missing(const Claim& claim, const Row& row, const std::string& phase
   return {};
 }
 
-/// Returns the cells without rows that a row belongs to: one, or one per phase of the claim.
+/// Returns the cells to which the row belongs, still without rows: one cell, or one per phase of the claim.
 std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
   Cell cell{row.case_name, row.axes, "frame", {}};
   cell.axes.try_emplace("variant", row.variant);
@@ -80,7 +80,7 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
         result.cells.push_back(std::move(cell));
         usable.push_back(true);
       }
-      // A case is used only if all its rows are usable, as in the tables of the report.
+      // As in the tables of the report, a case is left out if any of its rows is unusable.
       const std::size_t at = place->second;
       if (!usable[at]) continue;
       if (const std::string why = missing(claim, *row, result.cells[at].phase); !why.empty()) {

@@ -1,4 +1,4 @@
-// The cases that decide a claim, with the rows that measured them.
+// Selects the cases that decide a claim, with the rows of results that measured them.
 #pragma once
 #include <map>
 #include <string>
@@ -9,25 +9,30 @@
 
 namespace pelage::claims {
 
-/// One case on one device. If the claim has `phases`, a case gives one cell per phase.
+/// One case of the claim, measured on one device. If the claim has `phases`, each phase of the case is a
+/// separate cell.
 struct Cell {
-  std::string name;                         ///< name of the case, with the phase if the claim has phases
-  std::map<std::string, std::string> axes;  ///< with "variant", and with "experiment" if there are several
-  std::string phase;                        ///< the phase of the times: "frame", or one of `phases`
-  /// One row per separate process. The rows are those passed to cells_of and must outlive the cell.
+  std::string name;  ///< name of the case, with the phase if the claim has phases
+  /// Axis -> value. "variant" is always an axis; "experiment" is an axis if the claim has several
+  /// experiments.
+  std::map<std::string, std::string> axes;
+  std::string phase;  ///< phase whose times count as frame times: "frame", or one of `phases`
+  /// The rows of the case, one per process that measured it. They belong to the caller of cells_of() and must
+  /// outlive the cell.
   std::vector<const Row*> processes;
 };
 
 struct Cells {
   std::vector<Cell> cells;
-  /// The cases that the claim selects and that have a row without a usable quantity, each with the reason.
+  /// Names of the selected cases that are not used because one of their rows has no usable quantity, each
+  /// with the reason.
   std::vector<std::string> left_out;
-  /// Number of rows that were timed on a loaded machine (harness/measure/cpu_use.hpp).
+  /// Number of rows that were timed while other processes used the CPU (harness/measure/cpu_use.hpp).
   std::size_t contended = 0;
 };
 
-/// Returns the cells of the claim in the order of the rows. `rows` are the rows of one device and host. All
-/// rows of a case must have the same identity (input_sets()).
+/// Returns the cells of the claim in the order of the rows. All `rows` must be from one device and host. All
+/// rows of a case must have been measured with the same inputs (input_sets()).
 Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows);
 
 /// Returns the times of a phase in ms: wall times, or event times if there are no wall times.

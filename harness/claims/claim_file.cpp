@@ -122,7 +122,7 @@ void read_relation(Table table, Claim& claim) {
   table.finish();
 }
 
-/// Reads `relation = "decreasing"` or `relation = "increasing"`, which are limits of slopes.
+/// Reads `relation = "decreasing"` or `relation = "increasing"`: the slope must be below or above 0.
 void read_direction(const std::string& direction, const Table& table, Claim& claim) {
   if (direction != "decreasing" && direction != "increasing")
     table.refuse("relation",

@@ -6,7 +6,7 @@
 
 namespace pelage::claims {
 
-/// Reads a file of claims. For an error in the file it throws InputError, whose message names the file, the
+/// Reads a file of claims. If the file has an error, throws InputError, whose message names the file, the
 /// line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// Reads the keys of one TOML table of a file of claims.
+// Reads the keys of a TOML table in a file of claims.
 #pragma once
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,7 +17,7 @@
 namespace pelage::claims {
 
 /// A TOML table. If a value has the wrong type, the functions throw InputError, whose message names the file,
-/// the line and the table. The file and the TOML table must outlive the object.
+/// the line and the table. The constructor's arguments `file` and `table` must outlive the object.
 class Table {
  public:
   Table(const std::filesystem::path& file, const toml::table& table, std::string name)
@@ -31,7 +31,7 @@ class Table {
   /// absent.
   [[noreturn]] void refuse(std::string_view key, const std::string& what) const;
 
-  std::optional<Table> inner(std::string_view key);  ///< a table in this table; empty if the key is absent
+  std::optional<Table> inner(std::string_view key);  ///< the nested table; empty if the key is absent
   std::string text(std::string_view key);            ///< "" if the key is absent
   std::string required_text(std::string_view key);
   std::optional<double> number(std::string_view key);  ///< a finite number
@@ -40,14 +40,14 @@ class Table {
   std::vector<double> numbers(std::string_view key);
   bool flag(std::string_view key);  ///< false if the key is absent
 
-  /// The value of an axis: a string, or a whole number as text. A decimal number must be a string, because
-  /// rows contain it with the digits of the experiment file.
+  /// Returns an axis value: a string, or a whole number as text. A decimal number must be a string, because
+  /// it is compared as text with the axis values in rows, which have the digits of the experiment file.
   std::string axis_value(std::string_view key);
-  std::vector<std::string> list(std::string_view key);  ///< values of an axis; one value is a list of one
-  std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< a table of such lists
-  std::map<std::string, std::string> values(std::string_view key);              ///< a table of such values
+  std::vector<std::string> list(std::string_view key);  ///< axis values; a single value becomes a list of one
+  std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< axis -> values
+  std::map<std::string, std::string> values(std::string_view key);              ///< key -> axis value
 
-  /// Returns the index of the key's text in `names`, or `otherwise` if the key is absent.
+  /// Returns the index in `names` of the key's value, or `otherwise` if the key is absent.
   template <std::size_t N>
   std::size_t choice(std::string_view key, const std::array<std::string_view, N>& names,
                      std::size_t otherwise) {
@@ -60,7 +60,7 @@ class Table {
     return std::size_t(found - names.begin());
   }
 
-  /// Throws InputError if the table has a key that no function has read.
+  /// Throws InputError if the table has a key that none of the functions above has read.
   void finish() const;
 
  private:

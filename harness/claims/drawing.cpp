@@ -9,8 +9,8 @@
 namespace pelage::claims {
 namespace {
 
-/// Returns the median. Changes the order of the values. This function is called millions of times, so it
-/// does not sort them.
+/// Returns the median, and changes the order of the values. It selects the middle values instead of sorting,
+/// because it is called millions of times.
 double median_of(std::vector<double>& values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -35,8 +35,8 @@ Drawing::Drawing(const Claim& claim, const Cell& cell, double spread, int separa
     if (claim.quantity == Quantity::metric) {
       const Metric& metric = row->metrics.at(claim.metric);
       process.metric = metric.value;
-      // The limits of a measured metric are a 95% interval. 3.92 is its width in standard deviations of a
-      // normal distribution.
+      // The limits `low` and `high` of a metric form a 95% interval. Such an interval of a normal
+      // distribution is 3.92 standard deviations wide.
       if (metric.low && metric.high && metric.relation.empty())
         process.metric_deviation = (*metric.high - *metric.low) / 3.92;
       measured_metric_ = measured_units.contains(metric.unit);
@@ -91,7 +91,8 @@ Value Drawing::drawn() {
       metrics_.push_back((process.metric + noise) * (measured_metric_ ? by : 1) / process.per);
       continue;
     }
-    // The samples of a phase and of its frame belong together if both have one sample per frame.
+    // If the phase has one sample per frame, the draw takes the phase time and the frame time of the same
+    // frame.
     const bool together = process.phase_times.size() == process.times.size();
     for (std::size_t s = 0; s < process.times.size(); ++s) {
       const std::size_t sample = random_() % process.times.size();
@@ -109,7 +110,8 @@ bool PaperDrawing::possible(const Claim& claim, const Cell& cell) {
   if (claim.quantity != Quantity::frame_rate && claim.quantity != Quantity::frame_time) return false;
   const auto& metrics = cell.processes.front()->metrics;
   const auto found = metrics.find("paper_fps");
-  // "<" gives only an upper bound, which says enough only for a share of cases above a threshold.
+  // A published rate such as "< 1" is only an upper bound. It suffices only for the share of cases above a
+  // threshold.
   return found != metrics.end() && found->second.value > 0 &&
          (found->second.relation != "<" || claim.effect == Effect::share_of_cases);
 }
@@ -131,7 +133,7 @@ Value PaperDrawing::measured() const {
 }
 
 Value PaperDrawing::drawn() {
-  // 53 bits of a draw give a number from 0 to less than 1.
+  // The upper 53 bits of a random number give a number from 0 to less than 1.
   return value_of(low_ + (high_ - low_) * double(random_() >> 11) * 0x1p-53);
 }
 

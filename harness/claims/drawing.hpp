@@ -1,4 +1,4 @@
-// Quantities of a cell: as measured, and as resampled for the bootstrap intervals of effects.
+// Computes the quantity of a cell from its measured samples, and from resampled ones for bootstrap intervals.
 #pragma once
 #include <boost/random/normal_distribution.hpp>
 #include <random>
@@ -13,18 +13,19 @@ struct Value {
   double value = 0, frame = 0;
 };
 
-/// Draws the quantity of one cell. A draw chooses processes with replacement, then samples of each chosen
-/// process with replacement. If the cell was measured by fewer than `separate_processes` processes, the times
-/// of every chosen process are also multiplied by a random factor with the relative standard deviation
-/// `spread` (log-normal), which represents the unknown spread between processes. Metrics with the unit ms,
-/// 1/s, fps or times get this factor too; other metrics, such as counts, do not. If the row has a 95%
-/// interval of the metric, the metric is drawn from a normal distribution with this interval. The same cell
-/// and `spread` always give the same draws. Cells of the same case draw the same processes, samples and
+/// Computes bootstrap draws of the quantity of one cell. A draw chooses processes with replacement, and then
+/// samples of each chosen process with replacement. If fewer than `separate_processes` processes measured the
+/// cell, the draw also multiplies the times of every chosen process by a random factor. This factor is
+/// log-normal with the relative standard deviation `spread`, and represents the unknown spread between
+/// processes. Metrics with the unit ms, 1/s, fps or times (a ratio) get this factor too; other metrics, such
+/// as counts, do not. If the row has a 95% interval of the metric, the draw takes the metric from a normal
+/// distribution with this interval. The random seed depends only on the experiment, the case and the variant.
+/// Equal arguments therefore give equal draws, and all phases of a case use the same processes, samples and
 /// factors.
 class Drawing {
  public:
   Drawing(const Claim& claim, const Cell& cell, double spread, int separate_processes);
-  Value measured();  ///< from all samples of all processes
+  Value measured();  ///< the quantity, from all samples of all processes
   Value drawn();
 
  private:
@@ -41,14 +42,15 @@ class Drawing {
   double spread_ = 0;
   std::mt19937_64 random_;
   boost::random::normal_distribution<double> normal_;
-  std::vector<double> times_, phase_times_, metrics_;  // all samples of the present draw
+  std::vector<double> times_, phase_times_, metrics_;  // all samples of the current draw
 };
 
-/// Draws the quantity of a cell from the number that the paper publishes for it (the metric paper_fps). The
-/// draws are uniform between the limits that the rounding of this number permits.
+/// Computes draws of the quantity of a cell from the frame rate that the paper publishes (the metric
+/// paper_fps). The draws are uniformly distributed between the limits of this metric, which follow from the
+/// rounding of the published number.
 class PaperDrawing {
  public:
-  /// Returns whether the paper gives a number for the quantity of this cell.
+  /// Returns whether the paper publishes a number from which the quantity of this cell follows.
   static bool possible(const Claim& claim, const Cell& cell);
   PaperDrawing(const Claim& claim, const Cell& cell);
   Value measured() const;

@@ -18,7 +18,8 @@ namespace {
 using Axes = std::map<std::string, std::string>;
 using Group = std::vector<std::size_t>;  // indices of cells
 
-/// Returns the number of an axis value: "64" is 64, "800x600" is its number of pixels.
+/// Converts an axis value to a number: "64" to 64, and a picture size such as "800x600" to its number of
+/// pixels. Returns nothing for other texts.
 std::optional<double> number_of(const std::string& text) {
   double a = 0, b = 0;
   if (RE2::FullMatch(text, "([0-9]{1,6})x([0-9]{1,6})", &a, &b)) return a * b;
@@ -27,7 +28,8 @@ std::optional<double> number_of(const std::string& text) {
   return a;
 }
 
-/// Returns the position of the cell on the axis, which must be above 0.
+/// Returns the cell's axis value as a number, or the metric `along` that replaces it. Returns nothing if
+/// there is no such number above 0.
 std::optional<double> position_of(const Claim& claim, const std::string& axis, const Cell& cell) {
   std::optional<double> x;
   if (!claim.along.empty()) {
@@ -60,7 +62,7 @@ std::vector<std::string> telling_axes(const std::vector<Cell>& cells, const std:
   return names;
 }
 
-/// Returns groups of cells that differ only in the axes `used`, in the order of the cells.
+/// Returns groups of cells. The cells of a group differ only in the axes `used`.
 std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std::string>& used) {
   std::vector<Group> groups;
   std::map<Axes, std::size_t> known;
@@ -72,8 +74,8 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   return groups;
 }
 
-/// Returns the cells of a group at the values `of` and `to` of the claim's axis. A pair is complete if both
-/// exist and are unique.
+/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If one of them is
+/// missing, or if several cells have the same value, returns nothing and adds the reason to `left_out`.
 std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, const std::vector<Cell>& cells,
                                                            const Group& group,
                                                            std::vector<std::string>& left_out) {
@@ -94,8 +96,8 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
   return {};
 }
 
-/// Sorts the members of the part by x. Returns false if two positions are equal or there are fewer than
-/// `least`. A member has `width` cells.
+/// Sorts part.x, and accordingly part.cells, which has `width` cells for each value of x. Returns false if
+/// two values of x are equal or if there are fewer than `least` values.
 bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
   std::vector<std::size_t> order(part.x.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -133,7 +135,7 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
 
 void add_trend(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
                std::vector<Part>& parts, std::vector<std::string>& left_out) {
-  std::map<std::string, Group> at;  // value of the axis `across` -> cells
+  std::map<std::string, Group> at;  // value of the axis `across` -> indices of cells
   for (const std::size_t i : group) at[value_at(cells[i], claim.across)].push_back(i);
   for (const auto& [value, members] : at) {
     const auto pair = pair_of(claim, cells, members, left_out);

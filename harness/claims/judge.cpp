@@ -17,7 +17,7 @@ namespace {
 
 using Machine = std::pair<std::string, std::string>;  // device, host
 
-/// Returns the estimates of all parts, or one estimate if the claim combines its parts.
+/// Returns one estimate per part, or a single estimate if the claim combines the effects of its parts.
 template <class Draw>
 std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& parts,
                                    std::vector<Draw>& cells, int draws) {
@@ -40,7 +40,8 @@ std::vector<Estimate> estimates_of(const Claim& claim, const std::vector<Part>& 
   return result;
 }
 
-/// Number of draws of a claim with these parts. Only the combination by `every` makes several decisions.
+/// Returns the number of bootstrap draws. With Combine::every, each part needs a separate decision, and more
+/// decisions need more draws.
 int draws_of(const Claim& claim, const std::vector<Part>& parts) {
   return draws_for(claim.combine == Combine::every ? parts.size() : 1);
 }
@@ -53,7 +54,8 @@ std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, co
   return estimates_of(claim, parts, drawings, draws_of(claim, parts));
 }
 
-/// Adds the effect of the paper's own numbers, if the paper gives numbers for enough cases.
+/// Adds the effect computed from the paper's published frame rates, if the paper publishes them for enough
+/// cases.
 void add_paper(Judged& judged, const std::vector<Cell>& cells) {
   const Claim& claim = judged.claim;
   std::vector<Cell> given;
@@ -110,7 +112,7 @@ void judge_cells(const ClaimFile& file, Judged& judged, const Cells& cells) {
   if (count < std::max<std::size_t>(claim.cases, 1)) {
     judged.reason =
         fmt::format("{} of the {} effects that decide the claim are measured", count, claim.cases);
-    if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axes of the claim";
+    if (cells.cells.empty() && left_out.empty()) judged.reason += "; no row has the axis values of the claim";
     return;
   }
   if (claim.combine == Combine::every && parts.size() > most_effects) {

@@ -1,4 +1,4 @@
-// Judges claims by rows of results.
+// Decides claims from rows of results.
 #pragma once
 #include <optional>
 #include <string>
@@ -19,7 +19,7 @@ struct Judged {
   std::optional<double> value;  ///< the effect; for Combine::every the effect of the decisive part
   Interval interval;            ///< of `value`
   double confidence = 0.95;     ///< of `interval`
-  std::size_t effects = 0;      ///< number of effects: of ratios, slopes or cases
+  std::size_t effects = 0;      ///< number of effects, or of cases for share_of_cases
   double least = 0, most = 0;   ///< smallest and largest effect
   std::string decisive;         ///< for Combine::every with several effects: name of the decisive part
   std::size_t processes = 0;    ///< smallest number of separate processes that measured a case
@@ -27,13 +27,15 @@ struct Judged {
   /// rounding of these numbers.
   std::optional<double> paper_value;
   Interval paper_interval;
-  /// Notes about the rows: cases that are left out, with the reason, and rows of a loaded machine.
+  /// Notes about the rows: the cases that are left out, with the reason, and the number of rows that were
+  /// measured while other processes used the CPU.
   std::vector<std::string> notes;
 };
 
 /// Judges every claim of the file on every device and host that has rows of the claim's experiments. A claim
-/// without any row gives one result, which is untestable. All rows of a case must have the same identity
-/// (input_sets()). The result is the same for the same rows.
+/// without any row gives one result with the verdict untestable. All rows of a case must have been measured
+/// with the same inputs (input_sets()). Equal rows give equal results, although the bootstrap uses random
+/// numbers.
 std::vector<Judged> judge(const ClaimFile& file, const std::vector<FoundRow>& rows);
 
 }  // namespace pelage::claims

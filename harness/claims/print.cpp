@@ -12,7 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns three digits of the number; more if it is near 1, where ratios need them, or a large count.
+/// Returns the number with three significant digits. Numbers within 0.02 of 1 get four decimals, because
+/// ratios near 1 need them. Numbers of at least 100 are rounded to whole numbers.
 std::string number_text(double value) {
   if (std::abs(value - 1) < 0.02 && value != 1) return fmt::format("{:.4f}", value);
   return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
@@ -37,7 +38,7 @@ Json optional_number(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// A column of the table: its name, and the field of a claim as JSON.
+/// A column of the table: its name, and a function that returns the claim's value in this column as JSON.
 struct Column {
   const char* name;
   Json (*field)(const Judged&);
@@ -80,7 +81,7 @@ const std::vector<Column>& columns() {
   return all;
 }
 
-/// Returns the text between "|" of a Markdown table.
+/// Returns the text with every "|" escaped, for a cell of a Markdown table.
 std::string markdown_cell(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);

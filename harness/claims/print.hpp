@@ -1,4 +1,4 @@
-// Judged claims as text, as a table and as JSON.
+// Converts claims with their verdicts to text, to a table and to JSON.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace pelage::claims {
 
-/// Returns all claims as text for a terminal, with a last line that contains the number of each verdict.
+/// Returns all claims as text for a terminal. The last line contains the number of claims with each verdict.
 std::string text_of(const std::vector<Judged>& judged);
 
 /// Returns a table whose first line contains the names of the columns. Numbers are unrounded. `pelage claims`
@@ -16,7 +16,7 @@ std::string text_of(const std::vector<Judged>& judged);
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);
 
 /// Returns a Markdown table for documents. Numbers have three significant digits, or four decimals if they
-/// are within 0.02 of 1. Numbers from 100 are rounded to whole numbers.
+/// are within 0.02 of 1. Numbers of at least 100 are rounded to whole numbers.
 std::string markdown_of(const std::vector<Judged>& judged);
 
 /// Returns a list of claims with the fields of table_of(); numbers are JSON numbers, and values that are

@@ -20,7 +20,7 @@ double quantile_of_sorted(const std::vector<double>& values, double q) {
 
 struct Sorted {
   std::vector<double> draws;  // in increasing order
-  double p = 1;               // two-sided bootstrap p-value of "the effect is on this side of the limit"
+  double p = 1;  // two-sided bootstrap p-value of "the true effect is on the other side of the limit"
 };
 
 Sorted sorted_of(const Estimate& estimate, const Region& region) {

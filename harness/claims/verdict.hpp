@@ -11,7 +11,7 @@ namespace pelage::claims {
 enum class Verdict { holds, fails, undecided, untestable };
 std::string_view to_text(Verdict verdict);  ///< "holds", "fails", ...
 
-/// An effect as measured, and its values in the draws of the bootstrap.
+/// A measured effect, and its values in the bootstrap draws.
 struct Estimate {
   double value = 0;
   std::vector<double> draws;
@@ -19,28 +19,28 @@ struct Estimate {
 
 struct Decision {
   Verdict verdict = Verdict::undecided;
-  /// Index of the decisive estimate. If the claim fails, this is the worst estimate outside the region. If
-  /// the claim is undecided, it is the worst undecided estimate. Otherwise it is the estimate nearest to a
-  /// limit.
+  /// Index of the decisive estimate. If the claim fails, this is the estimate farthest outside the region. If
+  /// the claim is undecided, it is the undecided estimate that is least favourable to the claim. If the claim
+  /// holds, it is the estimate nearest to a limit of the region.
   std::size_t decisive = 0;
   Interval interval;         ///< percentile interval of the decisive estimate
-  double confidence = 0.95;  ///< of `interval`; above 0.95 where Holm's correction demands it
+  double confidence = 0.95;  ///< of `interval`; Holm's method may demand more than 0.95
 };
 
-/// Decides whether all effects lie in the region. Holm's method limits the probability that any of the m
+/// Decides whether all m effects lie in the region. Holm's method limits the probability that any of the m
 /// decisions is wrong to 5%. The effects are ordered by their p-value. The k-th effect (from k = 1) is
 /// decided if its interval with the confidence 1 - 0.05 / (m - k + 1) lies wholly inside or wholly outside
-/// the region. The first effect that is not decided ends the procedure. The claim fails if the
-/// procedure decides that an effect lies outside. It holds if the procedure decides that all effects lie
-/// inside. Otherwise it is undecided. With
-/// one effect, the 95% interval decides.
+/// the region. The first effect that is not decided ends the procedure. The claim fails if the procedure
+/// decides that an effect lies outside. The claim holds if the procedure decides that all effects lie inside.
+/// Otherwise the claim is undecided. With a single effect, the 95% interval decides.
 Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 
-/// Largest number of effects for which judge() calls decide() with separate effects. It bounds the number of
-/// draws, and so the time and the memory.
+/// The largest number of effects that judge() decides separately. More effects need more bootstrap draws, and
+/// therefore more time and memory.
 inline constexpr std::size_t most_effects = 200;
 
-/// Returns the number of bootstrap draws that the intervals need for Holm's correction of `effects` effects.
+/// Returns the number of bootstrap draws for `effects` separate decisions. The intervals of Holm's method
+/// become wider with more decisions, and their limits then need more draws.
 int draws_for(std::size_t effects);
 
 /// Returns the distance of the value from the nearest limit of the region: positive if the value is inside

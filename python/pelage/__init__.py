@@ -10,7 +10,7 @@ __all__ = ["read", "ResultsError"]
 
 
 def _value(text):
-    """Returns an axis value as a number if it is one. Rows store 0.10 as a string, so that it keeps its digits."""
+    """Returns an axis value as a number if possible. Rows store decimal numbers as strings to keep their digits."""
     if isinstance(text, str):
         try:
             return float(text)
@@ -20,13 +20,13 @@ def _value(text):
 
 
 def _contended(provenance):
-    """Returns whether other processes used more than 10% of the CPU time; None if the row does not record it."""
+    """Returns whether other processes used more than 10% of the CPU time; None if the row does not record this."""
     share = provenance.get("other_cpu_share")
     return None if share is None else share > 0.1
 
 
 def _names(row):
-    """Returns the columns that identify a row."""
+    """Returns the columns that do not depend on the phase: experiment, case, axes, device, run, status and so on."""
     provenance = row["provenance"]
     axes = {key: _value(value) for key, value in row["axes"].items() if key != "variant"}
     return {"experiment": row["experiment"], "case": row["case"], "variant": row["variant"], **axes,
@@ -69,28 +69,29 @@ def _by_sample(row, phase, clock):
 def read(place, *more, phase="frame", clock="wall", samples=False):
     """Returns the rows of results in folders (at any depth) or journals (*.jsonl) as a pandas data frame.
 
-    The data frame has one line per row of results, that is per case and process, also for cases that failed. Columns
-    of `pelage export` have the same names here:
+    The data frame has one line per row of results. A row holds one case, measured in one process; a case that failed
+    has a row too. The columns have the same names as in the output of `pelage export`:
       experiment, case, variant, and one column per axis, such as model, layers, size
-      overrides ("key=value;..." of --set, --axis and --model; "" if the experiment was not changed)
+      overrides: the changes of the options --set, --axis and --model, as "key=value;..."; "" without these options
       device, host, run_id, repeat, preset, status, reason
       contended: whether other processes used more than 10% of the machine's CPU time while the case was timed; None in
         rows that do not record it
-      identity: a hash of all inputs of the measurement; lines with different identities measured different things;
-        "" in rows of schema 1, which do not record their inputs
+      identity: a hash of all inputs of the measurement; lines with different hashes were measured with different
+        inputs; "" in rows of schema 1, which do not record their inputs
       phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged
       metric.NAME, and metric.NAME.low and metric.NAME.high where a metric has an interval
     Times are NaN if a row is not ok or has no time of the phase.
 
     phase: "frame" (the whole frame), a part of the frame ("simulate", "wet", "transform", "bin", "raster", "resolve")
-      or another subject that is timed in the same round, such as the baseline "opengl"
-    clock: "wall", "cpu", or "event" (OpenCL events). The parts of a frame have only "event"; other subjects have no
-      "event"
+      or another renderer or solver that was timed alternately with the frame, such as the baseline "opengl"
+    clock: "wall", "cpu", or "event" (OpenCL events). The parts of a frame have only "event" times; other renderers and
+      solvers have no "event" times
     samples: if True, the data frame has one line per sample, with the columns sample (index) and ms; rows that are not
-      ok have no lines
+      ok then have no lines
 
-    A row that several journals contain counts once. A row with the status error is left out if a later row of the same
-    journal has the same case. Raises ResultsError, which names the file and the line, if a line is damaged.
+    If several journals contain the same row, it is returned once. A row with the status error is left out if a later
+    row of the same journal has the same case. If a line is damaged, raises
+    ResultsError, which names the file and the line.
     """
     import pandas
 

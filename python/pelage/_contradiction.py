@@ -1,12 +1,12 @@
-"""Refuses rows whose fields contradict each other (harness/journal/contradiction.cpp makes the same checks)."""
+"""Finds contradictions between the fields of a row (harness/journal/contradiction.cpp makes the same checks)."""
 import json
 import math
 import re
 from statistics import median
 
-MOST_EVENT_SHARE = 1.1  # the two clocks drift
+MOST_EVENT_SHARE = 1.1  # of event time and wall time; above 1, because the two clocks drift
 MOST_CPU_SHARE, CPU_MARGIN_MS = 1.5, 20  # CPU time is measured for a slightly longer interval than wall time
-FEWEST_CONVERGED = 6  # the smallest number of values that have a 95% interval of the median
+FEWEST_CONVERGED = 6  # fewer values have no 95% interval of the median
 WEAKEST = {"psnr": (">=", 55), "p99.9": ("<=", 2 / 255), "flips": ("<=", 0.001)}  # harness/compare/tolerances.hpp
 DEVICE_KEYS = ("platform", "platform_version", "device_name", "device_version", "driver", "compute_units",
                "lanes", "pocl_affinity", "environment", "timer", "timer_resolution_ns")
@@ -74,7 +74,7 @@ def _metrics(row):
         if phase == "frame" or not lists["wall_ms"] or f"{phase}_ratio" not in metrics:
             continue
         ratios = [a / b for a, b in zip(lists["wall_ms"], wall)]
-        if phase in ("half", "quarter"):  # these ratios are the time of the frame divided by that of the phase
+        if phase in ("half", "quarter"):  # these metrics are frame time / phase time
             ratios = [1 / ratio for ratio in ratios]
         if not _equal(metrics[f"{phase}_ratio"]["value"], median(ratios)):
             yield f"the metric {phase}_ratio does not follow from the row's times"
@@ -114,7 +114,7 @@ def _parts(row):
 
 
 def contradiction(row):
-    """Returns the first contradiction of a row, which has all fields; "" if there is none."""
+    """Returns a message about the first contradiction in a row, or "" if there is none. The row needs all fields."""
     for text in _names(row):
         return text
     if row["status"] != "ok":

@@ -18,7 +18,7 @@ class ResultsError(ValueError):
 
 
 def number(value):
-    """Returns a number of a row. JSON has no infinity and no NaN, so rows contain them as strings."""
+    """Returns a number from a row as float. JSON has no infinity and no NaN, so rows contain these as strings."""
     return float(value) if isinstance(value, str) else value
 
 
@@ -28,7 +28,9 @@ def holds(check):
 
 
 def parse_line(line):
-    """Returns the row of a line (bytes without the line feed). Raises ResultsError without the file's name."""
+    """Returns the row in a line of a journal (bytes without the line feed).
+
+    If the line is damaged, raises ResultsError; the caller adds the names of the file and the line to its message."""""
     mark = line.rfind(CRC_MARK)
     if mark < 0 or len(line) != mark + len(CRC_MARK) + 10 or not line.endswith(b'"}'):
         raise ResultsError("the row does not end with a checksum")
@@ -58,13 +60,13 @@ def parse_line(line):
 
 
 def key_of(row):
-    """Returns what identifies a row in its journal."""
+    """Returns the values that together identify a row in its journal."""
     return (row["experiment"], row["case"], row["variant"], row["repeat"], tuple(sorted(row["overrides"].items())))
 
 
 def read_journal(file):
-    """Returns the rows of a journal. Leaves out a row with the status error if a later row has the same key, and a
-    truncated last line, which a killed run leaves behind."""
+    """Returns the rows of a journal. Leaves out a row with the status error if a later row has the same key. Also
+    leaves out a truncated last line, which a run leaves behind if it is killed."""
     try:
         text = Path(file).read_bytes()
     except OSError as error:
@@ -78,7 +80,7 @@ def read_journal(file):
         key = key_of(row)
         if key in rows and rows[key]["status"] != "error":
             raise ResultsError(f"{file}:{count}: damaged: second row of the case {row['case']}")
-        rows.pop(key, None)  # the new row takes a later place
+        rows.pop(key, None)  # so that the new row is the last one
         rows[key] = row
     return list(rows.values())
 
@@ -96,7 +98,7 @@ def journals_in(place):
 
 
 def read_rows(places):
-    """Returns the rows of all places. A row that several journals contain is returned once."""
+    """Returns the rows of all journals in the places. If several journals contain the same row, it is returned once."""
     known, timed = {}, {}
     for place in places:
         for file in journals_in(place):
@@ -117,7 +119,7 @@ def read_rows(places):
 
 
 def identity_hash(identity):
-    """Returns the 16 hexadecimal digits that `pelage export` prints for an identity; "" if there is none."""
+    """Returns the hash that `pelage export` prints for an identity (16 hexadecimal digits); "" if the row has none."""
     if not identity:
         return ""
     return f"{hash_of_texts(text for pair in sorted(identity.items()) for text in pair):016x}"
@@ -130,9 +132,10 @@ def median(values):
 
 
 def interval_rank(count):
-    """Returns the largest rank r (from 0) for which the interval from the value with r smaller values to the value with
-    r larger values contains the true median with a probability of at least 95%. Returns 0 if there is none (fewer than
-    6 values)."""
+    """Returns the rank of the 95% interval of the median. The interval extends from the value that has r smaller values
+    to the value that has r larger values. It contains the true median with a probability that falls with r. The
+    function returns the largest r for which this probability is at least 95%. For fewer than 6 values there is no such
+    r, and the function returns 0."""
     rank, below = 0, 0.0
     for r in range((count - 1) // 2 + 1):
         # Adds the probability that exactly r of the values are below the true median.
@@ -145,7 +148,7 @@ def interval_rank(count):
 
 
 def median_interval(values):
-    """Returns the 95% interval of the median from order statistics, for any distribution of the values."""
+    """Returns the 95% interval of the median from order statistics. The values may have any distribution."""
     ordered = sorted(values)
     rank = interval_rank(len(ordered))
     return ordered[rank], ordered[-1 - rank]

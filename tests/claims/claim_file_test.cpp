@@ -1,4 +1,4 @@
-// Tests the reading of files of claims, and the messages about wrong files.
+// Tests the reader of claim files, and its messages about files with errors.
 #include "harness/claims/claim_file.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ namespace {
 using test::claim_text;
 using test::file_of;
 
-/// Returns the message about a wrong file, without the folder; "" if the file is accepted.
+/// Returns the message about a file of claims with this text, from the name of the file on. Returns "" if the
+/// reader accepts the file.
 std::string message(const std::string& text) {
   try {
     file_of(text);
@@ -164,7 +165,7 @@ TEST(ClaimFiles, MustExist) {
   EXPECT_THROW(read_claims(PELAGE_SOURCE_DIR), InputError);
 }
 
-// The shipped claims have a source, refer to shipped experiments, and quote no long piece of a paper.
+// Every shipped claim names its source, and the experiments that it refers to exist.
 TEST(ClaimFiles, TheShippedFileIsComplete) {
   const ClaimFile file = read_claims(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
   EXPECT_GE(file.claims.size(), 18u);

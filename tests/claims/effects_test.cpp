@@ -66,7 +66,8 @@ TEST(Effects, PhasesAreTimesOfTheSameRow) {
   EXPECT_NEAR(turns.value.value(), 3, rounding);
 }
 
-// The two frame times differ by noise. Only the difference of the phase counts.
+// The frame times, 90 and 100 ms, differ only by noise. The effect uses the difference of the phase times, 7
+// and 2 ms, so it is 1 + 5 / 100.
 TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
   FoundRow slow = row({{"solver", "i"}}, 90), fast = row({{"solver", "e"}}, 100);
   slow.row.samples["simulate"].event_ms = {7};
@@ -83,12 +84,12 @@ TEST(Effects, ElasticityIsTheExponent) {
   std::vector<FoundRow> rows;
   for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
   EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, rounding);
-  // The number of a picture size is its number of pixels.
+  // The axis value of a picture size is its number of pixels. Four times the pixels take twice the time.
   EXPECT_NEAR(judged({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
                      "name = \"elasticity\", axis = \"size\"", any)
                   .value.value(),
               0.5, rounding);
-  // A metric may measure the axis.
+  // Names of models are not numbers, so the metric triangles replaces them.
   FoundRow small = row({{"model", "a"}}, 10), large = row({{"model", "b"}}, 80);
   small.row.metrics["triangles"] = {100, "triangles"};
   large.row.metrics["triangles"] = {800, "triangles"};
@@ -109,7 +110,7 @@ TEST(Effects, LinearityComparesTwoSlopes) {
   EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
 }
 
-// The ratio of the two sizes is x^-0.5 times a constant.
+// The ratio of the times at the two sizes is 40 * triangles^-0.5, so the slope is -0.5.
 TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
   std::vector<FoundRow> rows;
   for (const auto& [model, triangles] : {std::pair("a", 100.0), {"b", 400.0}, {"c", 1600.0}})

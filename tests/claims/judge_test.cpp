@@ -1,5 +1,5 @@
-// Tests which rows decide a claim, how separate processes count, and the reasons of undecided and untestable
-// claims.
+// Tests which rows decide a claim, how the number of processes affects the verdict, and the reasons of
+// undecided and untestable claims.
 #include "harness/claims/judge.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +65,7 @@ TEST(Judge, SaysWhyAClaimIsUntestable) {
             "no strands");
   EXPECT_EQ(reason(two_rows(),
                    claim_text(ratio, "{ at_most = 4 }", "experiment = \"own\", where = { model = \"z\" }")),
-            "0 of the 1 effects that decide the claim are measured; no row has the axes of the claim");
+            "0 of the 1 effects that decide the claim are measured; no row has the axis values of the claim");
   EXPECT_EQ(reason(two_rows(), claim_text(ratio, "{ at_most = 4 }") + "hardware = \"GeForce\"\n"),
             "the claim is about the paper's hardware (GeForce)");
   EXPECT_EQ(reason(two_rows(0), claim_text("name = \"elasticity\", axis = \"layers\"", "\"decreasing\"")),
@@ -101,7 +101,8 @@ TEST(Judge, JudgesEveryDeviceAlone) {
   EXPECT_EQ(both[1].verdict, Verdict::holds);
 }
 
-// The ratio is 3 +- 1% within the process. The spread between processes is unknown if there is only one.
+// Within one process, each time varies by 1%. The spread between processes is unknown, so the interval of the
+// ratio is wider than the samples show.
 TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
     return judged(rows, ratio, limit, "experiment = \"own\"", "process_spread = 0.07\n");
@@ -111,7 +112,8 @@ TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   EXPECT_EQ(one.processes, 1u);
   EXPECT_NE(one.reason.find("not enough separate processes: 1 of 3"), std::string::npos) << one.reason;
   EXPECT_EQ(with("{ at_most = 4 }", two_rows()).verdict, Verdict::holds);
-  // The standard deviation of the logarithm is 7% * sqrt(2), so that the interval is 3 * exp(+-1.96 * 0.099).
+  // The standard deviation of the ratio's logarithm is 0.07 * sqrt(2) = 0.099. The interval is therefore 3 *
+  // exp(+-1.96 * 0.099).
   EXPECT_NEAR(one.interval.low, 2.47, 0.05);
   EXPECT_NEAR(one.interval.high, 3.64, 0.07);
   std::vector<FoundRow> three;
@@ -124,7 +126,7 @@ TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   EXPECT_EQ(enough.processes, 3u);
 }
 
-// Three processes that differ by 30% show this spread in the interval.
+// The times of three processes differ by about 30%, and the interval contains this spread.
 TEST(Judge, SeparateProcessesShowTheirSpread) {
   std::vector<FoundRow> rows;
   const std::pair<const char*, double> runs[] = {{"r1", 8}, {"r2", 10}, {"r3", 13}};
@@ -136,7 +138,8 @@ TEST(Judge, SeparateProcessesShowTheirSpread) {
   EXPECT_GT(one.interval.high, 12.5);
 }
 
-// Both phases belong to the same process, so that a factor of the process cancels in their ratio.
+// Both phases belong to the same process, so a factor that changes all times of the process cancels in their
+// ratio.
 TEST(Judge, PhasesInTurnsShareTheirProcess) {
   FoundRow one = row({{"model", "a"}}, 30);
   one.row.samples["quarter"].wall_ms = one.row.samples["frame"].wall_ms;

@@ -1,4 +1,5 @@
-// Tests the shipped claims on the recorded rows of results/: planted wrong rows must change their verdicts.
+// Tests the shipped claims on the recorded rows of results/: deliberate changes to the times and metrics in
+// the rows must change the verdicts.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,14 +49,15 @@ bool separable(const Row& row) {
   return found != row.axes.end() && found->second.starts_with("separable");
 }
 
-/// A change to the rows that must give the claim this verdict.
+/// A deliberate change to the rows, and the verdict that the claim must have after the change.
 struct Plant {
   std::string claim;
   Verdict verdict;
   std::function<void(Row&)> change;
 };
 
-/// Returns a change that multiplies the times of a phase, where the axis has the value.
+/// Returns a change that multiplies the times of a phase by a factor, in all rows where the axis has the
+/// given value.
 std::function<void(Row&)> times(const std::string& axis, const std::string& value, const std::string& phase,
                                 double by) {
   return [=](Row& row) {
@@ -67,7 +69,7 @@ std::function<void(Row&)> all_times(const std::string& phase, double by) {
   return [=](Row& row) { scale(row, phase, by); };
 }
 
-/// Returns a change that sets a metric to a new value.
+/// Returns a change that sets a metric to the result of `change`, which receives the row and the old value.
 std::function<void(Row&)> metric(const std::string& name,
                                  const std::function<double(const Row&, double)>& change) {
   return [=](Row& row) {
@@ -76,7 +78,8 @@ std::function<void(Row&)> metric(const std::string& name,
   };
 }
 
-/// Makes the large pictures slower in proportion to the triangles.
+/// Multiplies the frame times of pictures of 1680 x 1050 pixels by a factor proportional to the number of
+/// triangles.
 void large_by_triangles(Row& row) {
   if (is(row, "size", "1680x1050")) scale(row, "frame", row.metrics["triangles"].value / 9360);
 }
@@ -158,7 +161,7 @@ TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {
   EXPECT_GE(changed, 30u);
 }
 
-// Every claim that the recordings decide has a planted change above.
+// plants() must contain a change for every claim that is testable with the recorded rows.
 TEST(Recordings, EveryDecidedClaimIsPlanted) {
   std::set<std::string> planted;
   for (const Plant& plant : plants()) planted.insert(plant.claim);
@@ -181,8 +184,9 @@ TEST(Recordings, AMissingRowMakesAClaimUntestable) {
   EXPECT_EQ(judge(only("layers-third"), rows).front().verdict, Verdict::untestable);
 }
 
-// Two experiments recorded the 32 cases of Table 1 in different processes. The standard deviation between
-// them, divided by sqrt(2), is that of one process. The file assumes at least as much.
+// Two experiments recorded the 32 cases of Table 1 in different processes. The standard deviation of their
+// logarithmic difference, divided by sqrt(2), is the spread of one process. The shipped process_spread must
+// not be below this value.
 TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
   std::map<std::string, std::vector<double>> logs;
   for (const auto& [row, journal, copies] : recordings())

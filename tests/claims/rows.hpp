@@ -1,4 +1,4 @@
-// Rows of results with synthetic times, and claims written as TOML.
+// Helpers for tests of claims: rows of results with synthetic times, and claims as TOML text.
 #pragma once
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace pelage::claims::test {
 
 using Axes = std::map<std::string, std::string>;
 
-/// Returns an ok row of the experiment "own" with 11 frame times of `ms` +- 1%.
+/// Returns a row of the experiment "own" with the status ok and 11 frame times from 0.99 `ms` to 1.01 `ms`.
 inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run") {
   FoundRow found;
   Row& row = found.row;
@@ -35,7 +35,7 @@ inline ClaimFile file_of(const std::string& text) {
   return read_claims(folder.path / "claims.toml");
 }
 
-/// Returns the text of a claim about the experiment "own".
+/// Returns a claim about the experiment "own" as TOML text.
 inline std::string claim_text(const std::string& effect, const std::string& relation,
                               const std::string& rows = "experiment = \"own\"") {
   return fmt::format(
@@ -43,7 +43,7 @@ inline std::string claim_text(const std::string& effect, const std::string& rela
       effect, relation);
 }
 
-/// Judges one claim about the experiment "own". There must be one device.
+/// Returns the verdict on one claim about the experiment "own". All rows must be of one device.
 inline Judged judged(const std::vector<FoundRow>& rows, const std::string& effect,
                      const std::string& relation, const std::string& which = "experiment = \"own\"",
                      const std::string& settings = "process_spread = 0.0\n") {

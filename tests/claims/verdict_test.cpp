@@ -1,4 +1,4 @@
-// Tests the verdicts from planted draws.
+// Tests the verdicts of decide() for bootstrap draws with known distributions.
 #include "harness/claims/verdict.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace pelage::claims {
 namespace {
 
-/// 2000 draws, evenly spread over `value` +- `half`.
+/// Returns an estimate with 2000 draws, evenly spaced from `value` - `half` to `value` + `half`.
 Estimate around(double value, double half) {
   Estimate estimate{value, {}};
   for (int i = 0; i < 2000; ++i) estimate.draws.push_back(value + half * (2 * (i + 0.5) / 2000 - 1));
@@ -44,8 +44,8 @@ TEST(Verdicts, UseThe95PercentInterval) {
   EXPECT_DOUBLE_EQ(decision.confidence, 0.95);
 }
 
-// One effect is just outside the region: its 95% interval excludes the limit, but its 99.5% interval does
-// not.
+// One effect is just outside the region. Its 95% interval excludes the limit. Holm's method demands a 99.5%
+// interval for one of ten effects, and this interval contains the limit.
 TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   const Region at_most{{}, 1.0};
   const Estimate outside = around(1.97, 1);
@@ -60,7 +60,8 @@ TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   EXPECT_EQ(decide(ten, at_most).verdict, Verdict::fails);
 }
 
-// Nine effects are far inside. Holm's method then leaves the whole 5% for the tenth; Bonferroni's would not.
+// Nine of ten effects are far inside the region. Holm's method then decides the tenth by its 95% interval;
+// Bonferroni's method would demand a 99.5% interval.
 TEST(Verdicts, HolmLeavesMoreForTheLastEffect) {
   const Region at_most{{}, 1.0};
   std::vector<Estimate> ten(9, around(-5, 1));

@@ -2,7 +2,8 @@
 """Tests the Python package pelage (python/pelage), which reads results as pandas data frames, and the code blocks of
 docs/results.md.
 
-usage: reader_test.py SOURCE PELAGE: SOURCE is the source tree, PELAGE the program. Exits with 77 without pandas.
+usage: reader_test.py SOURCE PELAGE
+SOURCE is the source tree, PELAGE is the path of the program. The exit code is 77 if pandas is not installed.
 """
 import io
 import json
@@ -42,7 +43,7 @@ def row(**changes):
             "build_ms": 1, "first_launch_ms": 1, "tuning": {}, "image_hash": "",
             "provenance": {"host": "here", "preset": "quick", "converged": True},
             "identity": {"scene": "0123456789abcdef"}}
-    if "case" in changes:  # two measurements never have equal times
+    if "case" in changes:  # because two real measurements never have equal times
         base["samples"]["frame"]["wall_ms"][-1] += zlib.crc32(changes["case"].encode()) % 1000 / 1000
     return {**base, **changes}
 
@@ -78,7 +79,7 @@ class Reader(unittest.TestCase):
         good, bad = frame.iloc[0], frame.iloc[1]
         self.assertEqual((good.case, good.layers, good.mood, good["curl.radius"]), ("torus-8-calm", 8, "calm", 0.1))
         self.assertEqual((good.median_ms, good.samples, good.host, good.preset), (4.5, 8, "here", "quick"))
-        self.assertEqual((good.low_ms, good.high_ms), (1, 100))  # 8 samples: the smallest and the largest
+        self.assertEqual((good.low_ms, good.high_ms), (1, 100))  # for 8 samples, the smallest and the largest sample
         self.assertEqual((good["metric.ratio"], good["metric.ratio.low"], good["metric.ratio.high"]), (2, 1, 3))
         self.assertEqual((bad.status, bad.reason, bad.samples), ("error", "out of memory", 0))
         self.assertTrue(pandas.isna(bad.median_ms))
