@@ -91,7 +91,7 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
 
     If several journals contain the same row, it is returned once. A row with the status error is left out if a later
     row of the same journal has the same case. If a line is damaged, raises
-    ResultsError, which names the file and the line.
+    ResultsError, whose message names the file and the line.
     """
     import pandas
 

@@ -4,7 +4,7 @@ import math
 import re
 from statistics import median
 
-MOST_EVENT_SHARE = 1.1  # of event time and wall time; above 1, because the two clocks drift
+MOST_EVENT_SHARE = 1.1  # largest event time / wall time; above 1, because the two clocks drift
 MOST_CPU_SHARE, CPU_MARGIN_MS = 1.5, 20  # CPU time is measured for a slightly longer interval than wall time
 FEWEST_CONVERGED = 6  # fewer values have no 95% interval of the median
 WEAKEST = {"psnr": (">=", 55), "p99.9": ("<=", 2 / 255), "flips": ("<=", 0.001)}  # harness/compare/tolerances.hpp

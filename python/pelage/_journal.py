@@ -30,7 +30,8 @@ def holds(check):
 def parse_line(line):
     """Returns the row in a line of a journal (bytes without the line feed).
 
-    If the line is damaged, raises ResultsError; the caller adds the names of the file and the line to its message."""""
+    If the line is damaged, raises ResultsError. The caller adds the file and the number of the line to its message.
+    """
     mark = line.rfind(CRC_MARK)
     if mark < 0 or len(line) != mark + len(CRC_MARK) + 10 or not line.endswith(b'"}'):
         raise ResultsError("the row does not end with a checksum")
