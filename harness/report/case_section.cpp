@@ -11,8 +11,8 @@
 namespace pelage {
 namespace {
 
-/// The columns of the cross table are grouped by the values of a key column (axis or variant) only if it has
-/// at most this number of values.
+/// The values of a key column (an axis or the variant) become groups of columns in the cross table only if
+/// there are at most this number of values.
 constexpr std::size_t most_groups = 5;
 
 /// If an experiment has at least this number of variants and few cases per variant, its table has one row per
@@ -82,8 +82,8 @@ Section of_variants(std::vector<Cell> cells) {
   return section;
 }
 
-/// Makes the section of any other experiment. Its cross table has one row per case. If the last key column
-/// that varies has few values, the columns of the cross table are grouped by these values instead.
+/// Makes the section of any other experiment. Its cross table normally has one row per case. But if the last
+/// key column that varies has at most most_groups values, each of these values becomes a group of columns.
 Section of_cases(std::vector<Cell> cells, const View& view) {
   sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};
