@@ -1,4 +1,4 @@
-// Base64 for the pictures that a page contains.
+// Encodes the pictures of the HTML report as Base64.
 #pragma once
 #include <string>
 #include <string_view>

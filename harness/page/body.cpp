@@ -1,4 +1,4 @@
-// The body of the page: chapters of each report, the pictures, all rows, the provenance and the libraries.
+// Writes the body of the HTML report: the results, the pictures, all rows, the provenance and the libraries.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 namespace pelage {
 namespace {
 
-/// Adds a chart's place, which web/charts.js fills. Without Chart.js it contains the plot of the report's
-/// folder as a static picture.
+/// Adds an element for the chart. If `scripts` is true, web/charts.js draws the chart in it. Otherwise it
+/// contains the SVG plot from the folder of the report.
 void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t index, bool scripts) {
-  // The part after ": " repeats the subtitle of the table above.
+  // Omits the text after ": ", which is the subtitle of the table above the chart.
   const std::string title = html_text(chart.title.substr(0, chart.title.find(": ")));
   body.add(
       fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index, title));
@@ -31,7 +31,7 @@ void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t
     std::ifstream stream(report.folder / "plots" / (chart.stem + ".svg"), std::ios::binary);
     const std::string svg{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (svg.empty())
-      body.remark("The plot needs Chart.js or matplotlib, and neither was installed.");
+      body.remark("The plot is missing, because neither Chart.js nor matplotlib was installed.");
     else
       body.add(fmt::format("<img class=\"plot\" alt=\"{}\" src=\"data:image/svg+xml;base64,{}\">\n",
                            html_text(chart.title), base64(svg)));
@@ -39,14 +39,15 @@ void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t
   body.add("</figure>\n");
 }
 
-/// Adds the charts of a section; -1 stands for the charts that belong to no section.
+/// Adds the charts of the section with the index `section`. -1 selects the charts that belong to no section.
 void add_charts(Body& body, const Report& report, const std::vector<PlacedChart>& charts, int section,
                 bool scripts) {
   for (std::size_t i = 0; i < charts.size(); ++i)
     if (charts[i].section == section) add_chart(body, report, charts[i].chart, i, scripts);
 }
 
-/// Returns what follows the experiment and the device in a table's subtitle, or else the experiment.
+/// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ". If there is no such part, returns
+/// the experiment.
 std::string detail_of(const std::string& subtitle) {
   const std::size_t comma = subtitle.find(", ");
   return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
@@ -65,7 +66,7 @@ void add_table(Body& body, const Table& table, bool latex) {
 void add_claims(Body& body, const Report& report) {
   if (report.claims.empty()) return;
   body.heading("Claims of the papers", 2);
-  body.remark("The statements are in our words. The rows of this page decide each verdict.");
+  body.remark("The claims are in our words. Each verdict is computed from the rows of this page.");
   body.add(
       "<div class=\"wide\"><table class=\"claims\">\n<thead><tr><th>verdict</th><th>claim</th><th>effect</th>"
       "<th>the claim</th><th>source</th></tr></thead>\n<tbody>\n");
@@ -104,17 +105,17 @@ void add_report(Body& body, const Report& report, bool scripts) {
   }
   if (!report.scaling.empty()) {
     body.heading("Cost of layers, pixels and triangles", 2);
-    body.folded("Ratios and the fitted model", report.scaling);
+    body.folded("Frame time ratios and the fitted model of the frame time", report.scaling);
   }
 }
 
-/// Adds the pictures, and the place of the comparison of two of them.
+/// Adds the pictures, and an empty element in which web/gallery.js compares two of them.
 void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
   if (parts.pictures.empty()) return;
   body.heading("Pictures of the timed frames", 1);
   body.remark(fmt::format(
-      "{} pictures, reduced to at most {} pixels across and compressed (WebP). The rows contain the hash of "
-      "each full picture.",
+      "{} pictures, scaled down to a width of at most {} pixels and compressed (WebP). Each row contains the "
+      "hash of its picture in full size.",
       parts.pictures.size(),
       std::max_element(parts.pictures.begin(), parts.pictures.end(), [](auto& a, auto& b) {
         return a.width < b.width;
@@ -150,7 +151,7 @@ std::string row_html(const Row& row, std::size_t index) {
 
 void add_rows(Body& body, const std::vector<Report>& reports) {
   body.heading("All rows", 1);
-  body.remark("A click on a row shows its provenance, its checks and its raw samples.");
+  body.remark("A click on a row shows its provenance, checks and raw samples.");
   body.add(
       "<p class=\"scripted\"><label>Filter <input id=\"filter\" type=\"search\" autocomplete=\"off\" "
       "placeholder=\"part of a name\"></label> <span id=\"shown\" class=\"soft\" "
@@ -187,7 +188,7 @@ void add_provenance(Body& body, const std::vector<Report>& reports, const PagePa
   }
   body.heading("Libraries in this page", 1);
   if (!parts.charts) {
-    body.remark("None. The scripts of this page are part of pelage.");
+    body.remark("This page contains no libraries. All of its scripts are part of pelage.");
     return;
   }
   body.remark(fmt::format("{} {} draws the plots. All other scripts of this page are part of pelage.",
@@ -205,8 +206,8 @@ std::string summary_of(const std::vector<Report>& reports) {
     for (const claims::Judged& one : report.claims) ++verdicts[std::size_t(one.verdict)];
   }
   std::string text = fmt::format(
-      "{} cases, {} of them ok: their timed frame agreed with the double-precision reference. No other case "
-      "has a time.",
+      "{} cases. {} of them are ok: their timed frame agreed with the double-precision reference. The other "
+      "cases have no times.",
       cells, ok);
   std::string claims;
   for (std::size_t v = 0; v < verdicts.size(); ++v)

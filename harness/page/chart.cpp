@@ -9,7 +9,7 @@ namespace {
 using Names = std::vector<std::string>;
 using Line = std::vector<Value>;
 
-/// A table and its columns by name.
+/// Access to a table's values by the names of its columns.
 class Columns {
  public:
   explicit Columns(const Table& table) : table_(table) {}
@@ -18,8 +18,8 @@ class Columns {
     return line[std::size_t(column_of(table_, column))];
   }
 
-  /// Returns the number that the line has in the column. Returns nothing if the table has no such column or
-  /// the value is not a number.
+  /// Returns the number in this line and column of the table, or nothing if the value is not a number or the
+  /// table has no such column.
   std::optional<double> number(const Line& line, const std::string& column) const {
     const int index = column_of(table_, column);
     return index < 0 ? std::nullopt : number_of(line[std::size_t(index)].data);
@@ -31,8 +31,8 @@ class Columns {
     return result;
   }
 
-  /// The combinations of the columns' values in the order of the columns; one empty combination without
-  /// columns.
+  /// Returns the combinations of values of `columns` that occur in the table, sorted by precedes(). Returns
+  /// one empty combination if `columns` is empty.
   std::vector<Names> combinations(const Names& columns) const {
     std::set<Names> found;
     for (const Line& line : table_.lines) found.insert(values(line, columns));
@@ -65,7 +65,8 @@ class Columns {
   const Table& table_;
 };
 
-/// Names of x in the order of the column; lines without such an order keep the order of the table.
+/// Returns the distinct values of column `x`, sorted by Column::order. If the column has no such order, the
+/// values keep the order in which they occur in the table.
 Names categories_of(const Table& table, const Columns& columns, const std::string& x) {
   Names names;
   for (const Line& line : table.lines)
@@ -79,7 +80,8 @@ Names categories_of(const Table& table, const Columns& columns, const std::strin
   return names;
 }
 
-/// The x of a line of the table; empty if it has none.
+/// Returns the x coordinate of a line of the table, or nothing if the line has no number in column x. If
+/// there are categories, the coordinate is the index of the line's category.
 std::optional<double> x_of(const Columns& columns, const Line& line, const PlotSpec& plot,
                            const Names& categories) {
   if (categories.empty()) return columns.number(line, plot.x);
@@ -87,7 +89,8 @@ std::optional<double> x_of(const Columns& columns, const Line& line, const PlotS
   return double(place - categories.begin());
 }
 
-/// The point of a line of the table for the column `y` and the limits in `low` and `high`.
+/// Returns the chart point of a line of the table. The column `y` contains its value; the columns `low` and
+/// `high` contain the limits of its interval.
 std::optional<ChartPoint> point_of(const Columns& columns, const Line& line, std::optional<double> x,
                                    const std::string& y, const std::string& low, const std::string& high) {
   const std::optional<double> value = columns.number(line, y);

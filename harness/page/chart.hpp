@@ -1,4 +1,5 @@
-// Charts of the report's page: the points of a plot with their labels. harness/page/web/charts.js draws them.
+// Charts of the HTML report: the panels, lines and points of each plot, and their labels.
+// harness/page/web/charts.js draws them.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,15 +12,15 @@
 namespace pelage {
 
 struct ChartPoint {
-  double x = 0, y = 0;                        ///< if the chart has categories, x is the index of a category
+  double x = 0, y = 0;  ///< if Chart::categories is not empty, x is an index of this list
   std::optional<double> low = {}, high = {};  ///< limits of the interval of y
-  int cell = -1;                              ///< index of the cell (Cell::index); -1 if the point has none
+  int cell = -1;  ///< Cell::index of the cell whose value the point shows; -1 if there is no cell
 };
 
 enum class Mark {
   points,    ///< separate points
-  line,      ///< points that are joined by a line
-  published  ///< numbers of a paper: points that are joined by a dashed line
+  line,      ///< points joined by a line
+  published  ///< numbers that a paper published: points joined by a dashed line
 };
 
 struct ChartLine {
@@ -37,19 +38,20 @@ struct ChartPanel {
 
 struct Chart {
   std::string title = {}, note = {};
-  std::string stem = {};  ///< the chart's name in the page; unique in a report
+  std::string stem = {};  ///< name of the chart and of its files; unique in a report
   std::string x_label = {}, x_scale = "linear", y_label = {}, y_scale = "linear";
-  std::vector<std::string> categories = {};  ///< names of the values of x; empty if x is a number
-  std::optional<double> guide = {};          ///< a horizontal line at this value of y
+  std::vector<std::string> categories = {};  ///< labels of the x axis if x is not numeric; else empty
+  std::optional<double> guide = {};          ///< y of a horizontal reference line
   std::vector<ChartPanel> panels = {};
 };
 
-/// Returns the chart of a table's plot. Each combination of values of the columns PlotSpec::panels has a
-/// panel, and each combination of values of the columns PlotSpec::series has a line with the same label in
-/// every panel. Lines without a point are left out. Points that share an x are not joined.
+/// Computes the chart that `plot` describes from the lines of the table. The chart has one panel for each
+/// combination of values of the columns PlotSpec::panels. Each panel has one chart line for each combination
+/// of values of the columns PlotSpec::series. Chart lines without a point are left out. If several points of
+/// a chart line have the same x, its points are not joined.
 Chart chart_of(const Table& table, const PlotSpec& plot);
 
-/// Returns the chart as JSON, in the form that web/charts.js reads.
+/// Returns the chart as JSON for web/charts.js.
 nlohmann::ordered_json json_of(const Chart& chart);
 
 }  // namespace pelage

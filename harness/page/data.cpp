@@ -1,4 +1,4 @@
-// The data of the page's scripts.
+// Writes the JSON data that the scripts of the HTML report read.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The name of the cell for readers; it differs from the names of the other cells of the experiment.
+/// Returns a readable name of the cell. No other cell of the same experiment and device has this name.
 std::string label_of(const Cell& cell) {
   std::string text = name_of(cell);
   if (!cell.variant.empty()) text += ", " + cell.variant;
@@ -23,7 +23,8 @@ std::string label_of(const Cell& cell) {
   return text;
 }
 
-/// `first` is the index of the report's first row in the page's list of rows.
+/// The page has one list of the rows of all reports. `first` is the index of this report's first row in the
+/// list.
 Json cells_json(const Report& report, std::size_t first) {
   Json cells = Json::array();
   for (const Cell& cell : report.cells) {
@@ -38,7 +39,7 @@ Json cells_json(const Report& report, std::size_t first) {
   return cells;
 }
 
-/// The files that readers can save from the page: name -> text.
+/// Returns the files that readers can save from the page, as a map from file name to text.
 Json files_json(const Report& report) {
   Json files = Json::object();
   for (const Section& section : report.sections) {
@@ -90,8 +91,9 @@ std::string data_of(const std::vector<Report>& reports) {
       comma = ",\n";
     }
   text += "]}";
-  // Inside an element "script", the text "</script" ends the element and "<!--" changes how it is read. Both
-  // begin with "<", which JSON permits only inside strings.
+  // The page contains this JSON text in a "script" element, where "</script" and "<!--" have a special
+  // meaning. So every "<" is escaped. In JSON, "<" occurs only in strings, where the escape \u003c has the
+  // same meaning.
   std::string escaped;
   escaped.reserve(text.size() + text.size() / 50);
   for (const char c : text) {

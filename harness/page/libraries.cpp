@@ -22,7 +22,7 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-/// Returns the first comment of the script: "Chart.js v3.9.1 ...".
+/// Returns the text of the comment at the start of the script, for example "Chart.js v3.9.1 ...".
 std::string banner_of(const std::string& script) {
   const std::size_t start = script.find("/*"), end = script.find("*/");
   if (start != 0 || end == std::string::npos) return {};
@@ -35,7 +35,7 @@ std::string banner_of(const std::string& script) {
   return text;
 }
 
-/// Returns the number after the first " v" of the banner.
+/// Returns the version number in the banner, which follows the first " v".
 std::string version_of(const std::string& banner) {
   const std::size_t start = banner.find(" v");
   if (start == std::string::npos) return "unknown";
@@ -68,7 +68,7 @@ std::optional<Library> chart_library(const fs::path& folder) {
 
 std::string web_file(const std::string& name) {
   for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
-    for (const char* folder : {"page", "harness/page/web"})  // installed, and in the source tree
+    for (const char* folder : {"page", "harness/page/web"})  // in an installation; in the source tree
       if (const fs::path file = data / folder / name; fs::is_regular_file(file)) return text_of(file);
   throw InputError(fmt::format("page/{} is missing; set PELAGE_DATA to pelage's data folder", name));
 }

@@ -9,12 +9,12 @@
 namespace pelage {
 namespace {
 
-/// The page's own scripts, in the order in which they run.
+/// pelage's own scripts in the page, in the order in which they run.
 constexpr const char* own_scripts[] = {"base.js", "tables.js", "rows.js", "charts.js", "gallery.js"};
 
-/// Returns 128 random bits in hexadecimal digits. The Content-Security-Policy of a page permits only the
-/// scripts that have this number as their attribute `nonce`. Texts in results cannot contain it, because each
-/// page gets another one.
+/// Returns 128 random bits as hexadecimal digits. The page's Content-Security-Policy permits only scripts
+/// whose attribute `nonce` is this number. Every page has a new random number, so a script hidden in the
+/// results cannot know it.
 std::string new_nonce() {
   std::random_device random;
   std::string text;

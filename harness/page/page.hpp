@@ -1,4 +1,5 @@
-// The page of a report: one HTML file that contains everything it shows, and needs no network.
+// Writes the HTML page of a report. The page is one file that contains its pictures, scripts and data, so it
+// needs no network.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,37 +12,37 @@
 
 namespace pelage {
 
-/// What the page contains in addition to the reports.
+/// Content of the page that is not part of the reports.
 struct PageParts {
   std::vector<PagePicture> pictures;
-  std::optional<Library> charts;  ///< Chart.js; without it the page shows the plots as static pictures
+  std::optional<Library> charts;  ///< Chart.js; if empty, the page shows the plots as static pictures
   std::vector<std::string> notes;
 };
 
-/// Writes the page of all reports. Returns one line for each part that is missing, with the reason. Throws
-/// InputError if the file cannot be written.
+/// Writes one page with all reports. Returns one line of text for each missing picture or library, with the
+/// reason. Throws InputError if the file cannot be written.
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file);
 
-/// Returns the page as text. Texts of the results cannot add elements or scripts: they are escaped, and the
-/// page's Content-Security-Policy permits no network access and only scripts with a random number that
-/// the page contains (its nonce).
+/// Returns the HTML text of the page. Text from the results is escaped, so it cannot add elements or scripts.
+/// In addition, the page's Content-Security-Policy forbids network access, and permits only scripts that
+/// contain the page's random number (its nonce).
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 
-/// Returns the page's element "body" without its scripts.
+/// Returns the HTML inside the "body" element, without the scripts.
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts);
 
-/// Returns the data of the scripts as JSON in which no "<" occurs: for each report its cells, charts and
-/// files (name -> text), and all rows as they are in the journals.
+/// Returns the data that the page's scripts read, as JSON. The data contain the cells, the charts and the
+/// files (name -> text) of each report, and all rows as they are in the journals. The text contains no "<".
 std::string data_of(const std::vector<Report>& reports);
 
-/// A chart and its place in the page.
+/// A chart and the section of the report in which it is shown.
 struct PlacedChart {
-  int section = -1;  ///< index of the section of the report; -1 if the chart belongs to no section
+  int section = -1;  ///< index in Report::sections; -1 if the chart belongs to no section
   Chart chart;
 };
 
-/// Returns the charts of the report: of its sections, of the mass-spring studies, and of the experiment
-/// scaling.
+/// Returns all charts of the report: the charts of its sections, of the mass-spring studies, and of the
+/// experiment `scaling`.
 std::vector<PlacedChart> charts_of(const Report& report);
 
 }  // namespace pelage

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A picture file and its cell.
+/// A picture file, and the indices of its report and cell.
 struct Source {
   int report, cell;
   fs::path file;
@@ -26,7 +26,8 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
     for (const Cell& cell : reports[r].cells)
       if (cell.status == Status::ok && fs::is_regular_file(cell.image))
         sources.push_back({int(r), cell.index, cell.image});
-  // The rows of a run are in a random order. Pictures of the same model stand side by side.
+  // The rows of a run are in a random order. Sorts the pictures by name, so that pictures of the same model
+  // are neighbours.
   std::stable_sort(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
     if (a.report != b.report) return a.report < b.report;
     const std::vector<Cell>& cells = reports[std::size_t(a.report)].cells;
@@ -37,7 +38,8 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
   return sources;
 }
 
-/// Reads, reduces and compresses the pictures. Removes the sources that cannot be read, with a note.
+/// Reads the pictures, scales them down to `width` pixels and compresses them. If a picture cannot be read,
+/// removes it from `sources` and adds a note.
 std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, int quality,
                                      std::vector<std::string>& notes) {
   std::vector<PagePicture> pictures;
@@ -48,7 +50,7 @@ std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, in
           {source.report, source.cell, small.width, small.height, full.width, webp_of(small, quality)});
       return false;
     } catch (const InputError& error) {
-      notes.push_back(fmt::format("the page lacks a picture: {}", error.what()));
+      notes.push_back(fmt::format("a picture is missing from the page: {}", error.what()));
       return true;
     }
   });
@@ -66,7 +68,8 @@ std::size_t bytes_of(const std::vector<PagePicture>& pictures) {
 std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const PictureLimits& limits,
                                        std::vector<std::string>& notes) {
   std::vector<Source> sources = sources_of(reports);
-  // A frame of fur has about 0.1 bytes per pixel and a height of 0.7 times its width.
+  // First guess of the width: a compressed frame takes about 0.1 bytes per pixel, and its height is about 0.7
+  // times its width.
   const double guess =
       std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
   int width = int(std::clamp(guess, double(limits.least_width), double(limits.most_width)));
@@ -79,8 +82,9 @@ std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const
   const std::size_t all = pictures.size();
   while (bytes_of(pictures) > limits.bytes) pictures.pop_back();
   if (pictures.size() < all)
-    notes.push_back(fmt::format("the page has {} of {} pictures; its pictures may have {} bytes together",
-                                pictures.size(), all, limits.bytes));
+    notes.push_back(fmt::format(
+        "the page shows {} of {} pictures, because its pictures may take at most {} bytes in total",
+        pictures.size(), all, limits.bytes));
   return pictures;
 }
 

@@ -34,11 +34,11 @@ std::string solver(const Cell& cell) {
   return name.empty() ? cell.variant : name;
 }
 
-/// How the points of a chart are computed from the cells.
+/// Functions that compute the panel, the line and the coordinates of a chart point from a cell.
 struct Study {
   Text panel, line;
   Number x, y;
-  bool interval = false;  ///< y is the frame time, with its interval
+  bool interval = false;  ///< whether y is the frame time, whose interval is then drawn
 };
 
 ChartPoint point_of(const Study& study, const Cell& cell, double x, double y) {
@@ -47,7 +47,7 @@ ChartPoint point_of(const Study& study, const Cell& cell, double x, double y) {
   return point;
 }
 
-/// Adds the cells to the chart's panels. Panels and lines are sorted by natural_less().
+/// Adds one point per cell to the chart. Sorts the panels and their lines by natural_less().
 void fill(Chart& chart, const std::vector<Cell>& cells, const Study& study) {
   const auto less = [](const std::string& a, const std::string& b) { return natural_less(a, b); };
   std::map<std::string, std::map<std::string, std::vector<ChartPoint>, decltype(less)>, decltype(less)> found(
@@ -69,7 +69,8 @@ void fill(Chart& chart, const std::vector<Cell>& cells, const Study& study) {
   }
 }
 
-/// Figures 9 to 11: the frame time of each topology, the time of its simulation, and the paper's frame time.
+/// Returns the chart for Figures 9 to 11 of Banisch and Wüthrich (2006). For each topology it shows the frame
+/// time, the simulation time, and the frame time from the paper.
 Chart update_time(const std::vector<Cell>& cells) {
   Chart chart{.y_label = "update time, ms"};
   for (const Cell& cell : cells)
@@ -91,7 +92,7 @@ Chart update_time(const std::vector<Cell>& cells) {
         }});
   Chart paper{.categories = chart.categories};
   fill(paper, cells,
-       {model, [](const Cell&) { return "the paper's text, frame"; }, x,
+       {model, [](const Cell&) { return "from the paper's text, frame"; }, x,
         [](const Cell& c) {
           const auto fps = c.paper_fps();
           return fps && fps->value > 0 ? std::optional(1000 / fps->value) : std::nullopt;
@@ -142,7 +143,7 @@ Chart chart_of_study(const std::string& experiment, const std::vector<Cell>& cel
   } else if (experiment == "banisch2006-longest-step") {
     chart.x_label = "stiffness of the sticks, N/m", chart.y_label = "longest stable step, ms";
     const Number stiffness = [](const Cell& c) {
-      return number_of(c.reading().substr(1));  // a reading is "k" and the stiffness
+      return number_of(c.reading().substr(1));  // the reading is "k" followed by the stiffness
     };
     fill(chart, cells, {topology, solver, stiffness, of_metric("longest_step_ms")});
   } else if (experiment == "banisch2006-mesh-size") {

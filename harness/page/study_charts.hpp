@@ -1,5 +1,5 @@
-// Charts of the experiments that have their own plot programs: the mass-spring studies (plots/springs.py) and
-// the experiment scaling (plots/scaling.py).
+// Charts of the experiments that have their own plot programs: plots/springs.py for the mass-spring studies,
+// and plots/scaling.py for the experiment `scaling`.
 #pragma once
 #include <vector>
 
@@ -8,12 +8,13 @@
 
 namespace pelage {
 
-/// Returns one chart for each mass-spring study and device of the cells. Cells that are not ok, and cells
-/// that the user changed, are ignored.
+/// Returns one chart for each mass-spring study and device that occurs in `cells`. Ignores cells that are not
+/// ok, and cells whose settings the user changed.
 std::vector<Chart> spring_charts(const std::vector<Cell>& cells);
 
-/// Returns the chart of the frame time against layers, pixels and triangles; no panels if there are too few
-/// cells. `cells` are those of scaling_cells().
+/// Returns a chart with up to three panels: the frame time against layers, against pixels, and against
+/// triangles. A panel is left out if it has no line with two different x. `cells` is a result of
+/// scaling_cells().
 Chart scaling_chart(const std::vector<Cell>& cells);
 
 }  // namespace pelage

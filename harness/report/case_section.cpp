@@ -1,4 +1,4 @@
-// The section of any experiment.
+// Makes the report section of any experiment that has no special section.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,11 +11,12 @@
 namespace pelage {
 namespace {
 
-/// A key column becomes groups of columns if it has at most this number of values.
+/// The values of a key column (an axis or the variant) become groups of columns in the cross table only if
+/// there are at most this number of values.
 constexpr std::size_t most_groups = 5;
 
-/// An experiment with at least this number of variants, and few cases of each, is about the variants: its
-/// table has a row per variant, the fastest variant first.
+/// If an experiment has at least this number of variants and few cases per variant, its table has one row per
+/// variant, sorted from the fastest variant to the slowest.
 constexpr std::size_t fewest_variants = 4;
 
 std::size_t count_of(const Table& table, const std::string& name) {
@@ -24,7 +25,7 @@ std::size_t count_of(const Table& table, const std::string& name) {
   return values.size();
 }
 
-/// Returns the names of the list that are columns of the table.
+/// Returns those of `names` that are columns of the table.
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
   std::vector<std::string> result;
   std::copy_if(names.begin(), names.end(), std::back_inserter(result),
@@ -36,10 +37,10 @@ bool timed(const Cell& c) {
   return c.status == Status::ok && c.median_ms > 0;
 }
 
-/// Returns each variant's frame time divided by that of the fastest variant: the geometric mean over the
-/// cases in which the variant has a time.
+/// In each case, divides the frame time of every variant by the frame time of the fastest variant. Returns
+/// the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
-  std::map<std::string, double> fastest;  // name of the other axes' values -> ms
+  std::map<std::string, double> fastest;  // case without its variant (name_of()) -> ms
   for (const Cell& c : cells)
     if (timed(c)) {
       double& least = fastest.emplace(name_of(c), c.median_ms).first->second;
@@ -53,7 +54,8 @@ std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
   return means;
 }
 
-/// Arranges an experiment that compares variants. All other key columns that vary become groups.
+/// Makes the section of an experiment that compares variants. The columns of its cross table are grouped by
+/// the values of all axes that vary.
 Section of_variants(std::vector<Cell> cells) {
   const auto means = by_fastest(cells);
   const auto mean = [&](const Cell& c) -> std::optional<double> {
@@ -76,13 +78,12 @@ Section of_variants(std::vector<Cell> cells) {
     if (key != "variant") section.table.layout.groups.push_back(key);
   section.table.remarks = {
       "times: frame time of the variant divided by the frame time of the fastest variant with a correct "
-      "picture, "
-      "geometric mean over the cases."};
+      "picture (geometric mean over the cases)."};
   return section;
 }
 
-/// Arranges any other experiment: a row per case, and groups of columns for the last key column that varies
-/// if it has few values.
+/// Makes the section of any other experiment. Its cross table normally has one row per case. But if the last
+/// key column that varies has at most most_groups values, each of these values becomes a group of columns.
 Section of_cases(std::vector<Cell> cells, const View& view) {
   sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};

@@ -18,7 +18,8 @@ bool timed(const Cell& c) {
   return c.status == Status::ok && c.median_ms > 0;
 }
 
-/// Returns the rank of an axis among the columns: what is drawn comes first, then how, then how large.
+/// Returns the rank by which the columns of the axes are sorted: first the model, then all other axes, then
+/// the number of layers, then the picture size.
 int rank(const std::string& axis) {
   if (axis == "model") return 0;
   if (axis == "layers") return 2;
@@ -40,7 +41,7 @@ std::vector<std::string> axes_of(const std::vector<Cell>& cells) {
 Column axis_column(const std::string& axis) {
   if (axis == "layers") return {axis, axis, "{} layers"};
   if (axis == "model" || axis == "size" || axis == "reading") return {axis, axis};
-  // The order of a scene key's choices is that of the documents, such as from sticks to separable prisms.
+  // If the axis is a scene key with a list of choices, its values keep the order of this list.
   Column column{axis, axis, axis + " {}"};
   Scene scene;
   for (const Key& key : scene_keys(scene))
@@ -51,7 +52,8 @@ Column axis_column(const std::string& axis) {
   return column;
 }
 
-/// A column with a number that only cells with a time have. Cells without a time show their status.
+/// Returns a column with a time or a frame rate. If a cell has no time, the column shows the cell's status if
+/// `starred` is true, and "-" otherwise. With `starred`, the times also have the marks of marks_of().
 CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
                        bool starred) {
   return {{name, heading}, [=](const Cell& c) {
@@ -85,7 +87,8 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
   std::set<std::string> with_interval, taken;
   for (const Cell& c : cells)
     for (const auto& [name, metric] : c.metrics) {
-      if (name == "triangles") continue;  // case_columns() has this column for failed cells too
+      if (name == "triangles")
+        continue;  // case_columns() adds this column itself, because failed cells have it too
       units[name] = metric.unit;
       if (metric.low || metric.high) with_interval.insert(name);
     }

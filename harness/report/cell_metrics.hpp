@@ -1,4 +1,4 @@
-// Metrics of a cell that combines the rows of several processes.
+// Combines the metrics that several processes measured for the same case.
 #pragma once
 #include <span>
 
@@ -6,11 +6,11 @@
 
 namespace pelage {
 
-/// Combines the values that separate processes measured for one metric. Returns the first value unchanged if
-/// all values are equal, as for counts and for numbers printed in a paper. Otherwise the value is the median.
-/// The limits then are a 95% interval of the processes' mean (mean_interval()) from three processes on. With
-/// two processes they are the least lower and the greatest upper limit, if both processes have limits. Needs
-/// at least one value.
+/// Combines the values of one metric from separate processes. If all values are equal (for example counts, or
+/// numbers printed in a paper), returns the first one unchanged. Otherwise returns their median with limits.
+/// With three or more processes, the limits are the 95% interval of the mean over the processes
+/// (mean_interval()). With two processes, they are the smaller of the two lower limits and the larger of the
+/// two upper limits; there are no limits if one process has none. Needs at least one value.
 Metric combined_metric(std::span<const Metric> values);
 
 }  // namespace pelage

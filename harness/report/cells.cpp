@@ -58,7 +58,7 @@ void add(Cell& cell, const Row& row) {
     cell.timings.started_s.push_back(started->get<double>());
 }
 
-/// Samples and metrics of all combined rows.
+/// Samples and metrics of all rows that one cell combines.
 struct Samples {
   std::map<std::string, std::vector<double>> event, wall;  // phase -> times in ms
   std::vector<double> cpu;

@@ -18,27 +18,28 @@ struct Cell {
   Identity identity;           ///< identity of all combined rows
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
-  std::map<std::string, Metric> metrics;  ///< metrics of the combined rows (combined_metric())
-  /// Metric -> its values in the combined rows, in the order of the rows. Separate processes measured them.
+  std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())
+  /// Name of each metric -> its values, one for each combined row, in the order of the rows. Each row is from
+  /// a separate process.
   std::map<std::string, std::vector<double>> runs;
-  Timings timings;         ///< wall times of frames, and start of each process
+  Timings timings;         ///< for each process, its start and its wall times of frames
   bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
-  /// Phase other than "frame" -> median of all its samples, in ms: of the event times, or of the wall times
-  /// if the phase has no event times.
+  /// Name of each phase other than "frame" -> median of its samples in ms. The samples are event times, or
+  /// wall times if the phase has no event times.
   std::map<std::string, double> phase_ms;
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
-  std::string title;             ///< title of the experiment; "" in rows of earlier versions
-  std::string renderer;          ///< renderer of the OpenGL baseline; "" if the rows did not run it
-  nlohmann::json view;           ///< the keys of [report] of the experiment's file; null in old rows
+  std::string title;             ///< title of the experiment; "" for rows of earlier versions
+  std::string renderer;          ///< OpenGL renderer; "" if the OpenGL baseline did not run
+  nlohmann::json view;           ///< table [report] of the experiment file; null for old rows
   double median_ms = 0;          ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
-  bool converged = true;          ///< whether the median of every row is precise (is_precise())
-  double drift = 0;               ///< the greatest Drift::change of a row that drifts(); 0 if no row does
+  bool converged = true;          ///< whether every row has a narrow interval (is_precise())
+  double drift = 0;               ///< largest Drift::change (in magnitude) of a row; 0 if no row drifts()
   std::filesystem::path image;    ///< file of the cell's picture; it may not exist
-  int index = -1;                 ///< index in the result of cells_of()
+  int index = -1;                 ///< index of this cell in the result of cells_of()
   std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
-  /// Hashes of the picture files that the rows wrote; empty for rows of earlier versions.
+  /// Hashes of the picture files, from the rows. Empty for rows of earlier versions.
   std::set<std::string> picture_hashes;
   /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
   /// paper; "default" if the cell has no such axis.
@@ -48,7 +49,8 @@ struct Cell {
   double fps() const { return median_ms > 0 ? 1000 / median_ms : 0; }
 };
 
-/// Returns the settings that the user changed: "fur.length=0.1; size=800x600". Returns "" without changes.
+/// Returns the settings that the user changed on the command line: "fur.length=0.1; size=800x600". Returns ""
+/// without changes.
 std::string changes_of(const Cell& cell);
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in

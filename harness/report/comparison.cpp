@@ -67,7 +67,8 @@ Pair pair_of(const Cell& a, const Cell& b, std::string name, const CompareBy& by
   return pair;
 }
 
-/// Fills the statistics of the pairs whose two cells both have a time.
+/// Computes the change, its interval and the verdict of each pair. Skips a pair if one of its cells has no
+/// time.
 void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Difference>>& differences,
                   const CompareLimits& limits) {
   std::vector<Difference> known;
@@ -115,7 +116,7 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
   refuse_ambiguous(a, by);
   refuse_ambiguous(b, by);
   std::vector<Pair> pairs;
-  std::vector<std::optional<Difference>> differences;  // one per pair; empty without two times
+  std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
       std::string name = common_name(a[i], by);

@@ -16,11 +16,11 @@ struct InputSet {
   std::string differs;
 };
 
-/// Divides the rows into sets. The rows of one journal stay together. Each journal is added to the first
-/// set in which no case of the journal has another identity. Two rows belong to the same case if
-/// their fields experiment, case, variant, device, host and overrides are equal. If a journal contains two
-/// identities of the same case, the journal is divided first. Within a set, the rows of a journal keep their
-/// order. The result has at least one set.
+/// Divides the rows into sets. The rows of one journal stay together. Each journal is added to the first set
+/// in which no case of the journal has another identity. Here, two rows belong to the same case if they have
+/// the same experiment, case, variant, device, host and overrides. If a journal contains two identities of
+/// the same case, the journal is divided first. Within a set, the rows of a journal keep their order. The
+/// result has at least one set.
 std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-/// The longest reason that a table shows. The log of a kernel that cannot be compiled has many lines.
+/// Maximum length of a reason in the table, in bytes. The compiler's log of a kernel can be much longer.
 constexpr std::size_t longest_reason = 300;
 
 /// Returns the first line of the text, shortened to longest_reason bytes.
@@ -72,7 +72,7 @@ Section left_out_section(const std::vector<LeftOut>& list) {
   Section section;
   Table& table = section.table;
   table.title = "Left out";
-  table.subtitle = "Cases without a time, and parts of the inputs that are in no other table";
+  table.subtitle = "Cases without a time, and inputs that are in no other table";
   table.stem = "left-out";
   table.columns = {{"experiment", "experiment"}, {"case", "case"}, {"where", "where"}, {"reason", "reason"}};
   table.layout = {{}, {"experiment", "case", "where"}, {}, {"reason"}};

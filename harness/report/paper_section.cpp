@@ -1,5 +1,5 @@
-// The section of cells whose frame rate a paper prints: our numbers beside the paper's, in the shape of the
-// paper's table.
+// Makes the report section that compares our frame rates with the frame rates that a paper published. Its
+// table has the layout of the paper's table.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace pelage {
 namespace {
 
-/// Returns the limit of the paper's frame time that follows from a limit of its frame rate, in ms.
+/// Converts a frame rate to a frame time in ms. Returns nothing if the frame rate is missing or 0.
 std::optional<double> ms_of(std::optional<double> fps) {
   return fps && *fps > 0 ? std::optional(1000 / *fps) : std::nullopt;
 }
 
-/// A column with a number that follows from the paper's frame rate.
+/// Returns a column whose value `number` computes from the paper's frame rate.
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
             const auto paper = c.paper_fps();
@@ -25,7 +25,7 @@ CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metr
           }};
 }
 
-/// A column with a number that follows from our frame rate divided by the paper's.
+/// Returns a column whose value `number` computes from the ratio of our frame rate to the paper's frame rate.
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
             const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
@@ -35,7 +35,7 @@ CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Rati
 
 std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns = case_columns(cells);
-  // The metric paper_fps and its limits get columns of their own below.
+  // Replaces the columns of the metric paper_fps and its limits by the columns below.
   std::erase_if(columns, [](const CellColumn& c) { return c.column.name.starts_with("paper_fps"); });
   for (CellColumn& c : columns)
     if (c.column.name == "fps") c.column.heading = "ours";
@@ -65,7 +65,7 @@ std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
 }
 
 Section section_of(std::vector<Cell> cells, const std::string& stem, const Sources& sources) {
-  sort_cells(cells);  // by triangles, like the papers' tables
+  sort_cells(cells);  // by the number of triangles, like the papers' tables
   const Cell& any = cells.front();
   auto columns = paper_columns(cells);
   const Experiment experiment = shipped_experiment(any.experiment).value_or(Experiment{});

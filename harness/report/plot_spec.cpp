@@ -25,10 +25,11 @@ bool is_numeric(const Table& table, const std::string& column) {
                      [](const std::string& v) { return v.empty() || number_of(v).has_value(); });
 }
 
-/// Largest number of series that readers can tell apart by colour, and of panels on a page.
+/// A plot has at most seven series, because readers can distinguish only about seven colours. It has at most
+/// 12 panels.
 constexpr std::size_t most_series = 7, most_panels = 12;
 
-/// Returns the number of combinations of the columns' values.
+/// Returns the number of combinations of these columns' values that occur in the table.
 std::size_t combinations(const Table& table, const Names& columns) {
   std::set<Names> found;
   for (const auto& line : table.lines) {
@@ -40,7 +41,8 @@ std::size_t combinations(const Table& table, const Names& columns) {
   return found.size();
 }
 
-/// Removes and returns the name with the most values; "" if there are no names.
+/// Removes from `names` the column with the most values, and returns its name. Returns "" if `names` is
+/// empty.
 std::string take_largest(const Table& table, Names& names) {
   const auto most = std::max_element(names.begin(), names.end(), [&](const auto& a, const auto& b) {
     return values_of(table, a).size() < values_of(table, b).size();
@@ -51,7 +53,8 @@ std::string take_largest(const Table& table, Names& names) {
   return name;
 }
 
-/// Returns "log" if the numbers are positive and the largest one is at least 20 times the smallest one.
+/// Returns "log" if all numbers in the column are positive and the largest is at least 20 times the smallest.
+/// Otherwise returns "linear".
 std::string scale_of(const Table& table, const std::string& column) {
   double least = 0, most = 0;
   for (const std::string& text : values_of(table, column)) {
@@ -64,14 +67,14 @@ std::string scale_of(const Table& table, const std::string& column) {
   return least > 0 && most >= 20 * least ? "log" : "linear";
 }
 
-/// Keeps the names of columns. Adds a note for every other name.
+/// Returns those of `names` that are columns of the table. Adds a note for every other name.
 Names known(const Table& table, const Names& names, const char* key, std::vector<std::string>& notes) {
   Names result;
   for (const std::string& name : names)
     if (column_of(table, name) >= 0)
       result.push_back(name);
     else
-      notes.push_back(fmt::format("{}: {} names \"{}\", which is no column of tables/{}.csv", table.subtitle,
+      notes.push_back(fmt::format("{}: {} names \"{}\", but tables/{}.csv has no such column", table.subtitle,
                                   key, name, table.stem));
   return result;
 }
@@ -81,7 +84,8 @@ void erase_from(Names& names, const Names& taken) {
                 [&](const auto& n) { return std::find(taken.begin(), taken.end(), n) != taken.end(); });
 }
 
-/// Chooses x, series and panels from the view, and from the key columns that vary.
+/// Sets x, series and panels of the plot. Uses the columns that the view names, and chooses the others from
+/// the key columns that vary.
 void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, const View& view,
            std::vector<std::string>& notes) {
   Names keys = varying_keys(table, cells);
@@ -91,7 +95,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
   erase_from(keys, plot.panels);
   if (const Names x = known(table, view.x.empty() ? Names{} : Names{view.x}, "x", notes); !x.empty()) {
     plot.x = x[0];
-    // The number of triangles follows from the model.
+    // Each model has one number of triangles, so the model needs no series of its own.
     if (plot.x == "triangles") erase_from(keys, {"model"});
     erase_from(keys, x);
   } else {
@@ -99,7 +103,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     for (const std::string& key : keys) (is_numeric(table, key) ? numeric : words).push_back(key);
     Names rest = numeric;
     plot.x = take_largest(table, rest);
-    // Two numbers make poor lines if there are many of them.
+    // If x has only two values, each series is a line of two points. Many such lines are hard to read.
     const bool poor =
         !plot.x.empty() && values_of(table, plot.x).size() < 3 && combinations(table, words) > most_series;
     if (plot.x.empty() || poor) {
@@ -111,7 +115,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     if (plot.x.empty()) plot.x = column_of(table, "model") >= 0 ? "model" : "variant";
     keys = words;
     keys.insert(keys.end(), rest.begin(), rest.end());
-    // Too many series: the keys with the fewest values become panels.
+    // If there are too many series, the keys with the fewest values give panels instead.
     while (view.panels.empty() && view.series.empty() && keys.size() > 1 &&
            combinations(table, keys) > most_series) {
       const auto fewest = std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
@@ -124,7 +128,8 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
       keys.erase(fewest);
     }
   }
-  // Against a measured number, one line joins the cases of the remaining keys, such as time steps.
+  // If x is a measured number, the remaining keys (such as the time step) give no series. One line then joins
+  // their cases.
   const auto varying = varying_keys(table, cells);
   const bool measured = plot.x != "triangles" && plot.x != "model" && plot.x != "variant" &&
                         std::find(varying.begin(), varying.end(), plot.x) == varying.end();

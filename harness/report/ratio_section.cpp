@@ -1,5 +1,5 @@
-// The section of an experiment that draws each frame with the paper's own pipeline (the OpenGL baseline) and
-// with ours.
+// Makes the section of an experiment that times two pipelines for each frame: the paper's pipeline (the
+// OpenGL baseline) and our OpenCL pipeline.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,14 +17,14 @@ std::optional<double> ratio_of_pipelines(const Cell& c) {
                                                             : std::nullopt;
 }
 
-/// Returns the name of the cell without the value of the axis "reading".
+/// Returns the name of the cell, without its value of the axis "reading".
 std::string place_of(Cell cell) {
   cell.axes.erase("reading");
   return name_of(cell);
 }
 
-/// Returns the geometric mean of the cells' ratios in each separate run. Returns nothing if the cells have
-/// different numbers of runs or fewer than an interval needs.
+/// Returns, for each separate run, the geometric mean of the ratios over the cells. Returns an empty list if
+/// the cells have different numbers of runs, or too few runs for an interval.
 std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   const std::size_t count = cells.front()->runs.at("opengl_ratio").size();
   std::vector<double> means;
@@ -41,7 +41,7 @@ std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   return has_mean_interval(means.size()) ? means : std::vector<double>{};
 }
 
-/// Returns the interval of the geometric mean over separate runs as text.
+/// Returns the 95% interval of the geometric mean as text. The interval is computed from separate runs.
 std::string mean_interval_text(const std::vector<const Cell*>& cells) {
   const std::vector<double> means = means_of_runs(cells);
   if (means.empty()) return "no interval, because that needs three separate runs (--repeat 3)";
@@ -50,7 +50,8 @@ std::string mean_interval_text(const std::vector<const Cell*>& cells) {
                      means.size());
 }
 
-/// Returns one sentence per reading: the geometric mean and the least of the ratios.
+/// Returns one sentence for each value of the axis "reading". It states the geometric mean and the smallest
+/// of the ratios.
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
   for (const Cell& c : cells) readings[c.reading()].push_back(&c);
@@ -77,8 +78,9 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   return sentences;
 }
 
-/// Returns the cost of curls and clumps: the frame times with the reading "default" divided by those with the
-/// reading "plain", which has neither. Returns "" if no case has both.
+/// Returns a sentence about the cost of curls and clumps. The cost is the frame time with the reading
+/// "default" divided by the frame time with the reading "plain", which has neither curls nor clumps. Returns
+/// "" if no case was timed with both readings.
 std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
   for (const Cell& coat : cells)

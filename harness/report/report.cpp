@@ -71,8 +71,9 @@ void draw_springs(Report& report, const std::vector<FoundRow>& rows, const fs::p
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// Writes tables/layers-ratios.csv: the frame time with all layers divided by the frame times with half and
-/// with a quarter of the layers. Every round of the measurement draws all three frames.
+/// Writes tables/layers-ratios.csv. It contains two ratios: the frame time with all layers divided by the
+/// frame time with half of the layers, and with a quarter of the layers. Every round of the measurement draws
+/// all three frames.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -105,7 +106,8 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Removes from the cells the paths of picture files that no row of the cell wrote, and lists them.
+/// Compares each cell's picture file with the hashes in its rows. If no hash is equal, removes the path from
+/// the cell and adds the file to `left_out`.
 void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_out) {
   for (Cell& c : cells) {
     if (c.picture_hashes.empty() || !fs::is_regular_file(c.image) ||
@@ -169,21 +171,22 @@ void note_copies(Report& report, const std::vector<FoundRow>& rows) {
         "{} of {} rows are in several journals; each of these rows is counted once", copied, rows.size()));
 }
 
-/// Returns the number of devices.
+/// Returns the number of different devices.
 std::size_t devices_of(const std::vector<Cell>& cells) {
   std::set<std::string> devices;
   for (const Cell& c : cells) devices.insert(c.device);
   return devices.size();
 }
 
-/// Returns the number of combinations of a device and a host.
+/// Returns the number of different pairs of a device and a host.
 std::size_t hosts_of(const std::vector<Cell>& cells) {
   std::set<std::pair<std::string, std::string>> hosts;
   for (const Cell& c : cells) hosts.emplace(c.device, c.host);
   return hosts.size();
 }
 
-/// Judges the shipped claims about the experiments of the rows.
+/// Decides which of the papers' claims hold in these rows, and writes the verdicts to tables/claims.csv.
+/// Claims about experiments that are not in the rows are left out.
 void judge_claims(Report& report, const std::vector<FoundRow>& rows, const fs::path& folder) {
   try {
     report.claims = claims::judge(claims::read_claims(claims::shipped_claims()), rows);

@@ -1,4 +1,5 @@
-// Writes a report: tables, plots, pictures, bibliography and provenance. harness/page writes its page.
+// Writes the files of a report: tables, plots, pictures, bibliography and provenance. harness/page writes the
+// HTML page.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -14,7 +15,7 @@ namespace pelage {
 
 struct ReportPlot {
   std::string title,
-      stem;  ///< the files are plots/<stem>.svg, .pdf, .csv and .py; those of sections also have .json
+      stem;  ///< of the files plots/<stem>.svg, .pdf, .csv, .py and (for sections) .json
 };
 
 struct ReportPicture {
@@ -22,14 +23,13 @@ struct ReportPicture {
 };
 
 struct Report {
-  std::filesystem::path folder;  ///< the folder with the files of the report
-  std::vector<FoundRow> rows;    ///< Cell::rows contains indices of this list
+  std::filesystem::path folder;  ///< folder that contains the files of the report
+  std::vector<FoundRow> rows;    ///< all rows of the report; Cell::rows are indices of this list
   std::vector<Cell> cells;
-  std::vector<Section> sections;  ///< tables/STEM.csv and .tex, and the plots of each
-  std::vector<SolverLine>
-      solvers;  ///< written to tables/topology-solvers-ratios.csv unless this list is empty
-  /// Verdicts of the claims about the experiments of the rows; written to tables/claims.csv unless this list
-  /// is empty.
+  std::vector<Section> sections;    ///< each is also in tables/STEM.csv and .tex, with its plots in plots/
+  std::vector<SolverLine> solvers;  ///< also in tables/topology-solvers-ratios.csv, unless this list is empty
+  /// Verdicts on the papers' claims about the experiments in the rows. They are also in tables/claims.csv,
+  /// unless this list is empty.
   std::vector<claims::Judged> claims;
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
@@ -38,14 +38,14 @@ struct Report {
 };
 
 /// Writes one report per set of rows (input_sets()): the report of the first set into `folder`, the other
-/// reports into the folders inputs-2, inputs-3 and so on in `folder`. The first report lists also what
-/// `left_out` contains. Returns the reports in this order. Throws like write_report().
+/// reports into the folders inputs-2, inputs-3 and so on in `folder`. The section "Left out" of the first
+/// report also contains `left_out`. Returns the reports in this order. Throws like write_report().
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                                   const ModelNote& note, const std::vector<LeftOut>& left_out = {});
 
 /// Writes all parts into `folder` (created if missing) and returns them. `notes` become the first notes of
-/// the report. The last section lists `left_out` and all cases without a time. Throws InputError for a path
-/// that cannot be written.
+/// the report. The last section of the report lists `left_out` and all cases without a time. Throws
+/// InputError for a path that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note, std::vector<std::string> notes = {},
                     std::vector<LeftOut> left_out = {});

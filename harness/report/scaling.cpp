@@ -45,7 +45,7 @@ const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int la
 }  // namespace
 
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells) {
-  std::map<std::string, bool> chosen;  // experiment -> whether its own plot is the one of scaling
+  std::map<std::string, bool> chosen;  // experiment -> whether its report.program is "scaling"
   std::map<std::string, std::vector<Cell>> by_changes;
   for (const Cell& c : cells) {
     const auto [place, added] = chosen.emplace(c.experiment, false);

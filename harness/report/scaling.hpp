@@ -9,9 +9,10 @@
 
 namespace pelage {
 
-/// Returns the cells of experiments whose file has the key report.program = "scaling", if they have a time, a
-/// triangle count, a number of layers and a picture size. If cells have different changes on the command line
-/// (--set, --axis, --model), the function returns only those with the most common changes.
+/// Returns the cells of all experiments whose experiment file sets report.program = "scaling". Omits cells
+/// that lack a time, a triangle count, a number of layers or a picture size. If some cells were changed on
+/// the command line (--set, --axis, --model), the function returns only the largest group of cells with equal
+/// changes.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
 /// Returns CSV with one line per cell; plots/scaling.py also reads it.

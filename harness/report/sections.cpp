@@ -38,7 +38,8 @@ std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string&
   return case_sections(cells, stem, sources);
 }
 
-/// Gives every file name once: the second section with the name x gets the name x-2.
+/// Makes the file names of the sections unique: if two sections have the file name x, the second one is
+/// renamed to x-2.
 void separate(std::vector<Section>& sections) {
   std::map<std::string, int> uses;
   for (Section& section : sections) {
@@ -92,7 +93,7 @@ void add_footnotes(Table& table, const ModelNote& note) {
     if (added && !shown) table.remarks.push_back(fmt::format("{}: {}.", value.data, text));
     if (!shown) continue;
     if (added) {
-      // a to z, then aa, ab, ...
+      // marks of footnotes: a to z, then aa, ab, ...
       for (std::size_t n = marks.size(); n > 0; n = (n - 1) / 26)
         mark->second.insert(mark->second.begin(), char('a' + (n - 1) % 26));
       table.footnotes.push_back(fmt::format("{} {}: {}", mark->second, value.data, text));

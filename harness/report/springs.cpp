@@ -114,15 +114,12 @@ Table table_of(const std::vector<SolverLine>& lines) {
                            number(l.processor_ratio)});
   }
   table.remarks = {
-      "Our solver and each baseline compute the same time steps from the same state, in turns. The ratio is "
-      "the "
-      "baseline's time divided by ours: the median over the rounds, with its 95% interval. The ratio by CPU "
-      "time "
-      "divides the baseline's CPU time by our CPU time per core. serial-o3: C++ compiled with -O3; "
-      "serial-fast: "
-      "with -O3 -march=native -ffast-math; both use floats unless the name contains double. eigen-...-1 and "
-      "-2: "
-      "Eigen with one or two threads, compiled with -O3 -march=native."};
+      "Our solver and each baseline take turns to compute the same time steps from the same state. The ratio "
+      "is the baseline's time divided by our time: the median over the rounds, with its 95% interval. The "
+      "ratio by CPU time is the baseline's CPU time divided by our CPU time per core. serial-o3 is C++ "
+      "compiled with -O3. serial-fast is C++ compiled with -O3 -march=native -ffast-math. Both use floats "
+      "unless the name contains double. eigen-...-1 and eigen-...-2 use Eigen with one and two threads, "
+      "compiled with -O3 -march=native."};
   return table;
 }
 

@@ -34,7 +34,7 @@ struct SolverLine {
 std::vector<SolverLine> solver_lines(const std::vector<FoundRow>& rows);
 
 std::string csv_of(const std::vector<SolverLine>& lines);
-/// Returns the lines as a table for readers. csv_of() has more digits and the limits of the intervals.
+/// Returns the lines as a table for readers, with rounded numbers. csv_of() returns them with more digits.
 Table table_of(const std::vector<SolverLine>& lines);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// The section of an experiment that compares mass-spring topologies.
+// Makes the section of an experiment that compares mass-spring topologies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::string place_of(Cell cell) {
   return name_of(cell) + "\n" + cell.variant;
 }
 
-/// Returns the topologies that occur, in the order of the scene key's choices.
+/// Returns the topologies that occur in `cells`, in the order in which the scene key lists its choices.
 std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
   std::vector<std::string> names;
   for (const std::string& name : table.columns[std::size_t(column_of(table, axis))].order)
@@ -30,8 +30,8 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
   return names;
 }
 
-/// Returns the cell of the first topology with the same values of the other axes; null if there is none with
-/// a time.
+/// Returns the cell with the topology `first` that otherwise has the same axes and variant as `like`. Returns
+/// null if there is no such cell with a time.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
   const std::string place = place_of(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
@@ -45,17 +45,17 @@ std::optional<double> simulate_ms(const Cell& c) {
   return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// A table with one line per topology: its frame time divided by that of the first topology, and the
-/// simulation's share of the frame time.
+/// Returns a table with one line per topology. It contains the topology's frame time divided by the frame
+/// time of the first topology, and the simulation's share of the frame time.
 Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
   Table table;
   table.title = "Simulation's share of the frame time";
   table.columns = {{"topology", "topology"},
                    {"by_first", "frame, times " + (topologies.empty() ? std::string() : topologies.front())},
                    {"cases", "cases"},
-                   {"share_median", "share, median"},
-                   {"share_most", "share, most"},
-                   {"most_case", "case with the most"}};
+                   {"share_median", "median share"},
+                   {"share_most", "largest share"},
+                   {"most_case", "case with the largest share"}};
   table.layout = {{}, {"topology"}, {}, {"by_first", "cases", "share_median", "share_most", "most_case"}};
   const auto percent = [](double share) {
     return Value{fmt::format("{:.6g}", share), fmt::format("{:.2g}%", 100 * share)};
@@ -79,7 +79,9 @@ Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& 
          shares.empty() ? number_value({}) : percent(most), text_value(worst)});
   }
   table.remarks = {
-      "Frame: geometric mean over the cases of the frame time divided by that of the first topology."};
+      "Frame: frame time divided by the frame time of the first topology (geometric mean over the cases). "
+      "Share: "
+      "time of the simulation divided by the frame time."};
   return table;
 }
 
@@ -117,9 +119,9 @@ std::vector<Section> topology_sections(const std::vector<Cell>& given, const std
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   table.remarks = {
-      "frame: median wall time of a warm frame; simulate: median time of its simulation by the device's "
-      "timer; both in "
-      "ms."};
+      "frame: median wall time of a warm frame, in ms. simulate: median time of its simulation, in ms, "
+      "measured "
+      "by the device's timer."};
   for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   View view = view_of(cells);
   if (view == View{} && has("triangles")) {

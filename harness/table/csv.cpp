@@ -1,4 +1,4 @@
-// Tables as comma-separated values.
+// Writes tables as CSV (comma-separated values).
 #include <charconv>
 
 #include "harness/table/render.hpp"

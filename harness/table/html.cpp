@@ -1,4 +1,4 @@
-// Tables in HTML.
+// Writes tables as HTML.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-/// Returns an element "td". Its attribute data-sort is the value by which a page sorts the lines; without
-/// this attribute the page sorts by the shown text. The attribute data-cell is Value::cell.
+/// Returns a table cell (an HTML element "td"). A page sorts the table by the attribute data-sort, or by the
+/// shown text if this attribute is missing. The attribute data-cell is Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
   std::string attributes;

@@ -1,4 +1,4 @@
-// Tables in LaTeX.
+// Writes tables as LaTeX.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-/// Returns the label of a block or of a group of columns. A picture size such as "800x600" gets a
-/// multiplication sign.
+/// Returns the heading of a block or of a group of columns. Writes the x of a picture size such as "800x600"
+/// as a multiplication sign.
 std::string label_text(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) {

@@ -12,7 +12,8 @@ std::vector<std::size_t> indices(const Table& table, const std::vector<std::stri
   std::vector<std::size_t> result;
   for (const std::string& name : names) {
     const int index = column_of(table, name);
-    if (index < 0) throw std::logic_error("a layout names the column " + name + ", which the table lacks");
+    if (index < 0)
+      throw std::logic_error("the layout names the column " + name + ", but the table has no such column");
     result.push_back(std::size_t(index));
   }
   return result;
@@ -24,7 +25,7 @@ Keys keys_of(const std::vector<Value>& line, const std::vector<std::size_t>& col
   return keys;
 }
 
-/// Returns the combinations of the columns' values that occur, sorted.
+/// Returns the combinations of values of `columns` that occur in the table, sorted by precedes().
 std::vector<Keys> combinations(const Table& table, const std::vector<std::size_t>& columns) {
   std::vector<Keys> found;
   for (const auto& line : table.lines)
@@ -56,7 +57,7 @@ Pivot pivot_of(const Table& table) {
   Pivot pivot;
   for (const std::size_t c : rows) pivot.keys.push_back(table.columns[c]);
   if (rows.empty())
-    pivot.keys.emplace_back();  // the renderers write the blocks' labels above the first key column
+    pivot.keys.emplace_back();  // an empty key column, above which the renderers write the block's label
   for (const std::size_t c : values) pivot.values.push_back(table.columns[c]);
   for (const Keys& keys : group_keys) pivot.groups.push_back(labels(table, groups, keys));
   for (const Keys& keys : block_keys) pivot.blocks.push_back({labels(table, blocks, keys), {}});

@@ -1,5 +1,5 @@
-// The cross table that readers see: the lines of a table, arranged by the table's layout. The renderers for
-// text, LaTeX and HTML show the same cross table.
+// Arranges the lines of a table as a cross table, as the table's layout states. Readers see this cross table
+// in text, LaTeX and HTML.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,25 +11,26 @@ namespace pelage {
 
 struct Pivot {
   struct Row {
-    std::vector<Value> keys;                  ///< one per key column
-    std::vector<std::optional<Value>> cells;  ///< groups x values; empty if no line belongs there
+    std::vector<Value> keys;  ///< one value per key column
+    std::vector<std::optional<Value>>
+        cells;  ///< for each group, one per value column; empty if the table has no such line
   };
   struct Block {
-    std::vector<std::string> label;  ///< one part per column of Layout::blocks: "16 layers"
+    std::vector<std::string> label;  ///< heading: one text per column of Layout::blocks, such as "16 layers"
     std::vector<Row> rows;
   };
-  std::vector<Column> keys;  ///< if the layout has no rows: one column without a heading
+  std::vector<Column> keys;  ///< columns of Layout::rows; if there are none, one column without a heading
   std::vector<Column> values;
   std::vector<std::vector<std::string>>
-      groups;                 ///< labels; if the layout has no groups: one group without a label
-  std::vector<Block> blocks;  ///< if the layout has no blocks: one block without a label
+      groups;  ///< headings of the groups; one group without a heading if Layout::groups is empty
+  std::vector<Block> blocks;  ///< one block without a heading if Layout::blocks is empty
 };
 
-/// Arranges the lines. Every line is shown: if two lines have the same place, the second line gets a separate
-/// row.
+/// Arranges the lines as a cross table that shows every line. If two lines have the same keys, the second
+/// line gets a separate row.
 Pivot pivot_of(const Table& table);
 
-/// Returns the parts joined by ", ".
+/// Joins the parts with ", ".
 std::string joined(const std::vector<std::string>& parts);
 
 }  // namespace pelage

@@ -21,7 +21,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Returns the digits at the start of the text without leading zeros, and removes all digits at the start.
+/// Removes the digits at the start of the text, and returns them without leading zeros.
 std::string_view take_digits(std::string_view& text) {
   const std::size_t count = std::size_t(std::find_if_not(text.begin(), text.end(), is_digit) - text.begin());
   std::string_view digits = text.substr(0, count);
@@ -30,8 +30,8 @@ std::string_view take_digits(std::string_view& text) {
   return digits;
 }
 
-/// Compares texts character by character, but numbers in them by value. Returns a negative number, 0 or a
-/// positive number.
+/// Compares two texts character by character, but compares numbers in the texts by value. Returns a negative
+/// number if a precedes b, 0 if they are equal, else a positive number.
 int compare_texts(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     if (is_digit(a.front()) && is_digit(b.front())) {

@@ -1,4 +1,4 @@
-// Tables as text for a terminal.
+// Writes tables as text for a terminal.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,12 +26,13 @@ std::string shown(const std::optional<Value>& value) {
   return value->mark.empty() ? value->shown : value->shown + " " + value->mark;
 }
 
-/// Returns whether the values' headings need a line of their own, below the groups' headings.
+/// Returns whether the head of the table has a second line, with the headings of the values below the
+/// headings of the groups.
 bool two_heads(const Pivot& pivot) {
   return pivot.groups.size() != 1 || !pivot.groups[0].empty() ? pivot.values.size() > 1 : true;
 }
 
-/// Returns the width of each column: the key columns, then the columns of each group.
+/// Returns the width of each column in characters: first the key columns, then the columns of each group.
 Widths widths_of(const Pivot& pivot) {
   Widths widths;
   for (std::size_t k = 0; k < pivot.keys.size(); ++k) {
@@ -58,7 +59,8 @@ Widths widths_of(const Pivot& pivot) {
   return widths;
 }
 
-/// Returns the key columns of a line: the first one is left-aligned, the others are right-aligned.
+/// Returns the text of a line's key columns. The first column is left-aligned, and the others are
+/// right-aligned.
 std::string keys_line(const std::vector<std::string>& texts, const Widths& widths) {
   std::string line;
   for (std::size_t k = 0; k < texts.size(); ++k)

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Tests the page of `pelage report` in headless Chromium.
 
-usage: browser_test.py SOURCE PELAGE: SOURCE is the source tree, PELAGE the program. Exits with 77 if Chromium, its
-driver, Selenium or Chart.js is missing.
+usage: browser_test.py SOURCE PELAGE
+
+SOURCE is the source tree, and PELAGE is the path of the program. Exits with 77 if Chromium, its driver, Selenium or
+Chart.js is missing.
 """
 import json
 import os
@@ -31,11 +33,11 @@ HOSTILE = "</script><img src=x onerror=document.title='broken'>\"'<!--"
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-dev-shm-usage",
          "--disable-background-networking", "--disable-component-update", "--disable-sync", "--hide-scrollbars",
          "--disable-default-apps", "--disable-extensions", "--no-default-browser-check"]
-WAIT_S = 60  # only limits how long a test waits for a page that never answers
+WAIT_S = 60  # timeout, in case the page does not respond
 
 
 def missing():
-    """The reason why the test cannot run; "" if it can."""
+    """Returns the reason why the test cannot run, or "" if it can run."""
     for program, package in (("chromium", "chromium"), ("chromedriver", "chromium-driver")):
         if not shutil.which(program):
             return f"{program} is not installed (Debian: {package})"
@@ -45,7 +47,7 @@ def missing():
 
 
 def png(path, width, height, shade):
-    """Writes a PNG picture with a gradient."""
+    """Writes a PNG picture with a colour gradient. `shade` is the blue value of all pixels."""
     lines = b"".join(b"\0" + bytes(v for x in range(width) for v in (255 * x // width, 255 * y // height, shade))
                      for y in range(height))
 
@@ -63,11 +65,12 @@ def line(row):
 
 
 def rows():
-    """Rows of an experiment with three layers, two variants and one hostile model."""
+    """Yields the rows of an experiment with three numbers of layers, two variants and two models. The name of one model is
+    HTML code that would change the page if it were not escaped."""
     for variant in ("plain", "curly"):
         for layers in (9, 16, 100):
             for model in ("torus", HOSTILE):
-                # pelage refuses two rows with equal times.
+                # The times of the two models differ, because pelage rejects two rows with equal times.
                 factor = (2 if variant == "curly" else 1) * (1 if model == "torus" else 1.001)
                 times = [layers * (1 + 0.01 * i) * factor for i in range(8)]
                 yield {"schema": 2, "run_id": "20261123T000000Z-1", "experiment": "own",
@@ -82,7 +85,7 @@ def rows():
 
 
 def write_report(folder):
-    """Writes a report of these rows and of recorded rows, with pictures of two variants."""
+    """Writes a report of the rows of rows() and of two experiments in results/, with pictures of two variants."""
     own = folder / "results" / "own"
     own.mkdir(parents=True)
     (own / "a.jsonl").write_text("".join(map(line, rows())))
@@ -102,7 +105,7 @@ class Page(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = Path(tempfile.mkdtemp(prefix="pelage-browser-"))
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
-        # The page is read from another folder, so that it cannot use the other files of the report.
+        # The browser opens a copy in another folder, so that the page cannot use the other files of the report.
         page = cls.folder / "alone" / "page.html"
         page.parent.mkdir()
         shutil.copy(write_report(cls.folder), page)
@@ -121,7 +124,7 @@ class Page(unittest.TestCase):
         self.show()
 
     def tearDown(self):
-        """No test leaves a message on the console or a request to the network."""
+        """Checks that the test caused no warnings or errors on the console and no network requests."""
         messages = [entry for entry in self.browser.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
         self.assertEqual(messages, [])
         urls = []
@@ -156,7 +159,7 @@ class Page(unittest.TestCase):
         return WebDriverWait(self.browser, WAIT_S).until(lambda _: condition(), reason)
 
     def chart(self, index=0):
-        """Scrolls to a chart and waits until it is drawn."""
+        """Scrolls to a chart, waits until the chart is drawn, and returns its element."""
         figure = self.every("figure.chart")[index]
         self.run_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", figure)
         self.wait(lambda: self.run_script("return !!arguments[0].charts", figure), "the chart is drawn")

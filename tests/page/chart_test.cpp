@@ -7,8 +7,8 @@
 namespace pelage {
 namespace {
 
-/// A table with the columns variant, layers, median_ms, its limits and paper; the index of a line is its
-/// cell.
+/// Returns a table with the columns variant, layers, median_ms and paper, and with the limits of the last
+/// two. Value::cell is the index of the line.
 Table table() {
   Table table;
   table.columns = {{"variant", "variant"},      {"layers", "layers", "{} layers"}, {"median_ms", "ms"},
@@ -65,7 +65,7 @@ TEST(Chart, PanelsAndCategories) {
   EXPECT_EQ(chart.panels[0].lines[0].points.size(), 2u);
 }
 
-/// A published number without a high limit is a lower limit.
+/// Published numbers are drawn as separate lines. A published number without an upper limit is a lower limit.
 TEST(Chart, PublishedNumbersAreLinesOfTheirOwn) {
   PlotSpec spec = plot();
   spec.published = "paper", spec.published_label = "the paper";
@@ -81,7 +81,7 @@ TEST(Chart, PublishedNumbersAreLinesOfTheirOwn) {
   EXPECT_EQ(limit.key, chart.panels[0].lines[2].key);
 }
 
-/// Points with the same x are not joined: no order among them has a meaning.
+/// If several points have the same x, no line joins the points, because their order has no meaning.
 TEST(Chart, PointsWithTheSameXAreNotJoined) {
   PlotSpec spec = plot();
   spec.series = {};

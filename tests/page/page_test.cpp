@@ -29,7 +29,7 @@ std::string no_note(const std::string&) {
   return {};
 }
 
-/// A picture with a pattern that does not compress to nothing.
+/// Writes a picture whose pattern is hard to compress, so that its file is large.
 void write_pattern(const fs::path& file, int width, int height) {
   Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};
   for (int y = 0; y < height; ++y)
@@ -38,7 +38,7 @@ void write_pattern(const fs::path& file, int width, int height) {
   write_picture(file, picture);
 }
 
-/// The examples of RFC 4648.
+/// Test vectors from RFC 4648.
 TEST(Page, Base64) {
   EXPECT_EQ(base64(""), "");
   EXPECT_EQ(base64("f"), "Zg==");
@@ -46,7 +46,8 @@ TEST(Page, Base64) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-/// Texts of the results cannot add elements: neither in the HTML nor in the data of the scripts.
+/// HTML code in names and error messages of the results is escaped, both in the page and in the data for its
+/// scripts.
 TEST(Page, HostileNamesAreText) {
   const Folder folder;
   const std::string hostile = "</script><img src=x onerror=alert(1)>\"'<!--";
@@ -102,7 +103,7 @@ TEST(Page, ThePolicyNamesEveryScript) {
   EXPECT_EQ(page.find(" href=\"http"), std::string::npos);
 }
 
-/// Each line of a table names the cells that it shows, and each cell names its rows.
+/// The tables refer to every cell by its index, and each cell refers to the rows that it combines.
 TEST(Page, CellsLeadToRows) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows();
@@ -126,7 +127,7 @@ TEST(Page, CellsLeadToRows) {
   EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
 }
 
-/// Rows with the same names and different inputs are two sets of one page.
+/// If rows have the same names but measured different inputs, one page shows them as two sets.
 TEST(Page, OnePageHasAllSets) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows(), others = test::table1_rows(2);
@@ -146,7 +147,8 @@ TEST(Page, OnePageHasAllSets) {
   EXPECT_TRUE(fs::exists(folder.path / "inputs-2/tables/all-phases.csv"));
 }
 
-/// Without Chart.js the page has static pictures of the plots, and says what to install.
+/// If Chart.js is missing, the page contains static pictures of the plots, and a note names the package to
+/// install.
 TEST(Page, WithoutChartJs) {
   const Folder folder;
   EXPECT_FALSE(chart_library(folder.path));
@@ -174,7 +176,8 @@ TEST(Page, TheLibrarysVersionComesFromItsBanner) {
   EXPECT_EQ(library->banner, "Chart.js v3.9.1\nReleased under the MIT License");
 }
 
-/// All pictures of cells that are ok are in the page, and together they are within the limit.
+/// The pictures of all cells that are ok are scaled down until their total size is within the limit. Pictures
+/// are left out only if they are too large at the smallest width.
 TEST(Page, PicturesAreReducedToTheLimit) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows();

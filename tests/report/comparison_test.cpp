@@ -1,4 +1,4 @@
-// Tests of the comparison of two sets of results.
+// Tests the comparison of two sets of results.
 #include "harness/report/comparison.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using test::table1_rows;
 
-/// Returns the cells of `count` processes. The medians of the processes differ by up to 1%.
+/// Returns cells that combine the rows of `count` processes. The processes' medians differ by up to 1%.
 std::vector<Cell> processes(int count, double factor = 1, const std::string& device = "test device") {
   std::vector<FoundRow> all;
   for (int repeat = 0; repeat < count; ++repeat)

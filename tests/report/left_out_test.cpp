@@ -24,7 +24,7 @@ TEST(LeftOut, NamesEveryCaseWithoutATimeAndTheReason) {
   rows[0].row.reason = "clBuildProgram failed\nline 1 of the log\nline 2";
   rows[1].row.status = Status::failed_check;
   rows[1].row.reason =
-      std::string(299, 'x') + "\u00e4 and more";  // the limit of 300 bytes divides the letter
+      std::string(299, 'x') + "\u00e4 and more";  // byte 300 is the first of the two bytes of this letter
   rows[2].row.samples.clear();
   const std::vector<LeftOut> list = list_of(rows);
   ASSERT_EQ(list.size(), 3U);

@@ -32,7 +32,7 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
 
 /// Returns one row for each of the 32 cases. Each row has 21 frame times. Their median is factor * (F + P) *
 /// N / 1e6 ms, an invented formula, where F is the number of triangles, P the number of pixels, and N the
-/// number of layers. The times of a row differ from the median by up to 1% and do not drift.
+/// number of layers. The frame times of a row differ from their median by at most 1% and do not drift.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

@@ -1,5 +1,5 @@
-// Tests the sections of a report: their tables have every case, and the plots' descriptions name the right
-// columns. The rows have synthetic times.
+// Tests that the tables in the sections of a report contain every case, and that the descriptions of the
+// plots name the right columns. The rows have synthetic times.
 #include "harness/report/sections.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ double number(const Table& table, std::size_t line, const char* column) {
   return std::stod(value(table, line, column).data);
 }
 
-/// Returns the first line whose columns have the values.
+/// Returns the index of the first line that has these values in these columns.
 std::size_t line_with(const Table& table, const std::vector<std::pair<const char*, const char*>>& values) {
   for (std::size_t i = 0; i < table.lines.size(); ++i)
     if (std::all_of(values.begin(), values.end(),
@@ -50,7 +50,8 @@ std::size_t line_with(const Table& table, const std::vector<std::pair<const char
   return 0;
 }
 
-/// Returns one row per combination of the axes' values, with the median 10 ms, 20 ms, ... in this order.
+/// Returns one row for each combination of the axes' values. The median of the first row is 10 ms, that of
+/// the second row is 20 ms, and so on.
 std::vector<FoundRow> own_rows(const std::vector<Axis>& axes) {
   std::vector<FoundRow> rows(1);
   for (const Axis& axis : axes) {
@@ -153,7 +154,8 @@ TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
   EXPECT_EQ(column_of(all[1].table, "ratio"), -1) << "the paper did not time this scene";
 }
 
-/// A user's axes: no case vanishes, and one numeric axis becomes the horizontal axis of a plot.
+/// Axes that a user defined: the table contains every case, and the numeric axis is the horizontal axis of
+/// the plot.
 TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   const auto rows = own_rows({{"model", {"mine.obj"}},
                               {"curl.radius", {"0.05", "0.01", "0.1"}},
@@ -252,7 +254,8 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   EXPECT_EQ(pivot.blocks[0].rows.front().cells[0]->data, "4");
   EXPECT_NEAR(number(table, line_with(table, {{"model", "torus"}, {"reading", "default"}}), "opengl_ms"), 40,
               1e-9);
-  // The geometric means are (4 * 9^7)^(1/8) and, for the cost of curls, 10/8 and 10/8 * 1.5^(7/8).
+  // The expected geometric mean of the ratios is (4 * 9^7)^(1/8). The expected costs of curls are 10/8 in
+  // OpenCL and 10/8 * 1.5^(7/8) in OpenGL.
   for (const std::string& text : {text_of(table), html_of(table)})
     for (const std::string& part :
          {std::string("9.00 [8.00, 10.00]"),
@@ -334,7 +337,7 @@ TEST(TopologySection, TellsWhatHasNoTime) {
   rows[0].row.samples.clear();
   const Table table = sections(rows).at(0).table;
   EXPECT_NE(text_of(table).find("diverged"), std::string::npos);
-  // Without the time of the first topology, the cases beside it have no ratio.
+  // If the first topology has no time in a case, the other topologies have no ratio in this case.
   const Row& row = rows[0].row;
   EXPECT_EQ(row.axes.at("dynamics.topology"), "silva");
   const std::size_t beside = line_with(table, {{"model", row.axes.at("model").c_str()},
@@ -344,7 +347,7 @@ TEST(TopologySection, TellsWhatHasNoTime) {
   EXPECT_EQ(value(table, beside, "ratio").data, "");
 }
 
-/// Own models have the same tables: their rows are changes of the experiment.
+/// A model given with --model has the same tables as the models of the experiment.
 TEST(TopologySection, HasOwnModels) {
   std::vector<FoundRow> rows = sweep_rows();
   std::erase_if(rows, [](const FoundRow& found) { return found.row.axes.at("model") != "torus"; });

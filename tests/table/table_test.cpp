@@ -1,4 +1,4 @@
-// Tests tables, their cross tables and their formats.
+// Tests tables, their arrangement as cross tables, and their formats.
 #include "harness/table/table.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a table of two models x two numbers of layers x two sizes. The value of a line is its index.
+/// Returns a table with one line for each combination of two models, two numbers of layers and two picture
+/// sizes. The values in the column ms are 1 to 8.
 Table cases() {
   Table table;
   table.title = "Title";
@@ -78,7 +79,7 @@ TEST(Pivot, ArrangesTheLines) {
   EXPECT_EQ(pivot.blocks[1].rows[0].cells[1]->data, "3");
 }
 
-/// Whatever the layout is, and even if lines have the same keys, each line has a place.
+/// The cross table shows every line once for any layout, even if several lines have the same keys.
 TEST(Pivot, ShowsEveryLine) {
   std::mt19937 random(1);
   for (int round = 0; round < 200; ++round) {

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Draws the plot that a description names: a number of each line of a table against an axis of the experiment.
+"""Draws one column of a table of results against another column, as a JSON description states.
 
 usage: plot.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table, and TABLE.json beside it the description, that a report stores next to this program. The program
-needs only matplotlib. If all values of x are numbers (a picture size counts as its number of pixels), it draws lines,
-else points. The bars are the 95% intervals.
+`pelage report` writes this program, the table (TABLE.csv) and the description (TABLE.json) into one folder. The program
+needs only matplotlib. If all values of x are numbers, it draws lines; otherwise it draws points. A picture size counts
+as its number of pixels. The error bars are the 95% intervals.
 """
 import csv
 import itertools
@@ -22,13 +22,13 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 # Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # one more than colours: 56 different series
-MOST_COLUMNS = 4  # panels side by side
-MOST_LEGEND = 24  # series in the legend
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # eight markers and seven colours give 56 different series
+MOST_COLUMNS = 4  # largest number of panels side by side
+MOST_LEGEND = 24  # largest number of series in the legend
 
 
 def number(text):
-    """The number that the text denotes, the number of pixels of a picture size, or None."""
+    """Returns the number in the text. Returns the number of pixels for a picture size, and None for other texts."""
     try:
         value = float(text)
     except (TypeError, ValueError):
@@ -45,7 +45,7 @@ def natural(text):
 
 
 class Keys:
-    """The order and the labels of the values of the table's columns."""
+    """Sorts and labels the values of the table's columns."""
 
     def __init__(self, description):
         self.order, self.labels = description["order"], description["labels"]
@@ -65,7 +65,7 @@ class Keys:
 
 
 def bars(rows, value, low, high):
-    """The lengths of the error bars below and above the values; None without intervals."""
+    """Returns the lengths of the error bars below and above the values, or None if there are no intervals."""
     if not low:
         return None
     below = [max(0.0, v - (number(r[low]) if number(r[low]) is not None else v)) for v, r in zip(value, rows)]
@@ -74,7 +74,7 @@ def bars(rows, value, low, high):
 
 
 def draw_published(axis, rows, x_of, published, style):
-    """Draws the numbers of the paper. A number without an upper limit is a lower limit: it is drawn as an arrow."""
+    """Draws the numbers of the paper. If a number is only a lower limit, draws an arrow that points up from it."""
     column = published["column"]
     have = [r for r in rows if number(r[column]) is not None]
     known = [r for r in have if number(r[column + "_high"]) is not None or number(r[column + "_low"]) is None]
@@ -90,12 +90,12 @@ def draw_published(axis, rows, x_of, published, style):
                           arrowprops={"arrowstyle": "->", "color": style["color"], "linestyle": "--"})
             axis.plot(x, y, linestyle="none", markerfacecolor="white",
                       **{k: v for k, v in style.items() if k != "capsize"})
-            axis.plot(x, y * 2.2, alpha=0)  # the limits of the axis include the arrow
+            axis.plot(x, y * 2.2, alpha=0)  # invisible; extends the axis, so that the arrow fits
     return handle
 
 
 def draw_panel(axis, rows, series, categories, keys, d):
-    """Draws the series of one panel. Returns the handles of the legend by label."""
+    """Draws the series of one panel. Returns the label -> artist map for the legend."""
     handles = {}
     for i, values in enumerate(series):
         colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
@@ -116,7 +116,7 @@ def draw_panel(axis, rows, series, categories, keys, d):
         label = keys.text(d["series"], values)
         ours = ", ".join(p for p in ("ours" if "published" in d else "", label) if p)
         if have:
-            # Points with the same x, such as models with the same number of triangles, are not joined.
+            # If several points have the same x (models with equal numbers of triangles), no line joins the points.
             joined = not categories and len({x_of(r) for r in have}) == len(have)
             handles[ours] = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
                                            linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **style)
@@ -147,7 +147,7 @@ def decorate(axis, title, categories, d):
 
 
 def plain_ticks(axis):
-    """Writes the ticks of a logarithmic scale as plain numbers if the scale spans less than three decades."""
+    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades."""
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
