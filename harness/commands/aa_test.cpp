@@ -1,5 +1,5 @@
-// pelage aa-test: counts how often the test behind pelage compare decides wrongly or not at all on this
-// machine.
+// pelage aa-test: counts how often the statistical test of pelage compare gives a wrong verdict or no verdict
+// on this machine.
 #include "harness/commands/aa_test.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,8 @@ Size size_from_text(const std::string& text) {
   return size;
 }
 
-/// Returns the scene of the experiment's case with this picture size.
+/// Returns the scene of the experiment kExperiment with the model and layers in `options` and this picture
+/// size.
 Scene scene_with(const Experiment& experiment, const AaOptions& options, Size size) {
   Overrides overrides;
   overrides.model = options.model;
@@ -51,14 +52,15 @@ Scene scene_with(const Experiment& experiment, const AaOptions& options, Size si
   return scene_of(experiment, cases_of(experiment, preset_of(experiment, "quick"), overrides).front());
 }
 
-/// A side of the comparisons: a scene on a device.
+/// The scene, the device and the renderer options that both sides of a comparison use.
 struct SideScene {
   cl::Device device;
   std::shared_ptr<const FrameInput> input;
   ShellOptions options;
 };
 
-/// Returns the first check of a picture that does not hold, as text; "" if all hold.
+/// Draws a frame and compares it with the reference picture. Returns a text that describes the first failed
+/// check, or "" if no check fails.
 std::string failed_check(const SideScene& side) {
   Shells shells(side.device, side.input, side.options);
   shells.frame();
@@ -70,7 +72,8 @@ std::string failed_check(const SideScene& side) {
   return {};
 }
 
-/// Returns a side whose only sample is the time of `frames` frames together.
+/// Returns a function that makes a new pipeline and returns one sample: the total time of `frames` frames in
+/// ms.
 TimePipeline timing_of(const SideScene& side, int frames) {
   return [&side, frames] {
     constexpr int warm_up = 3;
@@ -118,7 +121,8 @@ int aa_test(AaOptions options) {
   };
   std::vector<Trial> equal, slower;
   const CpuWatch watch;
-  // The two kinds of trials take turns, so that a busy period affects both.
+  // Trials with equal sides and trials with more frames alternate, so that a busy period of the machine
+  // affects both kinds.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
     const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
       progress.start(name);

@@ -1,5 +1,4 @@
-// pelage claims: reads journal files of recorded results and prints whether claims of papers, or of the user,
-// hold.
+// pelage claims: reads recorded results and prints whether they support the claims of papers or of the user.
 #include "harness/commands/claims.hpp"
 
 #include <fmt/format.h>

@@ -63,7 +63,8 @@ void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
   }
 }
 
-/// Prints notes about what the verdicts are based on.
+/// Prints notes about assumed variances, about busy machines, and about the smallest change that the test can
+/// detect.
 void print_notes(const std::vector<Pair>& pairs) {
   const auto count = [&](auto which) { return std::count_if(pairs.begin(), pairs.end(), which); };
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))

@@ -21,7 +21,8 @@ struct ExportOptions {
   bool raw = false;
 };
 
-/// Names the parts of the inputs that are not in the CSV, at most ten of them.
+/// Prints which rows and lines of the journals are not in the CSV: at most ten of them, and the number of the
+/// others.
 void note_left_out(const std::vector<LeftOut>& list) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(list.size(), most); ++i)

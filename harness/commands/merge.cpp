@@ -1,5 +1,5 @@
-// pelage merge: joins the rows of several folders of results in one folder, and names missing shards and
-// cases.
+// pelage merge: writes the rows of several folders of results into one folder, and prints which shards and
+// cases are missing.
 #include "harness/commands/merge.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace pelage {
 namespace {
 
-/// The exit code if shards or cases are missing.
+/// Exit code of pelage merge if shards or cases are missing.
 constexpr int missing_code = 4;
 
 struct MergeOptions {
   std::string output;
   std::vector<std::string> results, expect;
-  RunOptions expected;  ///< the options that select the cases of the experiments in `expect`
+  RunOptions expected;  ///< options such as --filter, which select the expected cases
   bool keep_apart = false, dry_run = false;
 };
 
-/// Returns the names of the cases of an experiment that --expect names.
+/// Returns the names of the expected cases of an experiment that was given with --expect.
 std::vector<std::string> expected_cases(const MergeOptions& options, const Experiment& experiment) {
   const std::vector<Case> cases = filtered(
       cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides()),
@@ -38,7 +38,8 @@ std::vector<std::string> expected_cases(const MergeOptions& options, const Exper
   return names;
 }
 
-/// Returns the overrides that `pelage run` records with the options of `options.expected`.
+/// Returns the overrides (values of --set, --axis and --model) that `pelage run` would record in rows with
+/// the options `options.expected`.
 std::map<std::string, std::string> expected_overrides(const MergeOptions& options,
                                                       const Experiment& experiment) {
   return cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides())
@@ -46,7 +47,7 @@ std::map<std::string, std::string> expected_overrides(const MergeOptions& option
       .overrides;
 }
 
-/// Returns one line per expected case that has no row or only rows with the status error.
+/// Returns one line of text for each expected case that has no row or only rows with the status error.
 std::vector<std::string> missing_cases(const MergeOptions& options, const std::vector<RunState>& states) {
   std::vector<std::string> lines;
   for (const std::string& name : options.expect) {
