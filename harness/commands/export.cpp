@@ -29,7 +29,7 @@ void note_left_out(const std::vector<LeftOut>& list) {
     fmt::print(stderr, "pelage: left out: {}{}{}: {}\n", list[i].where, list[i].case_name.empty() ? "" : ": ",
                list[i].case_name, list[i].reason);
   if (list.size() > most)
-    fmt::print(stderr, "pelage: left out: {} more parts of the results\n", list.size() - most);
+    fmt::print(stderr, "pelage: left out: {} more rows or lines of the journals\n", list.size() - most);
 }
 
 int export_csv(const ExportOptions& options) {

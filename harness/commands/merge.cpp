@@ -92,7 +92,7 @@ void note_result(const MergeOptions& options, const Merge& merge, std::size_t pi
              options.dry_run ? "would write " : fmt::format("{}: ", options.output), merge.rows.size(),
              options.dry_run ? "" : fmt::format(", {} pictures", pictures),
              merge.copies ? fmt::format("; {} copies of rows left out", merge.copies) : "",
-             merge.replaced ? fmt::format("; {} rows with errors left out, because later rows replace them",
+             merge.replaced ? fmt::format("; {} rows with errors left out, because other rows replace them",
                                           merge.replaced)
                             : "");
   for (std::size_t i = 0; i < merge.apart.size(); ++i)
@@ -124,9 +124,9 @@ int merge_command(const MergeOptions& options) {
 
 void add_merge(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App* command =
-      app.add_subcommand("merge", "Join shards and runs in one folder, and name missing shards and cases");
-  command->add_option("output", options->output, "New folder for the joined results")
+  CLI::App* command = app.add_subcommand(
+      "merge", "Merge the rows of shards and runs into one folder, and print missing shards and cases");
+  command->add_option("output", options->output, "New folder for the merged results")
       ->required()
       ->type_name("OUT");
   command->add_option("results", options->results, "Folders with results, or journal files")
@@ -134,14 +134,15 @@ void add_merge(CLI::App& app, Chosen& chosen) {
       ->type_name("RESULTS");
   command->add_flag(
       "--keep-apart", options->keep_apart,
-      "Write rows that do not belong together into folders apart-2, apart-3, ... in OUT, instead "
+      "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in OUT, instead "
       "of refusing them");
-  command->add_flag("--dry-run", options->dry_run, "Print what is missing, and write nothing");
+  command->add_flag("--dry-run", options->dry_run, "Print missing shards and cases, and write nothing");
   CLI::Option* expect =
       command
           ->add_option(
               "--expect", options->expect,
-              "Name the missing cases of this experiment; the next options select its cases as in run")
+              "Also print the cases of this experiment that were not measured; the next options select "
+              "its cases, as in pelage run")
           ->allow_extra_args(false)
           ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(*command, options->expected);

@@ -63,7 +63,9 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
     own_s += seconds[i].value_or(0);
   }
   if (!options.balance.empty())
-    fmt::print(stderr, "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s of {:.1f} s{}\n",
+    fmt::print(stderr,
+               "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s for these cases and "
+               "{:.1f} s for all cases{}\n",
                sweep.experiment.name, options.shard, own.size(), shards.size(), own_s, all_s,
                unknown ? fmt::format("; {} cases have no earlier row", unknown) : "");
   sweep.cases = std::move(own);
@@ -310,7 +312,7 @@ void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   };
   if (contains(earlier, own) || contains(own, earlier))
     throw InputError(fmt::format(
-        "--balance {}: these results change while this run writes into {}; give a folder outside it",
+        "--balance {}: these results change while this run writes into {}; give results outside this folder",
         options.balance, folder.string()));
 }
 

@@ -59,7 +59,7 @@ void check_named(const Experiment& experiment, const Axis& axis) {
       Scene scene;
       apply_set(scene, axis.key + "=0", fmt::format("{}: axis {}", experiment.name, axis.key));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}; if the name of the axis is your own, {}", error.what(), needed));
+      throw InputError(fmt::format("{}; if you chose this name for an axis, {}", error.what(), needed));
     }
   }
   const std::set<std::string> known = values_in_file(experiment, axis.key);
@@ -74,7 +74,8 @@ void refuse_contradicting_tables(const Experiment& experiment, const Axis& axis,
     for (const std::string& key : varied_by(other.key))
       if (table_sets(experiment, axis.key, value, key))
         throw InputError(
-            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove one of the two",
+            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove the key from the "
+                        "table, or remove the axis",
                         experiment.name, axis.key, value, key, other.key));
 }
 

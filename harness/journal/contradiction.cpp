@@ -122,9 +122,9 @@ void refuse_cpu(const Row& row, const std::string& phase, const PhaseSamples& ti
   if (times.cpu_ms.empty() || times.wall_ms.empty() || cpus < 1) return;
   const double cpu = median_of(times.cpu_ms), wall = median_of(times.wall_ms);
   if (cpu > most_cpu_share * cpus * wall + cpu_margin_ms)
-    throw InputError(
-        fmt::format("the median CPU time of the phase {} is {} ms, but {} CPUs have less in {} ms", phase,
-                    cpu, cpus, wall));
+    throw InputError(fmt::format(
+        "the median CPU time of the phase {} is {} ms, which is more than {} CPUs can use in {} ms", phase,
+        cpu, cpus, wall));
 }
 
 void refuse_times(const Row& row) {
