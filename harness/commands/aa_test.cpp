@@ -180,7 +180,7 @@ void add_aa_test(CLI::App& app, Chosen& chosen) {
   count("--equal", options->equal, "Number of comparisons in which both sides draw the same frames", 0);
   count("--slower", options->slower, "Number of comparisons in which the second side draws more frames", 0);
   count("--rounds", options->limits.rounds,
-        "Number of pipelines that each side makes per comparison; the two sides alternate",
+        "Number of rounds per comparison; in each round both sides make and time one pipeline",
         int(fewest_processes));
   count("--frames", options->frames, "Frames that each pipeline draws; their total time is one sample", 1);
   text("--work", options->work, "Additional frames of the slower side, relative to --frames", "5%");

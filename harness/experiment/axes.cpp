@@ -14,8 +14,8 @@
 namespace pelage {
 namespace {
 
-using Tables =
-    std::map<std::string, std::vector<Setting>>;  // maps a value of an axis to the scene keys in its table
+/// Maps each value of an axis to the scene keys in its table.
+using Tables = std::map<std::string, std::vector<Setting>>;
 
 const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
   static const Tables none;

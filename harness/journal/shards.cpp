@@ -28,10 +28,10 @@ std::string text(const Row& row, const char* key) {
 
 /// Numbers collected from the rows of one shard: which measurements it has, and how many it should have.
 struct ShardRows {
-  std::map<std::pair<std::string, int>, bool>
-      measured;  // maps (case, repeat) to true if a row without an error exists
-  std::size_t cases = 0, all_cases = 0,
-              repeats = 1;  // largest numbers in the provenance of the rows; 0 if not recorded
+  /// Maps (case, repeat) to true if a row without an error exists.
+  std::map<std::pair<std::string, int>, bool> measured;
+  /// The largest numbers that the rows record; 0 if no row records `cases` or `all_cases`.
+  std::size_t cases = 0, all_cases = 0, repeats = 1;
   std::set<std::string> deals;
 
   void add(const Row& row) {

@@ -82,8 +82,8 @@ TEST_F(Cluster, ARunCutByItsBudgetIsIncomplete) {
   EXPECT_EQ(pelage(folder, "merge out cut").code, 2);  // the results contain no row
   run("--filter x12-4- -o cut4");
   run("--resume cut4 --budget 0.000001s");
-  EXPECT_EQ(pelage(folder, "merge --dry-run out cut4").code,
-            0);  // the run was limited to this case, so no case is missing
+  // The filter limited this run to one case, so no case is missing.
+  EXPECT_EQ(pelage(folder, "merge --dry-run out cut4").code, 0);
   const Outcome cases = pelage(folder, "merge --dry-run out cut4 --expect own.toml");
   EXPECT_EQ(cases.code, 4);
   EXPECT_EQ(lines_of(cases.out), 3u) << cases.out;

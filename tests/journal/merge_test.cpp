@@ -86,8 +86,8 @@ TEST(Merge, ShardsBecomeOneJournalAndRowsStayAsTheyAre) {
   const Inputs inputs;
   inputs.write("s0/own/gpu@node1.0-of-2.jsonl", {row_of("a"), row_of("c")});
   inputs.write("s1/own/gpu@node1.1-of-2.jsonl", {row_of("b", "run2")});
-  inputs.write("s1/other/gpu@node2.jsonl",
-               {row_of("b", "run3")});  // the row's field `experiment` counts, not the name of this folder
+  // The row's field `experiment` counts, not the name of the folder "other".
+  inputs.write("s1/other/gpu@node2.jsonl", {row_of("b", "run3")});
   Merge merge = inputs.plan({"s0", "s1"});
   EXPECT_EQ(write_merge(merge, inputs.out()), 0u);
   EXPECT_EQ(cases_of(inputs.out() / "own/gpu@node1.jsonl"), (Names{"a", "c", "b"}));
@@ -257,8 +257,8 @@ TEST(Merge, AFailedMergeLeavesNothing) {
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   inputs.picture("a/own/images/a.png", "picture");
   Merge merge = inputs.plan({"a"});
-  merge.rows.push_back(
-      merge.rows.front());  // fails, because a journal refuses a second row with the same key
+  // The merge now fails, because a journal refuses a second row with the same key.
+  merge.rows.push_back(merge.rows.front());
   EXPECT_THROW(write_merge(merge, inputs.out()), InputError);
   EXPECT_EQ(std::distance(fs::directory_iterator(inputs.folder.path), fs::directory_iterator()), 1);
 }

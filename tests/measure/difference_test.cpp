@@ -125,8 +125,8 @@ TEST(Decide, ErrsWithTheProbabilityAlpha) {
   const Rates equal = rates_of(0, 0, 0.02);
   EXPECT_GT(equal.decided, 50);  // 80 expected, standard deviation 9
   EXPECT_LT(equal.decided, 115);
-  EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided,
-            115);  // the true change equals the threshold, so every decision is wrong
+  // The true change equals the threshold, so every decision is wrong.
+  EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);
 }
 
 TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
