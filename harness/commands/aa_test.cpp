@@ -1,5 +1,5 @@
-// pelage aa-test: counts how often the test behind pelage compare decides wrongly or not at all on this
-// machine.
+// pelage aa-test: counts how often the statistical test of pelage compare gives a wrong verdict or no verdict
+// on this machine.
 #include "harness/commands/aa_test.hpp"
 
 #include <fmt/format.h>
@@ -43,7 +43,8 @@ Size size_from_text(const std::string& text) {
   return size;
 }
 
-/// Returns the scene of the experiment's case with this picture size.
+/// Returns the scene of the experiment kExperiment with the model and layers in `options` and this picture
+/// size.
 Scene scene_with(const Experiment& experiment, const AaOptions& options, Size size) {
   Overrides overrides;
   overrides.model = options.model;
@@ -51,14 +52,15 @@ Scene scene_with(const Experiment& experiment, const AaOptions& options, Size si
   return scene_of(experiment, cases_of(experiment, preset_of(experiment, "quick"), overrides).front());
 }
 
-/// A side of the comparisons: a scene on a device.
+/// The scene, the device and the renderer options that both sides of a comparison use.
 struct SideScene {
   cl::Device device;
   std::shared_ptr<const FrameInput> input;
   ShellOptions options;
 };
 
-/// Returns the first check of a picture that does not hold, as text; "" if all hold.
+/// Draws a frame and compares it with the reference picture. Returns a text that describes the first failed
+/// check, or "" if no check fails.
 std::string failed_check(const SideScene& side) {
   Shells shells(side.device, side.input, side.options);
   shells.frame();
@@ -70,7 +72,8 @@ std::string failed_check(const SideScene& side) {
   return {};
 }
 
-/// Returns a side whose only sample is the time of `frames` frames together.
+/// Returns a function that makes a new pipeline and returns one sample: the total time of `frames` frames in
+/// ms.
 TimePipeline timing_of(const SideScene& side, int frames) {
   return [&side, frames] {
     constexpr int warm_up = 3;
@@ -107,7 +110,7 @@ int aa_test(AaOptions options) {
   const auto mesh = load_scene_mesh(scene, [&](const std::string& text) { progress.note("  " + text); });
   const SideScene side{device, prepare(scene, mesh), {}};
   if (const std::string failed = failed_check(side); !failed.empty()) {
-    fmt::print(stderr, "pelage: the picture fails its check: {}\n", failed);
+    fmt::print(stderr, "pelage: the picture differs too much from the reference picture: {}\n", failed);
     return 1;
   }
 
@@ -118,7 +121,8 @@ int aa_test(AaOptions options) {
   };
   std::vector<Trial> equal, slower;
   const CpuWatch watch;
-  // The two kinds of trials take turns, so that a busy period affects both.
+  // Trials with equal sides and trials with more frames alternate, so that a busy period of the machine
+  // affects both kinds.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
     const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
       progress.start(name);
@@ -129,12 +133,12 @@ int aa_test(AaOptions options) {
     if (i < options.slower) trial("more frames", time_b, slower);
   }
 
-  fmt::print("{}, {} layers, {}x{}; {} pipelines a side, {} frames each; threshold {}, alpha {}\n",
+  fmt::print("{}, {} layers, {}x{}; {} pipelines per side, {} frames per pipeline; threshold {}, alpha {}\n",
              options.model, options.layers, size.width, size.height, options.limits.rounds, options.frames,
              options.threshold, options.alpha);
   if (!equal.empty()) {
     const TrialCounts counts = count_of(equal);
-    fmt::print("equal sides: {} called different: {} faster, {} slower\n",
+    fmt::print("equal sides wrongly called different: {}; {} faster, {} slower\n",
                rate_text(counts.faster + counts.slower, counts.all()), counts.faster, counts.slower);
   }
   if (!slower.empty()) {
@@ -143,7 +147,8 @@ int aa_test(AaOptions options) {
     changes.reserve(slower.size());
     for (const Trial& t : slower) changes.push_back(std::expm1(t.difference.log_ratio));
     fmt::print(
-        "{} frames against {}: {} called slower, {} faster, {} same, {} undecided; median change {:+.2f}%\n",
+        "{} frames compared with {} frames: {} called slower, {} faster, {} same, {} undecided; median "
+        "change {:+.2f}%\n",
         more, options.frames, rate_text(counts.slower, counts.all()), counts.faster, counts.same,
         counts.undecided, 100 * median(changes));
   }
@@ -160,7 +165,9 @@ int aa_test(AaOptions options) {
 void add_aa_test(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<AaOptions>();
   CLI::App* command = app.add_subcommand(
-      "aa-test", "Test the verdicts of compare on this machine: equal sides, and one side with more work");
+      "aa-test",
+      "Count wrong verdicts of pelage compare on this machine, for equal work and for a known amount of more "
+      "work");
   const auto count = [&](const char* name, int& value, const char* help, int least) {
     command->add_option(name, value, help)
         ->type_name("N")
@@ -170,19 +177,21 @@ void add_aa_test(CLI::App& app, Chosen& chosen) {
   const auto text = [&](const char* name, std::string& value, const char* help, const char* type) {
     command->add_option(name, value, help)->type_name(type)->capture_default_str();
   };
-  count("--equal", options->equal, "Number of comparisons of equal sides", 0);
-  count("--slower", options->slower, "Number of comparisons whose second side draws more frames", 0);
-  count("--rounds", options->limits.rounds, "Pipelines per side and comparison; the sides take turns",
+  count("--equal", options->equal, "Number of comparisons in which both sides draw the same frames", 0);
+  count("--slower", options->slower, "Number of comparisons in which the second side draws more frames", 0);
+  count("--rounds", options->limits.rounds,
+        "Number of rounds per comparison; in each round both sides make and time one pipeline",
         int(fewest_processes));
   count("--frames", options->frames, "Frames that each pipeline draws; their total time is one sample", 1);
-  text("--work", options->work, "Additional frames of the slower side", "5%");
-  text("--threshold", options->threshold, "As in pelage compare", "0");
-  text("--alpha", options->alpha, "As in pelage compare", "2%");
-  text("--model", options->model, "Model or mesh file", "NAME|FILE");
+  text("--work", options->work, "Additional frames of the slower side, relative to --frames", "5%");
+  text("--threshold", options->threshold,
+       "Largest relative change that counts as no change, as in pelage compare", "0");
+  text("--alpha", options->alpha, "Largest probability of a wrong verdict, as in pelage compare", "2%");
+  text("--model", options->model, "Name of a model, or path of a mesh file", "NAME|FILE");
   text("--layers", options->layers, "Number of layers", "N");
-  text("--size", options->size, "Size of the picture", "WIDTHxHEIGHT");
+  text("--size", options->size, "Size of the picture in pixels", "WIDTHxHEIGHT");
   text("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name", "DEVICE");
-  command->add_option("--seed", options->limits.seed, "Seed of the random order of the sides")
+  command->add_option("--seed", options->limits.seed, "Random seed of the order in which the two sides run")
       ->type_name("N")
       ->capture_default_str();
   text("--csv", options->csv, "Write one line per comparison into this file", "FILE");

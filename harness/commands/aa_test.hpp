@@ -3,8 +3,9 @@
 
 namespace pelage {
 
-/// pelage aa-test: tests the verdicts of `pelage compare` on this machine with timings whose true difference
-/// is known. The exit code is 1 if the picture of a side fails its check.
+/// pelage aa-test: counts wrong verdicts of `pelage compare` on this machine. It compares timings whose true
+/// difference is known. The exit code is 1 if the rendered picture differs too much from the reference
+/// picture.
 void add_aa_test(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

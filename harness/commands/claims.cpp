@@ -1,5 +1,4 @@
-// pelage claims: reads journal files of recorded results and prints whether claims of papers, or of the user,
-// hold.
+// pelage claims: reads recorded results and prints whether they support the claims of papers or of the user.
 #include "harness/commands/claims.hpp"
 
 #include <fmt/format.h>
@@ -37,8 +36,8 @@ int print_claims(const ClaimsOptions& options) {
   for (std::size_t i = 1; i < sets.size(); ++i)
     fmt::print(
         stderr,
-        "pelage: {} rows are not used, because they have the names of other rows but measured different "
-        "inputs ({}). Give their journals alone to judge the claims by them\n",
+        "pelage: {} rows are not used: they have the same experiment and case names as other rows, "
+        "but measured different inputs ({}). To judge the claims by these rows, give only their journals\n",
         sets[i].rows.size(), sets[i].differs);
   if (options.csv == "-")
     fmt::print("{}", csv_of(judged));

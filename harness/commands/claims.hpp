@@ -3,8 +3,8 @@
 
 namespace pelage {
 
-/// pelage claims RESULTS... [--claims FILE] [--csv FILE|-] [--json|--markdown]: judges claims of papers, or
-/// of the user, by recorded results.
+/// pelage claims RESULTS... [--claims FILE] [--csv FILE|-] [--json|--markdown]: prints whether recorded
+/// results support the claims of papers or of the user.
 void add_claims(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

@@ -1,10 +1,10 @@
 // The interface of a command of pelage. Each command has one file with a function add_NAME(app, chosen),
 // which main() calls. add_NAME declares the command's options on `app`. If the command line names the
 // command, CLI11 calls the command's callback. The callback stores a function in `chosen`, and main() then
-// runs the stored function. The stored function returns the exit code (0 done, 1 a check failed, 4
-// missing shards or cases, 5 a regression) or throws: main() turns InputError into exit code 2, NoDeviceError
-// into 3, and every other exception into 1. Commands write data to stdout and messages to stderr.
-// harness/commands/devices.cpp is a short example.
+// runs the stored function. The stored function returns the exit code: 0 for success, 1 if a check failed, 4
+// if shards or cases are missing, and 5 if a case became slower. If the function throws, main() returns exit
+// code 2 for InputError, 3 for NoDeviceError, and 1 for every other exception. Commands write data to stdout
+// and messages to stderr. harness/commands/devices.cpp is a short example.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>

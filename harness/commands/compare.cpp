@@ -63,12 +63,14 @@ void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
   }
 }
 
-/// Prints notes about what the verdicts are based on.
+/// Prints notes about assumed variances, about busy machines, and about the smallest change that the test can
+/// detect.
 void print_notes(const std::vector<Pair>& pairs) {
   const auto count = [&](auto which) { return std::count_if(pairs.begin(), pairs.end(), which); };
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
     fmt::print(stderr,
-               "pelage: {} of {} comparisons assume that the medians of processes differ by {:.0f}%, because "
+               "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
+               "deviation), because "
                "fewer than {} processes measured a case; run the experiments with --repeat 5\n",
                assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
   if (const auto contended = count([](const Pair& p) { return p.contended; }))
@@ -82,8 +84,8 @@ void print_notes(const std::vector<Pair>& pairs) {
     if (p.verdict == Verdict::undecided) most = std::max(most, p.detectable);
   if (most > 0)
     fmt::print(stderr,
-               "pelage: an undecided case would be called slower with a probability of 90% only from {} on, "
-               "in the worst case\n",
+               "pelage: in the worst undecided case, the test finds a slowdown with a probability of 90% "
+               "only if the time increases by {} or more\n",
                percent(most));
 }
 
@@ -129,7 +131,7 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       ->type_name("device|variant|axes.KEY");
   command
       ->add_option("--threshold", options->threshold,
-                   "Relative change of the time that still counts as the same")
+                   "Largest relative change of a time that counts as no change")
       ->type_name("5%")
       ->capture_default_str();
   command

@@ -1,5 +1,5 @@
-// pelage completion: prints the completion script of a shell. The script is generated from the options as the
-// commands declare them, so that it never differs from --help.
+// pelage completion: prints a script with which a shell completes pelage's command line. The script is
+// generated from the same option declarations as --help, so both always agree.
 #include "harness/commands/completion.hpp"
 
 #include <fmt/format.h>
@@ -19,10 +19,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The values of an option or of a positional argument.
+/// The words that the shell offers as the value of an option or of a positional argument.
 struct Values {
   Words words;
-  bool keys = false;  ///< the words are keys that end with '=', so that no blank follows a word
+  bool keys = false;  ///< the words are keys that end with '='; the shell then appends no space
 };
 
 Words experiment_names() {
@@ -51,7 +51,8 @@ Words keys_with(Words names) {
   return names;
 }
 
-/// Returns the values that the option declares: "all" and "largest" for the type name "TEXT:{all,largest}".
+/// Returns the permitted values that CLI11 lists in an option's type name. For "TEXT:{all,largest}" these are
+/// "all" and "largest".
 Words declared_values(const std::string& type) {
   const std::size_t from = type.find('{'), to = type.find('}');
   Words words;
@@ -90,12 +91,13 @@ Words option_names(const CLI::App& app) {
   return names;
 }
 
-/// Returns the cases of bash's `case` for the values of the options of `app`, which is the command `name`, or
-/// pelage itself if `name` is "*".
+/// Returns the branches of a bash `case` statement that offer the values of the options of `app`. `name` is
+/// the name of the command, or "*" if `app` is pelage itself.
 std::string value_cases(const CLI::App& app, const std::string& name) {
   std::string text;
   for (const CLI::Option* option : app.get_options()) {
-    if (option->get_positional() || option->get_items_expected_max() == 0) continue;  // a flag has no value
+    if (option->get_positional() || option->get_items_expected_max() == 0)
+      continue;  // a positional argument or a flag
     Words patterns;
     for (const std::string& one : option->get_snames())
       patterns.push_back(fmt::format("{}' -{}'", name, one));
@@ -123,7 +125,7 @@ std::string bash_script(const CLI::App& app) {
     words += fmt::format("    {}) options='{}' arguments='{}' ;;\n", command->get_name(),
                          fmt::join(option_names(*command), " "), fmt::join(arguments, " "));
   }
-  // If there are no matching words, bash completes file names (-o default).
+  // The option `-o default` makes bash complete file names if no word matches.
   return fmt::format(
       R"(# Completion of pelage's command line for bash. `pelage completion bash` wrote this file.
 _pelage_words() {{

@@ -6,7 +6,8 @@
 namespace pelage {
 
 /// pelage completion bash: prints a script for bash that completes the commands, options and values of
-/// pelage. `app` must have all commands when the command runs, and must outlive it.
+/// pelage. `app` is the parser with all commands of pelage. It must exist as long as the function in
+/// `chosen`.
 void add_completion(CLI::App& app, Chosen& chosen);
 
 }  // namespace pelage

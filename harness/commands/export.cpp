@@ -21,14 +21,15 @@ struct ExportOptions {
   bool raw = false;
 };
 
-/// Names the parts of the inputs that are not in the CSV, at most ten of them.
+/// Prints which rows and lines of the journals are not in the CSV: at most ten of them, and the number of the
+/// others.
 void note_left_out(const std::vector<LeftOut>& list) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(list.size(), most); ++i)
     fmt::print(stderr, "pelage: left out: {}{}{}: {}\n", list[i].where, list[i].case_name.empty() ? "" : ": ",
                list[i].case_name, list[i].reason);
   if (list.size() > most)
-    fmt::print(stderr, "pelage: left out: {} more parts of the results\n", list.size() - most);
+    fmt::print(stderr, "pelage: left out: {} more rows or lines of the journals\n", list.size() - most);
 }
 
 int export_csv(const ExportOptions& options) {

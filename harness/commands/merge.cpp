@@ -1,5 +1,5 @@
-// pelage merge: joins the rows of several folders of results in one folder, and names missing shards and
-// cases.
+// pelage merge: writes the rows of several folders of results into one folder, and prints which shards and
+// cases are missing.
 #include "harness/commands/merge.hpp"
 
 #include <fmt/format.h>
@@ -14,17 +14,17 @@
 namespace pelage {
 namespace {
 
-/// The exit code if shards or cases are missing.
+/// Exit code of pelage merge if shards or cases are missing.
 constexpr int missing_code = 4;
 
 struct MergeOptions {
   std::string output;
   std::vector<std::string> results, expect;
-  RunOptions expected;  ///< the options that select the cases of the experiments in `expect`
+  RunOptions expected;  ///< options such as --filter, which select the expected cases
   bool keep_apart = false, dry_run = false;
 };
 
-/// Returns the names of the cases of an experiment that --expect names.
+/// Returns the names of the expected cases of an experiment that was given with --expect.
 std::vector<std::string> expected_cases(const MergeOptions& options, const Experiment& experiment) {
   const std::vector<Case> cases = filtered(
       cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides()),
@@ -38,7 +38,8 @@ std::vector<std::string> expected_cases(const MergeOptions& options, const Exper
   return names;
 }
 
-/// Returns the overrides that `pelage run` records with the options of `options.expected`.
+/// Returns the overrides (values of --set, --axis and --model) that `pelage run` would record in rows with
+/// the options `options.expected`.
 std::map<std::string, std::string> expected_overrides(const MergeOptions& options,
                                                       const Experiment& experiment) {
   return cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides())
@@ -46,7 +47,7 @@ std::map<std::string, std::string> expected_overrides(const MergeOptions& option
       .overrides;
 }
 
-/// Returns one line per expected case that has no row or only rows with the status error.
+/// Returns one line of text for each expected case that has no row or only rows with the status error.
 std::vector<std::string> missing_cases(const MergeOptions& options, const std::vector<RunState>& states) {
   std::vector<std::string> lines;
   for (const std::string& name : options.expect) {
@@ -91,7 +92,7 @@ void note_result(const MergeOptions& options, const Merge& merge, std::size_t pi
              options.dry_run ? "would write " : fmt::format("{}: ", options.output), merge.rows.size(),
              options.dry_run ? "" : fmt::format(", {} pictures", pictures),
              merge.copies ? fmt::format("; {} copies of rows left out", merge.copies) : "",
-             merge.replaced ? fmt::format("; {} rows with errors left out, because later rows replace them",
+             merge.replaced ? fmt::format("; {} rows with errors left out, because other rows replace them",
                                           merge.replaced)
                             : "");
   for (std::size_t i = 0; i < merge.apart.size(); ++i)
@@ -123,9 +124,9 @@ int merge_command(const MergeOptions& options) {
 
 void add_merge(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App* command =
-      app.add_subcommand("merge", "Join shards and runs in one folder, and name missing shards and cases");
-  command->add_option("output", options->output, "New folder for the joined results")
+  CLI::App* command = app.add_subcommand(
+      "merge", "Merge the rows of shards and runs into one folder, and print missing shards and cases");
+  command->add_option("output", options->output, "New folder for the merged results")
       ->required()
       ->type_name("OUT");
   command->add_option("results", options->results, "Folders with results, or journal files")
@@ -133,14 +134,15 @@ void add_merge(CLI::App& app, Chosen& chosen) {
       ->type_name("RESULTS");
   command->add_flag(
       "--keep-apart", options->keep_apart,
-      "Write rows that do not belong together into folders apart-2, apart-3, ... in OUT, instead "
+      "Write rows that conflict with other rows into separate folders apart-2, apart-3, ... in OUT, instead "
       "of refusing them");
-  command->add_flag("--dry-run", options->dry_run, "Print what is missing, and write nothing");
+  command->add_flag("--dry-run", options->dry_run, "Print missing shards and cases, and write nothing");
   CLI::Option* expect =
       command
           ->add_option(
               "--expect", options->expect,
-              "Name the missing cases of this experiment; the next options select its cases as in run")
+              "Also print the cases of this experiment that were not measured; the next options select "
+              "its cases, as in pelage run")
           ->allow_extra_args(false)
           ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(*command, options->expected);

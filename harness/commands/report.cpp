@@ -43,7 +43,7 @@ int report(const ReportOptions& options) {
   for (const Report& written : reports) print(written);
   const std::filesystem::path page = std::filesystem::path(options.output) / "index.html";
   for (const std::string& note : write_page(reports, page)) fmt::print(stderr, "pelage: {}\n", note);
-  fmt::print(stderr, "pelage: the report is {}\n", page.string());
+  fmt::print(stderr, "pelage: wrote the report to {}\n", page.string());
   return 0;
 }
 

@@ -35,13 +35,14 @@ namespace fs = std::filesystem;
 
 struct Sweep {
   Experiment experiment;
-  std::vector<Case> cases;  ///< the cases of this shard
+  std::vector<Case> cases;  ///< with --shard, only the cases of this shard
   SamplingLimits limits;
-  std::size_t all_cases = 0;  ///< number of cases of all shards
+  std::size_t all_cases = 0;  ///< total number of cases of all shards
   std::string deal;           ///< hash_of_deal(); "" without --shard
 };
 
-/// Reduces the sweep to the cases of its shard. With --balance, prints the expected time of the shard.
+/// With --shard, removes the cases of all other shards from the sweep. With --balance, also prints the
+/// expected time of this shard.
 void take_shard(Sweep& sweep, const RunOptions& options) {
   sweep.all_cases = sweep.cases.size();
   if (options.shard.empty()) return;
@@ -62,7 +63,9 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
     own_s += seconds[i].value_or(0);
   }
   if (!options.balance.empty())
-    fmt::print(stderr, "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s of {:.1f} s{}\n",
+    fmt::print(stderr,
+               "pelage: {}: shard {} has {} of {} cases; earlier rows took {:.1f} s for these cases and "
+               "{:.1f} s for all cases{}\n",
                sweep.experiment.name, options.shard, own.size(), shards.size(), own_s, all_s,
                unknown ? fmt::format("; {} cases have no earlier row", unknown) : "");
   sweep.cases = std::move(own);
@@ -131,9 +134,9 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 }
 
 /// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
-/// Also throws InputError if `resume` is true and a row was recorded with another preset or another division
-/// of the cases among shards, or if the inputs that a row measured differ from the present inputs of its
-/// case.
+/// If `resume` is true, throws InputError in three cases: a row was recorded with another preset, a row was
+/// recorded with another division of the cases among shards, or the inputs of a case changed after its row
+/// was recorded.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
@@ -147,7 +150,8 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
       throw InputError(
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
-    // Rows of merged shards are continued without --shard, and then may come from any shard.
+    // If a run of merged shards is resumed without --shard, `deal` is empty. Its rows may then come from any
+    // shard.
     const std::string dealt = row.provenance.value("shard_deal", ""),
                       deal = plan.provenance.value("shard_deal", "");
     if (resume && !dealt.empty() && !deal.empty() && dealt != deal)
@@ -200,7 +204,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     if (!options.anonymous) plan.provenance["node"] = plan.provenance["host"];
     plan.provenance["host"] = options.host;
   }
-  // pelage merge finds missing cases by these numbers.
+  // From these entries pelage merge computes which shards and cases are missing.
   if (!options.shard.empty()) {
     plan.provenance["shard"] =
         fmt::format("{}/{}", options.shard_or_all().index, options.shard_or_all().count);
@@ -296,8 +300,9 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   return all.not_ok > 0 || all.disturbed ? 1 : 0;
 }
 
-/// Throws InputError if the results of --balance are in the folder of this run or contain it. Each shard
-/// would then read other rows and divide the cases differently.
+/// Throws InputError if the results of --balance are in the folder of this run or contain this folder. These
+/// results would grow during the run, and shards that start at different times would divide the cases
+/// differently.
 void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   if (options.balance.empty()) return;
   const fs::path earlier = fs::weakly_canonical(fs::absolute(options.balance)),
@@ -307,7 +312,7 @@ void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   };
   if (contains(earlier, own) || contains(own, earlier))
     throw InputError(fmt::format(
-        "--balance {}: these results change while this run writes into {}; give a folder outside it",
+        "--balance {}: these results change while this run writes into {}; give results outside this folder",
         options.balance, folder.string()));
 }
 

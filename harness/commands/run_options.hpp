@@ -31,7 +31,8 @@ struct RunOptions {
 /// Declares all options of pelage run.
 void declare(CLI::App& command, RunOptions& options);
 
-/// Declares the options that select the cases of an experiment: --preset, --model, --set, --axis, --filter.
+/// Declares the options that select or change the cases of an experiment: --preset, --model, --set, --axis,
+/// --filter.
 void declare_cases(CLI::App& command, RunOptions& options);
 
 /// Fills options.argv. Throws InputError for options that contradict each other, are malformed, or name a

@@ -13,16 +13,16 @@ namespace pelage {
 struct SceneOptions {
   std::string file;   ///< scene file; empty: the default scene
   std::string model;  ///< name or file; empty: the model of the scene file
-  std::string up;     ///< value of mesh.up; empty: that of the scene file
+  std::string up;     ///< value for the scene key mesh.up; empty: the value in the scene file
   std::string size;   ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
   std::vector<std::string> set;  ///< overrides, key=value
 };
 
-/// Adds the options SCENE.toml and --set to the command. If `draws` is true, also adds --model, --up
-/// and --size.
+/// Adds the positional argument SCENE.toml and the option --set to the command. If `draws` is true, also adds
+/// the options --model, --up and --size.
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 
-/// Adds the option --up, whose value is a value of the scene key mesh.up.
+/// Adds the option --up, which sets the scene key mesh.up.
 void add_up_option(CLI::App& command, std::string& up);
 
 /// Returns the scene with all overrides. Throws InputError for unknown keys and values out of range.

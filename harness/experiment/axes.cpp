@@ -14,7 +14,8 @@
 namespace pelage {
 namespace {
 
-using Tables = std::map<std::string, std::vector<Setting>>;  // value of an axis -> scene keys
+/// Maps each value of an axis to the scene keys in its table.
+using Tables = std::map<std::string, std::vector<Setting>>;
 
 const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
   static const Tables none;
@@ -22,7 +23,8 @@ const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
   return found == experiment.at.end() ? none : found->second;
 }
 
-/// Returns the scene keys that the axis itself varies, without the keys of its tables.
+/// Returns the scene keys that the values of the axis set directly. Keys in tables of the axis are not
+/// included.
 std::vector<std::string> varied_by(const std::string& axis) {
   if (axis == "layers") return {"fur.layers"};
   if (axis == "size") return {"image.width", "image.height"};
@@ -30,13 +32,14 @@ std::vector<std::string> varied_by(const std::string& axis) {
   return {};
 }
 
-/// Adds the values of the axis `key` among `axes` to `values`.
+/// If `axes` contains an axis with the key `key`, adds its values to `values`.
 void add_values(const std::vector<Axis>& axes, const std::string& key, std::set<std::string>& values) {
   for (const Axis& axis : axes)
     if (axis.key == key) values.insert(axis.values.begin(), axis.values.end());
 }
 
-/// Returns all values of the axis that the file contains: in [axes], in the presets, and as names of tables.
+/// Returns all values of the axis `key` in the experiment file: values in [axes], values in presets, and
+/// names of tables [key.VALUE].
 std::set<std::string> values_in_file(const Experiment& experiment, const std::string& key) {
   std::set<std::string> values;
   add_values(experiment.axes, key, values);
@@ -45,17 +48,18 @@ std::set<std::string> values_in_file(const Experiment& experiment, const std::st
   return values;
 }
 
-/// Checks an axis whose values are names of tables: "reading", or an axis whose name the author chose.
+/// Checks an axis whose values are names of tables. This is the axis "reading" or an axis whose name the
+/// author of the experiment file chose.
 void check_named(const Experiment& experiment, const Axis& axis) {
   if (tables_of(experiment, axis.key).empty()) {
     const std::string needed = fmt::format(
         "the file needs a table [{0}.VALUE] with scene keys for at least one value of the axis", axis.key);
     if (axis.key == "reading") throw InputError(fmt::format("{}: axis reading: {}", experiment.name, needed));
-    try {  // apply_set() finds the scene key that has the most similar name
+    try {  // throws; the message of apply_set() suggests the scene key with the most similar name
       Scene scene;
       apply_set(scene, axis.key + "=0", fmt::format("{}: axis {}", experiment.name, axis.key));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}; if the name of the axis is your own, {}", error.what(), needed));
+      throw InputError(fmt::format("{}; if you chose this name for an axis, {}", error.what(), needed));
     }
   }
   const std::set<std::string> known = values_in_file(experiment, axis.key);
@@ -70,7 +74,8 @@ void refuse_contradicting_tables(const Experiment& experiment, const Axis& axis,
     for (const std::string& key : varied_by(other.key))
       if (table_sets(experiment, axis.key, value, key))
         throw InputError(
-            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove one of the two",
+            fmt::format("{}: the table [{}.{}] sets {}, which the axis {} varies; remove the key from the "
+                        "table, or remove the axis",
                         experiment.name, axis.key, value, key, other.key));
 }
 

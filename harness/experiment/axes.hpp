@@ -1,4 +1,5 @@
-// Checks of the axes of an experiment, before its cases are enumerated.
+// Checks the axes of an experiment before the list of its cases is made. An axis is a quantity that varies
+// over the cases.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,18 +11,20 @@ namespace pelage {
 /// Returns whether `key` is the name of a scene key, such as "fur.length".
 bool is_scene_key(const std::string& key);
 
-/// Returns a text that is equal for equal values of an axis. "0.1" and "0.10" are equal values.
+/// Returns the same text for values of an axis that are equal as numbers: "0.1" for "0.1" and for "0.10".
 std::string canonical(const std::string& value);
 
 /// Returns whether the table [axis.value] of the experiment file contains the scene key `key`.
 bool table_sets(const Experiment& experiment, const std::string& axis, const std::string& value,
                 const std::string& key);
 
-/// Checks `axes`, the axes of the experiment with those of `preset` and `overrides`. Throws InputError
-/// - for an axis that is neither one of pelage's own, nor a scene key, nor a name for which the file has
-///   tables;
-/// - for a value of a named axis that has no table and is not in the file. Thus a misspelled value on the
-///   command line is an error. A value without a table, beside other values with tables, sets no keys;
+/// Checks `axes`: the axes of the experiment after `preset` and `overrides` have replaced or added axes.
+/// Throws InputError
+/// - if the key of an axis is unknown: it is no built-in axis (such as "layers"), no scene key, and the
+///   experiment file has no table [KEY.VALUE] for it;
+/// - if the values of an axis are names of tables, and a value does not occur in the file. It is probably
+///   misspelled on the command line. A value that occurs in the file needs no table; it then sets no scene
+///   keys;
 /// - if a table sets a scene key that another axis of the file varies;
 /// - if --set sets a scene key that an axis varies.
 void check_axes(const Experiment& experiment, const Preset& preset, const Overrides& overrides,

@@ -12,7 +12,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a time of the row's provenance in seconds, if it is there and not negative.
+/// Returns the time in seconds that the row's provenance stores under `key`. Returns no value if the entry is
+/// missing or negative.
 std::optional<double> seconds(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   if (found == row.provenance.end() || !found->is_number()) return {};
@@ -38,7 +39,7 @@ std::optional<double> case_seconds(const Row& row) {
 std::vector<std::optional<double>> earlier_seconds(const std::string& experiment,
                                                    const std::vector<Case>& cases,
                                                    const std::vector<FoundRow>& rows) {
-  std::map<std::string, std::pair<double, int>> sums;  // case -> sum of times, number of rows
+  std::map<std::string, std::pair<double, int>> sums;  // case name -> sum of the times in s, number of rows
   for (const FoundRow& found : rows) {
     if (found.row.experiment != experiment) continue;
     if (const std::optional<double> time = case_seconds(found.row)) {
@@ -74,7 +75,7 @@ std::vector<int> deal(const std::vector<std::optional<double>>& seconds, int cou
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return time_of(a) > time_of(b); });
-  using Load = std::pair<double, int>;  // sum of times, index of the shard
+  using Load = std::pair<double, int>;  // sum of the shard's times in s, index of the shard
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
   for (int shard = 0; shard < count; ++shard) loads.emplace(0.0, shard);
   for (const std::size_t i : order) {

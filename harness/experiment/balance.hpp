@@ -1,4 +1,5 @@
-// The division of the cases of a run among shards.
+// Divides the cases of a run among shards (parts of the run that separate processes or machines measure), so
+// that all shards take about the same time.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,26 +10,27 @@
 
 namespace pelage {
 
-/// Returns the wall time in seconds that the row's case took: preparation of the scene, sampling and checks.
-/// Rows of older versions do not record the time of the sampling; for them it is the sum of the frame times
-/// and of the first frame. Empty for a row with the status error or skipped, because its case did not run to
-/// its end.
+/// Returns the wall time in seconds of a case: the time of preparing the scene, of sampling and of the
+/// checks. Rows of older versions do not record the sampling time. For these rows the function adds up the
+/// times of all frames. Returns no value if the row has the status error or skipped, because the case did not
+/// finish.
 std::optional<double> case_seconds(const Row& row);
 
-/// Returns for each case the mean of case_seconds() over the rows of this experiment and case; empty for a
-/// case without such a row.
+/// Returns for each case the mean of case_seconds() over all rows of this case in the experiment
+/// `experiment`. A case for which no row has a time gets no value.
 std::vector<std::optional<double>> earlier_seconds(const std::string& experiment,
                                                    const std::vector<Case>& cases,
                                                    const std::vector<FoundRow>& rows);
 
-/// Returns for each case the index of its shard, from 0 to `count` - 1. The cases are taken in the order of
-/// decreasing time; each goes to the shard with the smallest sum of times so far. Between equal times the
-/// earlier case comes first, and between equal sums the shard with the smaller index. A case without a time
-/// counts with the mean of the others. If no case has a time, every count-th case belongs to one shard.
+/// Returns for each case the index of its shard, from 0 to `count` - 1. The function assigns the cases in the
+/// order of decreasing time. Each case goes to the shard with the smallest sum of times so far. If times are
+/// equal, the case with the smaller index comes first. If sums are equal, the shard with the smaller index
+/// gets the case. For a case without a time the function uses the mean of the known times. If no time is
+/// known, case i goes to shard i modulo `count`.
 std::vector<int> deal(const std::vector<std::optional<double>>& seconds, int count);
 
-/// Returns 16 hex digits, a hash of the names of the cases and of their shards. Shards of one run must have
-/// equal hashes; otherwise a case may belong to several shards or to none.
+/// Returns a hash of the names of all cases and of their shard indices, as 16 hex digits. All shards of one
+/// run must have the same hash. Otherwise a case may belong to several shards or to none.
 std::string hash_of_deal(const std::vector<Case>& cases, const std::vector<int>& shards);
 
 }  // namespace pelage

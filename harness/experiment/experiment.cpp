@@ -103,9 +103,10 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
                         own->values.front() == value;
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
   }
-  if (result.name.empty()) result.name = experiment.name;  // the only axes are "reading" and "variant"
-  // These settings are the last ones, so that no table of an axis changes a value that the name of the case
-  // states. Only a table [model.NAME] may replace the model, which gives a mesh file the name NAME.
+  if (result.name.empty()) result.name = experiment.name;  // if the only axes are "reading" and "variant"
+  // These settings come last, so that they override the tables of all axes: the scene must have the values
+  // that the name of the case states. The only exception is the model. A table [model.NAME] may set the model
+  // to a mesh file, which then has the name NAME.
   for (const auto& [key, value] : result.axes)
     for (const Setting& setting : settings_of(key, value))
       if (setting.first != "model" || !table_sets(experiment, "model", value, "model")) set(setting);

@@ -17,13 +17,14 @@ namespace pelage {
 /// A scene key and its value, written as in TOML: {"fur.length", "0.08"}.
 using Setting = std::pair<std::string, std::string>;
 
-/// A quantity that varies over the cases of an experiment. The key is "model", "layers" (fur.layers), "size"
-/// (image.width x image.height), "reading" (an interpretation of the paper's text), "variant" (a pipeline
-/// with its options), a scene key, or a name that the author of the file chose. The values of "reading",
-/// "variant" and of an axis with a chosen name are names of tables in the experiment file.
+/// A quantity that varies over the cases of an experiment. The key is one of the built-in keys, a scene key,
+/// or a name that the author of the experiment file chose. The built-in keys are "model", "layers"
+/// (fur.layers), "size" (image.width x image.height), "reading" (an interpretation of the paper's text) and
+/// "variant" (a pipeline with its options). The values of "reading", of "variant" and of an axis with a
+/// chosen name are names of tables in the experiment file.
 struct Axis {
   std::string key;
-  std::vector<std::string> values;  ///< numbers as they are written in the file or on the command line
+  std::vector<std::string> values;  ///< as written in the file or on the command line: "0.10" stays "0.10"
 };
 
 /// The number of samples of a case, and the conditions that end its sampling.
@@ -62,8 +63,8 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 struct Experiment {
   std::string name, title, paper, table, hardware;
   std::filesystem::path file;
-  std::filesystem::path scene_file;  ///< the scene file that [scene] names by its key `file`; may be empty
-  Scene base;                        ///< the scene of this file; without a file, the default scene
+  std::filesystem::path scene_file;  ///< value of the key `file` in the table [scene]; may be empty
+  Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
   std::vector<Setting> scene;        ///< scene keys that apply to all cases; they override those of `base`
   std::vector<Axis> axes;            ///< in the order of the file; the last axis varies fastest
   /// For each axis key and each value of the axis, the scene keys that all cases with this value use.
@@ -73,7 +74,7 @@ struct Experiment {
   std::map<std::string, Preset> presets;
   std::vector<Published> published;
   std::map<std::string, double> require;  ///< metric -> least value that every case must reach
-  View view;                              ///< the keys of [report]
+  View view;                              ///< the keys of the table [report]
 };
 
 struct Case {
@@ -122,15 +123,15 @@ inline constexpr int most_cases = 100'000;
 /// Largest number of characters in the name of a case. Files are named after the case.
 inline constexpr std::size_t longest_case_name = 200;
 
-/// Returns all cases; the last axis of the file varies fastest. Throws InputError for an axis or a value of
-/// an axis that is not valid (check_axes()), and for two cases of the same name.
+/// Returns all cases; the last axis of the file varies fastest. Throws InputError if an axis or one of its
+/// values is not valid (see check_axes()), or if two cases have the same name.
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
                            const Overrides& overrides = {});
 
 /// Returns the case's scene with all keys, after range checks. A relative path in the experiment file is
-/// relative to the file's folder, and a relative path in its scene file to the folder of the scene file. A
-/// relative path in --set is relative to the working folder. Throws InputError, whose message names the case,
-/// the key and both files.
+/// relative to the folder of the experiment file. A relative path in the scene file is relative to the folder
+/// of the scene file. A relative path in --set is relative to the working folder. If a value is not valid,
+/// throws InputError; the message names the case, the key, the experiment file and the scene file.
 Scene scene_of(const Experiment& experiment, const Case& which);
 
 /// Returns the cases whose names contain a match of `regex` (empty: all cases). Throws InputError for a

@@ -23,19 +23,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An experiment file and its text.
+/// The path and the text of an experiment file.
 struct Source {
   fs::path file;
   std::string text;
-  std::vector<std::size_t> lines{0};  ///< offset of each line in `text`
+  std::vector<std::size_t> lines{0};  ///< offset of the first byte of each line in `text`
 };
 
-/// Keys of experiment files that are not tables of an axis.
+/// Top-level keys of experiment files. An axis must not have one of these names.
 const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper", "table",
                                                   "hardware", "axes",   "scene", "published",
                                                   "require",  "preset", "report"};
 
-/// Columns of CSV files and data frames. An axis is a column, too.
+/// Columns of exported CSV files and data frames. Each axis becomes a column too, so it must not have one of
+/// these names.
 const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
@@ -71,8 +72,8 @@ std::string plain(const toml::node& node) {
   return literal(node);
 }
 
-/// Returns the text of an axis value as it is written in the file: 0.10, not 0.1. Returns
-/// plain() for values that are not numbers.
+/// Returns a number as it is written in the file: 0.10 stays 0.10 and does not become 0.1. For values that
+/// are not numbers, returns plain().
 std::string as_written(const toml::node& node, const Source& source) {
   const toml::source_region& at = node.source();
   if (!node.is_number() || at.begin.line == 0 || at.begin.line != at.end.line) return plain(node);
@@ -80,8 +81,8 @@ std::string as_written(const toml::node& node, const Source& source) {
   if (start + at.end.column > source.text.size() + 1) return plain(node);
   const std::string written =
       source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
-  // toml++ counts columns in characters, not in bytes. Behind a character of several bytes in the same line,
-  // the text is not the number.
+  // toml++ counts columns in characters, but `text` is indexed in bytes. After a character of several bytes
+  // in the same line, `written` is therefore not the number. The following test detects this.
   double number = 0;
   const auto [end, code] = std::from_chars(written.data(), written.data() + written.size(), number);
   const bool whole = code == std::errc{} && end == written.data() + written.size();
@@ -236,7 +237,8 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
   }
 }
 
-/// Reads [scene]: the key `file`, and the scene keys that override those of this file.
+/// Reads the table [scene]: the key `file`, which names a scene file, and the scene keys that override values
+/// of the scene file.
 void read_scene_table(const fs::path& file, const toml::table& table, Experiment& into) {
   flatten(table, {}, into.scene);
   const toml::node* node = table.get("file");
@@ -253,9 +255,9 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
   }
 }
 
-/// Reads the tables of an axis with a name that pelage does not know. Refuses a table whose name is not an
-/// axis, and a pair of a table without a value and a value without a table, because one of the two is then
-/// probably misspelled.
+/// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has the
+/// name `axis`. Also throws InputError if one table does not belong to a value of the axis and one value has
+/// no table, because one of the two names is then probably misspelled.
 void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
                              Experiment& into) {
   std::set<std::string> values;
@@ -361,7 +363,8 @@ Experiment read_experiment(const fs::path& file) {
       read_tables_of_axis(file, std::string(key.str()), *inner, result);
     }
   }
-  // These tables are read last, because their names are names of axes, which may be in a preset.
+  // These tables are read last, because their names must be names of axes, and the presets, which may contain
+  // axes, must be read first.
   for (const auto& [key, node] : table)
     if (!reserved.contains(key.str()) && !tabled.contains(key.str()))
       read_tables_of_own_axis(file, std::string(key.str()), node, result);

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
   throw InputError(fmt::format("{}:{}: {}", file.string(), node->source().begin.line, what));
 }
 
-/// Returns the strings of a list; a string alone is a list of one.
+/// Returns the strings at the key, which must be a list of strings or a single string. Returns an empty list
+/// if the key is missing.
 std::vector<std::string> texts_at(const fs::path& file, const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   if (!node) return {};
@@ -34,7 +35,7 @@ std::vector<std::string> texts_at(const fs::path& file, const toml::table& table
   return texts;
 }
 
-/// Returns the string at the key; "" if there is none.
+/// Returns the string at the key, or "" if the key is missing.
 std::string one_text(const fs::path& file, const toml::table& table, std::string_view key) {
   const toml::node* node = table.get(key);
   if (!node) return {};

@@ -8,8 +8,8 @@
 
 namespace pelage {
 
-/// Returns the view that the table describes. Throws InputError for an unknown key or a wrong value; the
-/// message names `file`, the line and what is permitted.
+/// Returns the view that the table describes. Throws InputError for an unknown key or a wrong value. The
+/// message names `file`, the line and the permitted keys or values.
 View view_from_toml(const std::filesystem::path& file, const toml::table& table);
 
 }  // namespace pelage

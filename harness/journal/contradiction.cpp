@@ -16,16 +16,19 @@ namespace {
 
 using Times = std::vector<double>;
 
-/// Event times may exceed the wall time by this factor, because the two clocks drift.
+/// Largest permitted ratio of event time to wall time. It is above 1, because the clocks of device and host
+/// drift.
 constexpr double most_event_share = 1.1;
 
-/// CPU time is measured for a slightly longer interval than wall time.
+/// Tolerances for CPU time: a factor and a summand in ms. CPU time is measured over a slightly longer
+/// interval than wall time.
 constexpr double most_cpu_share = 1.5, cpu_margin_ms = 20;
 
-/// The smallest number of values that have a 95% interval of the median (harness/measure/statistics.hpp).
+/// The smallest number of samples for which a 95% interval of the median exists (see median_interval()).
 constexpr std::size_t fewest_converged = 6;
 
-/// Relative difference between a metric and the same number computed again.
+/// Largest permitted relative difference between a recorded metric and the value computed from the row's
+/// times.
 constexpr double rounding = 1e-6;
 
 double median_of(Times times) {
@@ -38,20 +41,21 @@ bool equal(double a, double b) {
   return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
 }
 
-/// Returns a text of the provenance; "" if it is missing.
+/// Returns the text that the row's provenance stores under `key`, or "" if there is none.
 std::string text(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Returns a number of the provenance; no value if it is missing.
+/// Returns the number that the row's provenance stores under `key`, or no value if there is none.
 std::optional<double> number(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   if (found == row.provenance.end() || !found->is_number()) return {};
   return found->get<double>();
 }
 
-/// The weakest limit with which any version of pelage made a check of a picture.
+/// The weakest limit that any version of pelage has used for a check of a picture. `at_least` states whether
+/// the checked value must be at least or at most the limit.
 struct WeakestLimit {
   const char* metric;
   double limit;
@@ -61,7 +65,8 @@ constexpr std::array<WeakestLimit, 3> kWeakest{{{"psnr", tolerance::other_filter
                                                 {"p99.9", tolerance::flip, false},
                                                 {"flips", tolerance::flip_share, false}}};
 
-/// Throws InputError if the check of a picture has another sense or a weaker limit than pelage gives it.
+/// Throws InputError if a check of a picture has a weaker limit than every version of pelage used, or
+/// compares in the other direction ("at most" instead of "at least").
 void refuse_weakened(const Check& check) {
   for (const WeakestLimit& weakest : kWeakest) {
     if (check.metric != weakest.metric || check.against == "experiment") continue;
@@ -90,8 +95,8 @@ void refuse_list(const std::string& name, const Times& times, std::size_t frames
       throw InputError(fmt::format("the row has {} of {} ms", name, ms));
 }
 
-/// Compares the event times of the phases with those of the frames, and the frames' event times with their
-/// wall times.
+/// Throws InputError if the event times of a frame's phases do not add up to the frame's event time, or if
+/// the frames' event times are longer than their wall times.
 void refuse_events(const Row& row, const PhaseSamples& frame) {
   Times sums(frame.event_ms.size(), 0);
   for (const auto& [phase, times] : row.samples) {
@@ -117,9 +122,9 @@ void refuse_cpu(const Row& row, const std::string& phase, const PhaseSamples& ti
   if (times.cpu_ms.empty() || times.wall_ms.empty() || cpus < 1) return;
   const double cpu = median_of(times.cpu_ms), wall = median_of(times.wall_ms);
   if (cpu > most_cpu_share * cpus * wall + cpu_margin_ms)
-    throw InputError(
-        fmt::format("the median CPU time of the phase {} is {} ms, but {} CPUs have less in {} ms", phase,
-                    cpu, cpus, wall));
+    throw InputError(fmt::format(
+        "the median CPU time of the phase {} is {} ms, which is more than {} CPUs can use in {} ms", phase,
+        cpu, cpus, wall));
 }
 
 void refuse_times(const Row& row) {
@@ -140,14 +145,14 @@ void refuse_times(const Row& row) {
         fmt::format("the row says that its median converged, but it has only {} timed frames", frames));
 }
 
-/// Returns the median of the ratios a/b of each round.
+/// Returns the median of the ratios a[i] / b[i].
 double ratio_of(const Times& a, const Times& b) {
   Times ratios;
   for (std::size_t i = 0; i < a.size(); ++i) ratios.push_back(a[i] / b[i]);
   return median_of(std::move(ratios));
 }
 
-/// Computes those metrics again that follow from the times.
+/// Computes from the times the metrics that depend on them. Throws InputError if a recorded metric differs.
 void refuse_metrics(const Row& row) {
   const Times& frame = row.samples.at("frame").wall_ms;
   const auto refuse = [](const std::string& name, double recorded, double computed) {
@@ -159,8 +164,8 @@ void refuse_metrics(const Row& row) {
     const double computed = covered->second.value / (median_of(frame) / 1000);
     if (!equal(rate->second.value, computed)) refuse("fragments_per_s", rate->second.value, computed);
   }
-  // For pictures with fewer layers, the ratio is the time of the frame divided by that of the phase. For
-  // baselines it is the inverse.
+  // For the phases "half" and "quarter", which draw fewer layers, the ratio is frame time / phase time. For
+  // baselines it is phase time / frame time.
   for (const auto& [phase, times] : row.samples) {
     const auto ratio = row.metrics.find(phase + "_ratio");
     if (phase == "frame" || times.wall_ms.empty() || ratio == row.metrics.end()) continue;
@@ -174,8 +179,8 @@ bool is_hash(const std::string& text) {
   return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Compares a part of the identity with the same hash computed from another field of the row. An empty hash
-/// means that the row does not have this field.
+/// Throws InputError if a part of the row's identity differs from `hash`, which was computed from the field
+/// `field` of the row. If `hash` is empty, the row does not have this field.
 void refuse_part(const Row& row, const std::string& part, const std::string& hash, const char* field) {
   const auto found = row.identity.find(part);
   if (found == row.identity.end() || hash.empty() || found->second == hash) return;
@@ -191,7 +196,7 @@ void refuse_identity(const Row& row) {
     throw InputError(fmt::format("image_hash is '{}', not a hash", row.image_hash));
 }
 
-/// Compares the parts of the identity with the other fields of the row.
+/// Throws InputError if the hashes in the row's identity disagree with other fields of the row.
 void refuse_parts(const Row& row) {
   refuse_part(row, "scene", text(row, "scene_hash"), "scene_hash");
   refuse_part(row, "mesh", text(row, "mesh_hash"), "mesh_hash");

@@ -10,11 +10,11 @@
 
 namespace pelage {
 
-/// Name of a part of the identity -> 16 hex digits, a hash of the part's content. The parts are scene, mesh,
-/// variant, tuning, sampling, device and build, and one part "kernel FILE" for each OpenCL program that the
-/// case ran. The hash of this part covers FILE and all files that it includes. Rows of the OpenGL baseline
-/// also have the parts "shaders" and "renderer". The hash of the scene covers the contents of the texture
-/// files and of the mesh file that the scene names. Rows of schema 1 have no parts.
+/// Name of a part of the identity -> 16 hex digits, a hash of the part's content. The parts are "scene",
+/// "mesh", "variant", "tuning", "sampling", "device" and "build". There is also one part "kernel FILE" for
+/// each OpenCL program that the case ran; its hash covers FILE and all files that FILE includes. Rows of the
+/// OpenGL baseline also have the parts "shaders" and "renderer". The hash of the scene covers the contents of
+/// the texture files and of the mesh file that the scene names. Rows of schema 1 have no parts.
 using Identity = std::map<std::string, std::string>;
 
 /// Prefix of the names of the parts for OpenCL programs, and name of the part for the OpenGL baseline's

@@ -21,7 +21,7 @@ std::string text(const Row& row, const char* key) {
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The journal of a row, relative to the new folder.
+/// Returns the path of the journal to which a row is written, relative to the new folder.
 fs::path journal_of(const FoundRow& found) {
   return fs::path(found.row.experiment) / (journal_name(found.journal).stem + ".jsonl");
 }
@@ -42,9 +42,9 @@ void refuse_names(const FoundRow& found) {
                       found.journal.string(), name));
 }
 
-/// Returns the properties that are equal in all rows of a run, whatever their cases: the parts of the
-/// identity that do not depend on the case, the preset, the CPU and the driver. Rows with the status error
-/// may lack some of them.
+/// Returns the properties that must be equal in all rows of a run, even if the rows have different cases.
+/// They are the preset, the CPU, the driver, the schema, and the hashes in the identity that do not depend on
+/// the case. Rows with the status error may lack some of these properties.
 std::map<std::string, std::string> common_of(const Row& row) {
   std::map<std::string, std::string> common;
   for (const auto& [part, hash] : row.identity)
@@ -58,11 +58,11 @@ std::map<std::string, std::string> common_of(const Row& row) {
 }
 
 struct Conflict {
-  std::set<std::string> differs;  ///< names of what differs
+  std::set<std::string> differs;  ///< names of the properties that differ
   std::string message;
 };
 
-/// The rows of one folder, of which no two conflict.
+/// A set of rows that are written into one folder. No two rows of the set conflict (see plan_merge()).
 class Target {
  public:
   std::optional<Conflict> conflict(const FoundRow& found) const {
@@ -104,13 +104,13 @@ class Target {
   }
 
   std::map<std::string, const FoundRow*> rows_;  // key -> row
-  // journal and name of a common property -> its value, and the first row that has it
+  // maps (journal, name of a property in common_of()) to the property's value and the first row with it
   std::map<std::pair<std::string, std::string>, std::pair<std::string, const FoundRow*>> common_;
 };
 
-/// Returns the rows without those rows with the status error that another row replaces.
+/// Returns `rows` without the rows with the status error that another row of the same case replaces.
 std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
-  std::map<std::string, const FoundRow*> latest;  // key -> the row that replaces the errors
+  std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
   for (const FoundRow& found : rows) {
     const FoundRow*& best = latest[key_of(found)];
     const bool better =
@@ -124,8 +124,9 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   return kept;
 }
 
-/// Divides the rows into groups that are placed together: the rows of one journal, or, if these conflict with
-/// each other, the parts of a journal without conflicts.
+/// Divides the rows into groups. All rows of a group are written into the same folder. A group contains all
+/// rows of one journal. If rows of a journal conflict with each other, the journal is divided into several
+/// groups without conflicts.
 std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
   std::vector<fs::path> journals;
   std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;

@@ -1,4 +1,4 @@
-// Writes the folder of a merge: journals and pictures.
+// Writes the merged journals and pictures into the new folder.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -26,7 +26,8 @@ bool equal_bytes(const fs::path& a, const fs::path& b) {
   return std::equal(std::istreambuf_iterator<char>(one), {}, std::istreambuf_iterator<char>(other), {});
 }
 
-/// Copies a picture. If `to` exists and is another picture, the copy is STEM@2.png, STEM@3.png, ...
+/// Copies a picture. If `to` exists and has other content, the copy is named STEM@2.png, STEM@3.png, ...,
+/// where STEM is the name of `to` without ".png".
 void copy_picture(const fs::path& from, const fs::path& to) {
   fs::create_directories(to.parent_path());
   fs::path place = to;
@@ -37,7 +38,7 @@ void copy_picture(const fs::path& from, const fs::path& to) {
   fs::copy_file(from, place);
 }
 
-/// Writes a file or the names in a folder to the disk.
+/// Flushes the content of a file, or the list of names in a folder, to the disk.
 void sync(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
@@ -50,7 +51,8 @@ void sync(const fs::path& path) {
 void write_journals(const Merge& merge, const fs::path& folder) {
   std::map<fs::path, std::vector<const Row*>> journals;
   for (const MergedRow& row : merge.rows) journals[row.journal].push_back(&row.found.row);
-  // The inputs still hold every row, so one sync of each file at the end of the merge suffices.
+  // The journals are not flushed after every row. The input folders still contain all rows, so it suffices to
+  // flush each file once at the end of the merge.
   JournalCalls calls = system_calls();
   calls.fdatasync = [](int) { return 0; };
   for (const auto& [file, rows] : journals) {
@@ -60,11 +62,12 @@ void write_journals(const Merge& merge, const fs::path& folder) {
 }
 
 std::size_t copy_pictures(const Merge& merge, const fs::path& folder) {
-  std::map<fs::path, std::set<fs::path>> journals;  // folder of an experiment -> its journals
+  std::map<fs::path, std::set<fs::path>> journals;  // folder of an experiment -> journals in this folder
   for (const MergedRow& row : merge.rows) journals[row.journal.parent_path()].insert(row.journal);
   std::size_t pictures = 0;
   for (const MergedRow& row : merge.rows) {
-    // A case with an error runs again and then writes its picture.
+    // If a case ended with an error, it has no valid picture. Its picture is written when the case runs
+    // again.
     if (row.found.row.status == Status::error) continue;
     const fs::path from = picture_of(row.found);
     if (!fs::is_regular_file(from)) continue;

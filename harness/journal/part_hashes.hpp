@@ -1,5 +1,6 @@
-// Hashes of inputs of a measurement that are recorded twice: as a part of the row's identity, and in another
-// field of the row. A row in which the two differ was changed (harness/journal/contradiction.hpp).
+// Hashes of inputs of a measurement. A row records such an input twice: its hash is a part of the row's
+// identity, and another field of the row describes the input too. If the two disagree, somebody has changed
+// the row (harness/journal/contradiction.hpp).
 #pragma once
 #include <cstdint>
 #include <map>
@@ -8,25 +9,27 @@
 
 namespace pelage {
 
-/// Names of parts of an identity: compiler and flags of pelage; driver of the OpenGL baseline.
+/// Names of two parts of an identity. "build" is the hash of pelage's compiler and flags. "renderer" is the
+/// hash of the OpenGL renderer and its number of threads.
 inline constexpr const char *build_part = "build", *renderer_part = "renderer";
 
-/// Returns the hash of the values of the kernels' tuning axes: the part tuning.
+/// Returns the hash of the values of the kernels' tuning parameters. It is the part "tuning" of an identity.
 std::string tuning_hash(const std::map<std::string, int>& tuning);
 
-/// Returns the hash of the entries of device_provenance() in `provenance`: the part device. Returns "" if the
-/// provenance does not name a device.
+/// Returns the hash of the entries that device_provenance() wrote into `provenance`. It is the part "device"
+/// of an identity. Returns "" if the provenance does not name a device.
 std::string device_hash(const nlohmann::ordered_json& provenance);
 
-/// Returns the hash of pelage's compiler and its flags. They change the time that the host needs per frame,
-/// and the times of the baselines in C++.
+/// Returns the hash of the compiler and the flags with which pelage was built. They influence the host's time
+/// per frame and the times of the C++ baselines.
 std::string build_hash();
 
-/// Returns the hash of the OpenGL baseline's renderer, as opengl_renderer() returns it, and of the
-/// environment variable LP_NUM_THREADS, which sets the number of llvmpipe's threads.
+/// Returns a hash of `renderer` (a result of opengl_renderer()) and of the environment variable
+/// LP_NUM_THREADS, which sets the number of threads of the software renderer llvmpipe.
 std::string renderer_hash(const std::string& renderer);
 
-/// Returns the seed that chooses the windows in which the picture of a case is compared with the reference.
+/// Returns the random seed of a case. The seed selects the windows (squares of pixels) in which the picture
+/// of the case is compared with the reference picture.
 std::uint32_t check_seed(const std::string& case_name);
 
 }  // namespace pelage

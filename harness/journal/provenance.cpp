@@ -16,8 +16,8 @@
 namespace pelage {
 namespace {
 
-/// Environment variables of PoCL that change the code of kernels, or the threads that run them. POCL_AFFINITY
-/// has a field of its own.
+/// Environment variables of PoCL that change the compiled kernels or the threads that run them. POCL_AFFINITY
+/// is not in this list, because rows record it in a separate field.
 constexpr std::array kPoclVariables{"POCL_WORK_GROUP_METHOD",   "POCL_EXTRA_BUILD_FLAGS",
                                     "POCL_MAX_WORK_GROUP_SIZE", "POCL_CPU_MAX_CU_COUNT",
                                     "POCL_MAX_PTHREAD_COUNT",   "POCL_MAX_COMPUTE_UNITS"};

@@ -11,8 +11,8 @@ namespace pelage {
 std::string utc_stamp();  ///< current time in UTC, such as "20261121T001502Z", usable in a file name
 std::string utc_now();    ///< current time in UTC, such as "2026-11-21T00:15:02Z"
 double load_average();    ///< number of runnable processes, averaged over the last minute; -1 if unknown
-double unix_time();       ///< current time in seconds since 1970, with fractions
-double cpu_mhz();         ///< mean of the CPUs' present frequencies in MHz, from /proc/cpuinfo; -1 if unknown
+double unix_time();       ///< current time in seconds since 1970, including fractions of a second
+double cpu_mhz();  ///< mean of the current frequencies of all CPUs in MHz, from /proc/cpuinfo; -1 if unknown
 std::string host_name();  ///< host name up to the first dot
 std::string cpu_model();  ///< model name in /proc/cpuinfo; "" if it cannot be read
 std::string governor();   ///< frequency governor of the first CPU; "" if it cannot be read

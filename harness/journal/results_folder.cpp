@@ -22,10 +22,11 @@ std::string measurement_of(const Row& row) {
   return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
 }
 
-/// The rows read so far, by measurement and by times.
+/// An index of the rows read so far, to find copies. Its keys are measurements and lists of frame times.
 class Known {
  public:
-  /// Returns the row of which `row` is a copy; null if there is none. Throws InputError for a changed copy.
+  /// Returns the earlier row of which `row` is an exact copy, or null if there is none. Throws InputError if
+  /// `row` is a changed copy of an earlier row.
   const FoundRow* copied(const Row& row, const fs::path& journal, const std::vector<FoundRow>& rows) const {
     if (const auto same = measurements_.find(measurement_of(row)); same != measurements_.end()) {
       const FoundRow& first = rows[same->second];
@@ -52,14 +53,16 @@ class Known {
   }
 
  private:
-  /// A single time may be equal in two measurements by chance, because clocks have a limited resolution.
+  /// Rows with fewer frame times are not compared by their times. A single time may be equal in two
+  /// measurements by chance, because clocks have a limited resolution.
   static constexpr std::size_t fewest_times = 2;
 
   std::map<std::string, std::size_t> measurements_;   // measurement_of() -> index of the row
   std::map<std::vector<double>, std::size_t> times_;  // frame times -> index of the row
 };
 
-/// Lists the parts of a journal that are not among its rows.
+/// Adds the replaced rows and an incomplete last line of a journal to `into`. If the journal has no complete
+/// row, adds an entry for the journal.
 void list_rest(const fs::path& journal, const JournalContents& contents, std::vector<LeftOut>& into) {
   for (const Row& row : contents.replaced)
     into.push_back({row.experiment, row.case_name, journal.string(),

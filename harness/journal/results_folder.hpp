@@ -15,9 +15,9 @@ struct FoundRow {
   std::vector<std::filesystem::path> copies = {};  ///< other journals that contain the same row
 };
 
-/// Returns the journals among `places`: each place is a journal (*.jsonl), or a folder with journals at any
-/// depth. The journals of a folder are sorted by path. Throws InputError for a missing path, or a folder
-/// without a journal.
+/// Returns all journals that `places` name. Each place is a journal (*.jsonl) or a folder that contains
+/// journals at any depth. The journals of a folder are sorted by path. Throws InputError for a missing path,
+/// or a folder without a journal.
 std::vector<std::filesystem::path> journals_of(const std::vector<std::string>& places);
 
 /// Returns all rows of the given journals (*.jsonl), and of all journals at any depth in the given folders.
@@ -27,16 +27,17 @@ std::vector<std::filesystem::path> journals_of(const std::vector<std::string>& p
 /// have the same run, experiment, case, variant, device, repeat and overrides, but are not equal.
 std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 
-/// The name of a journal file: STEM.jsonl, or STEM.i-of-n.jsonl for shard i of n. STEM is DEVICE@HOST in the
-/// journals that pelage run writes.
+/// The name of a journal file: STEM.jsonl, or STEM.i-of-n.jsonl for shard i of n. pelage run uses DEVICE@HOST
+/// as STEM.
 struct JournalName {
   std::string stem;
-  int index = 0, count = 1;  ///< the shard; 0 and 1 if the name has no ".i-of-n"
+  int index = 0, count = 1;  ///< the shard i of n; 0 and 1 if the name has no ".i-of-n"
 };
 JournalName journal_name(const std::filesystem::path& journal);
 
-/// Returns the path of the row's picture in the folder images/ next to the journal: CASE@DEVICE@HOST.png if
-/// this file exists, else CASE@DEVICE.png if this file exists, else CASE.png. The last file may be missing.
+/// Returns the path of the row's picture in the folder images/ next to the journal. The file name is
+/// CASE@DEVICE@HOST.png if this file exists, otherwise CASE@DEVICE.png if that file exists, otherwise
+/// CASE.png. The file CASE.png may be missing.
 std::filesystem::path picture_of(const FoundRow& found);
 
 /// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains

@@ -81,7 +81,8 @@ Metric metric_from(const Json& json) {
 }
 
 /// Returns the value as a whole number. Throws InputError if it is not a whole number from 0 to `most`.
-/// Json::get() alone would convert any number: 2.7 to 2, and a number above the range of int to a wrong one.
+/// Without these tests, Json::get() would convert 2.7 to 2, and would convert a number above the range of int
+/// to a wrong number.
 int whole(const Json& json, int most) {
   if (!json.is_number_integer() || json.get<double>() < 0 || json.get<double>() > most)
     throw InputError(fmt::format("the row contains {} in place of a whole number of 0 to {}",
@@ -89,7 +90,8 @@ int whole(const Json& json, int most) {
   return json.get<int>();
 }
 
-/// Throws InputError if a key of the provenance that pelage reads has a value of another type.
+/// Throws InputError if a value in the provenance has a wrong type. Only the keys that pelage reads are
+/// checked.
 void check_provenance(const Json& provenance) {
   if (!provenance.is_object()) throw InputError("the provenance of the row is not an object");
   const auto need = [&](const char* key, const char* type, auto&& is) {
@@ -103,9 +105,10 @@ void check_provenance(const Json& provenance) {
     need(key, "a number", [](const Json& value) { return value.is_number(); });
 }
 
-constexpr int deepest = 32;  // nesting of the values in a row
+constexpr int deepest = 32;  // largest permitted depth of nested JSON values in a row
 
-/// Parses a row. Refuses deeply nested values, because copying and printing them would overflow the stack.
+/// Parses a row. Throws InputError for deeply nested values, because copying and printing such values would
+/// overflow the stack.
 Json parsed(const std::string& text) {
   return Json::parse(text, [](int depth, Json::parse_event_t, const Json&) {
     if (depth > deepest)

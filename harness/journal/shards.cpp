@@ -13,23 +13,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns a number of the row's provenance; 0 if it is missing.
+/// Returns the number that the row's provenance stores under `key`, or 0 if there is none.
 std::size_t number(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   if (found == row.provenance.end() || !found->is_number_integer()) return 0;
   return std::size_t(std::max(found->get<std::int64_t>(), std::int64_t(0)));
 }
 
-/// Returns a text of the row's provenance; "" if it is missing.
+/// Returns the text that the row's provenance stores under `key`, or "" if there is none.
 std::string text(const Row& row, const char* key) {
   const auto found = row.provenance.find(key);
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// What the rows of one shard say.
+/// Numbers collected from the rows of one shard: which measurements it has, and how many it should have.
 struct ShardRows {
-  std::map<std::pair<std::string, int>, bool> measured;  // case and repeat -> has a row without an error
-  std::size_t cases = 0, all_cases = 0, repeats = 1;     // largest recorded numbers; 0: not recorded
+  /// Maps (case, repeat) to true if a row without an error exists.
+  std::map<std::pair<std::string, int>, bool> measured;
+  /// The largest numbers that the rows record; 0 if no row records `cases` or `all_cases`.
+  std::size_t cases = 0, all_cases = 0, repeats = 1;
   std::set<std::string> deals;
 
   void add(const Row& row) {
@@ -52,16 +54,16 @@ struct ShardRows {
   }
 };
 
-using Shards = std::map<int, ShardRows>;  // index of the shard -> its rows
+using Shards = std::map<int, ShardRows>;  // shard index -> data of the shard
 
-/// Experiment, name of the device, number of shards, overrides.
+/// Identifies a run on one or more hosts: experiment, device name, number of shards, overrides.
 using Family = std::tuple<std::string, std::string, int, std::map<std::string, std::string>>;
 
 std::string device_of(const std::string& stem) {
   return stem.substr(0, stem.find('@'));
 }
 
-/// Returns index and count of the shard that measured the row.
+/// Returns the index of the shard that measured the row, and the number of shards of its run.
 std::pair<int, int> shard_of(const FoundRow& found) {
   const std::string recorded = text(found.row, "shard");
   int index = 0, count = 1;
@@ -71,8 +73,8 @@ std::pair<int, int> shard_of(const FoundRow& found) {
   return {name.index, name.count};
 }
 
-/// Returns the gaps of a run. A shard without a row has a gap, unless the other shards have all cases of the
-/// run: with more shards than cases, some shards have no case.
+/// Returns the gaps (missing measurements) of a run. A shard without a row is a gap, unless the other shards
+/// already contain all cases of the run. If a run has more shards than cases, some shards have no case.
 std::vector<Gap> gaps_of(const Shards& shards, int count) {
   std::vector<Gap> gaps;
   std::size_t known = 0, all = 0, repeats = 1;
@@ -125,7 +127,7 @@ RunState state_of(const Family& family, const std::vector<std::string>& stems, c
 }  // namespace
 
 std::vector<RunState> run_states(const std::vector<fs::path>& journals, const std::vector<FoundRow>& rows) {
-  std::map<Family, std::map<std::string, Shards>> families;  // family -> stem of the journal -> shards
+  std::map<Family, std::map<std::string, Shards>> families;  // family -> journal name without shard -> shards
   for (const FoundRow& found : rows) {
     const auto [index, count] = shard_of(found);
     const std::string stem = journal_name(found.journal).stem;

@@ -1,7 +1,7 @@
-// Finds the shards and cases of a run that have no rows. A row records the shard that measured it, the number
-// of cases of this shard and of the whole run, and the number of processes (provenance: shard, shard_cases,
-// all_cases, repeats). Rows of older versions do not record these numbers; the shards of such rows are known
-// only from the names of the journals.
+// Finds the shards and cases of a run that have no rows. The provenance of a row records the shard that
+// measured it (shard), the number of cases of this shard (shard_cases) and of the whole run (all_cases), and
+// the number of processes (repeats). Rows of older versions do not record these numbers. For such rows, the
+// shards are known only from the names of the journals.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -15,18 +15,19 @@
 
 namespace pelage {
 
-/// Measurements of a shard that have no row, or only rows with the status error. A measurement is a case in
-/// one process of --repeat.
+/// Describes a shard in which measurements are missing: they have no row, or only rows with the status error.
+/// A measurement is one case in one process of --repeat.
 struct Gap {
-  int index = 0, count = 1;  ///< the shard; 0 of 1 is a run without shards
-  bool whole_run = false;    ///< the gap is in the run as a whole, although no shard has a gap
-  std::size_t done = 0;      ///< measurements with a row whose status is not error
-  std::size_t failed = 0;    ///< measurements that have only rows with the status error
-  std::optional<std::size_t> expected = {};  ///< number of measurements; empty if no row records it
+  int index = 0, count = 1;  ///< shard `index` of `count`; 0 of 1 for a run without shards
+  bool whole_run = false;    ///< true if cases of the run are missing although no shard has a gap
+  std::size_t done = 0;      ///< number of measurements with a row whose status is not error
+  std::size_t failed = 0;    ///< number of measurements that have only rows with the status error
+  std::optional<std::size_t> expected = {};  ///< required number of measurements; empty if unknown
 };
 
-/// The rows of an experiment with the same overrides and number of shards on one device of one host. Hosts
-/// that do not have all shards and have a device of the same name are combined in one RunState.
+/// The state of a run: which cases have rows. A run consists of all rows of an experiment with the same
+/// overrides and the same number of shards on one device of one host. If hosts with equally named devices
+/// each have only some of the shards, one RunState combines these hosts.
 struct RunState {
   std::string experiment;
   std::string where;  ///< DEVICE@HOST, or "DEVICE@" and several hosts separated by "+"
@@ -34,17 +35,17 @@ struct RunState {
   std::set<std::string> done;    ///< cases with a row whose status is not error
   std::set<std::string> failed;  ///< cases that have only rows with the status error
   std::vector<Gap> gaps;
-  /// Whether the shards come from different divisions of the cases: from different lists of cases, or from
+  /// True if not all shards used the same division of the cases, because they had different lists of cases or
   /// different earlier times (--balance). A case may then belong to several shards or to none.
   bool dealt_differently = false;
 };
 
 /// Returns the states of all runs in `rows`, sorted by experiment and device. `journals` are the journals
-/// from which `rows` were read. A journal without rows counts as an existing shard.
+/// from which `rows` were read. Their names also state which shards exist, even if a journal has no rows.
 std::vector<RunState> run_states(const std::vector<std::filesystem::path>& journals,
                                  const std::vector<FoundRow>& rows);
 
-/// Returns the gap as text: "shard 1/4: 5 of 8 cases, 1 ended with an error", "shard 2/4: no rows".
+/// Returns the gap as text, such as "shard 1/4: 5 of 8 cases, 1 ended with an error" or "shard 2/4: no rows".
 std::string text_of(const Gap& gap);
 
 }  // namespace pelage

@@ -1,4 +1,5 @@
-// Trials of the statistical test behind pelage compare, with real timings whose true difference is known.
+// Tries the statistical test of pelage compare on real timings whose true difference is known, and counts its
+// verdicts.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -11,14 +12,15 @@
 
 namespace pelage {
 
-/// Makes a new pipeline with new buffers, and returns wall times of its warm frames in ms.
+/// Makes a new rendering pipeline with new buffers, and returns one or more wall times in ms. Warm-up frames
+/// are not timed.
 using TimePipeline = std::function<std::vector<double>()>;
 
 struct TrialLimits {
-  int rounds = 12;         ///< number of pipelines per side; at least fewest_processes
+  int rounds = 12;         ///< number of pipelines that each side makes; at least fewest_processes
   double threshold = 0;    ///< see decide()
   double alpha = 0.02;     ///< see decide()
-  std::uint64_t seed = 1;  ///< of the order of the sides
+  std::uint64_t seed = 1;  ///< seed of the random order in which the two sides run
 };
 
 struct Trial {
@@ -26,23 +28,25 @@ struct Trial {
   Decision decision;
 };
 
-/// Compares the side `b` with the side `a`. In each round, both sides make and time one pipeline, in a random
-/// order. The pipelines take the place of the separate processes of `pelage run --repeat`. `now_s` returns
-/// the time in seconds.
+/// Times `a` and `b`, and tests whether their times differ. In each round, both functions make and time one
+/// pipeline, in a random order. A pipeline corresponds to one process of `pelage run --repeat`. `now_s`
+/// returns the current time in seconds.
 Trial run_trial(const TimePipeline& a, const TimePipeline& b, const TrialLimits& limits,
                 std::mt19937_64& random, const std::function<double()>& now_s);
 
-/// Numbers of trials by their decision.
+/// Number of trials for each verdict.
 struct TrialCounts {
   int faster = 0, slower = 0, same = 0, undecided = 0;
   int all() const { return faster + slower + same + undecided; }
 };
 TrialCounts count_of(std::span<const Trial> trials);
 
-/// Returns the 95% interval of a probability (Clopper and Pearson) after `hits` of `all` trials.
+/// Returns the 95% confidence interval (Clopper and Pearson) of the probability of an event that occurred in
+/// `hits` of `all` trials.
 Interval rate_interval(int hits, int all);
 
-/// Returns the header and one line per trial as CSV. `side` is the text of the first column.
+/// Returns the header of the CSV file. trials_csv() returns one CSV line per trial, with the text `side` in
+/// the first column.
 std::string trials_csv_header();
 std::string trials_csv(const std::string& side, std::span<const Trial> trials);
 

@@ -11,16 +11,18 @@ namespace pelage {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// The smallest standard error: a clock that always returns the same time does not prove equality.
+// Lower limit of the standard error. If a coarse clock returns the same time for all samples, the computed
+// standard error is 0, which does not prove that the times are equal.
 constexpr double kLeastError = 1e-9;
 
-/// Returns the quantile of Student's distribution; the normal distribution for infinitely many degrees.
+/// Returns the quantile of Student's t-distribution. For infinitely many degrees of freedom, this is the
+/// normal distribution.
 double t_quantile(double probability, double degrees) {
   if (std::isinf(degrees)) return boost::math::quantile(boost::math::normal(), probability);
   return boost::math::quantile(boost::math::students_t(degrees), probability);
 }
 
-/// Returns the probability that Student's t is outside [-t, t].
+/// Returns the probability that a variable with Student's t-distribution is outside [-t, t].
 double two_sided(double t, double degrees) {
   if (std::isinf(degrees)) return 2 * boost::math::cdf(boost::math::normal(), -t);
   return 2 * boost::math::cdf(boost::math::students_t(degrees), -t);
@@ -30,7 +32,7 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
-/// Returns the variance of the mean of the values, for independent values.
+/// Returns the estimated variance of the mean of independent values.
 double variance_of_mean(const std::vector<double>& values) {
   const double middle = mean(values);
   double sum = 0;
@@ -45,7 +47,8 @@ std::vector<double> log_medians(const Timings& timings) {
   return result;
 }
 
-/// The mean of one set, the variance of this mean, and the degrees of freedom of this variance.
+/// The mean of the log medians of one set of timings, the variance of this mean, and the degrees of freedom
+/// of the variance.
 struct Mean {
   double value = 0, variance = 0, degrees = 0;
 };
@@ -56,14 +59,16 @@ Mean mean_of(const Timings& timings) {
   if (medians.size() >= fewest_processes) return {mean(medians), variance_of_mean(medians), count - 1};
   double variance = 0;
   for (const auto& process : timings.processes) {
-    // The interval of the median is 2 * 1.96 standard deviations wide, if it is an interval of 95%.
+    // A 95% interval is 2 * 1.96 = 3.92 standard deviations wide. This gives the standard deviation of the
+    // median.
     const double within = 2 * relative_half_width(process) / 3.92;
     variance += assumed_spread * assumed_spread + within * within;
   }
   return {mean(medians), variance / (count * count), kInfinity};
 }
 
-/// Returns the differences within pairs, or nothing if the processes did not take turns.
+/// Returns the difference of the log medians (b minus a) for each pair of consecutive processes. Returns an
+/// empty list if the processes of the two sets did not take turns.
 std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   const std::size_t count = a.processes.size();
   if (count < fewest_processes || b.processes.size() != count || a.started_s.size() != count ||
@@ -107,8 +112,8 @@ Difference difference_of(const Timings& a, const Timings& b) {
             true, false};
   const Mean of_a = mean_of(a), of_b = mean_of(b);
   const double variance = of_a.variance + of_b.variance;
-  // Welch and Satterthwaite's degrees of freedom. An assumed variance has no uncertainty: its degrees of
-  // freedom are infinite, and its term is 0.
+  // The degrees of freedom follow from the formula of Welch and Satterthwaite. An assumed variance has
+  // infinitely many degrees of freedom, so its term is 0.
   const double uncertainty =
       of_a.variance * of_a.variance / of_a.degrees + of_b.variance * of_b.variance / of_b.degrees;
   return {of_b.value - of_a.value, std::max(kLeastError, std::sqrt(variance)),

@@ -1,5 +1,6 @@
-// A statistical test of the difference between two sets of timings of one case. The unit of observation is
-// the process: samples of one process share memory layout and clock rate, so they are not independent.
+// A statistical test of the difference between two sets of timings of one case. The test uses one value per
+// process, the median of its samples. Samples of one process share memory layout and clock rate, so they are
+// not independent.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,53 +9,58 @@
 
 namespace pelage {
 
-/// The timings of one case by separate processes.
+/// The timings of one case, measured by one or more processes.
 struct Timings {
   std::vector<std::vector<double>> processes;  ///< wall times of frames in ms, one list per process
   /// Start of each process in seconds since 1970; empty if unknown.
   std::vector<double> started_s = {};
 };
 
-/// A variance between processes is estimated from at least this number of processes. With fewer processes,
-/// the test assumes that the medians of processes have the relative standard deviation `assumed_spread`. This
-/// is a cautious value: results/ contains processes of the same case whose medians differ by 6.5%.
+/// The test estimates the variance between processes only if there are at least `fewest_processes`. With
+/// fewer processes, it assumes that the medians of the processes have the relative standard deviation
+/// `assumed_spread`. The value is cautious: results/ contains processes of the same case whose medians differ
+/// by 6.5%.
 inline constexpr std::size_t fewest_processes = 3;
 inline constexpr double assumed_spread = 0.07;
 
 /// An estimate of ln(b / a), where a and b are the typical times of the two sets.
 struct Difference {
-  double log_ratio = 0;  ///< mean of the logarithms of the processes' medians in b, minus the mean in a
+  double log_ratio = 0;  ///< mean logarithm of the processes' medians in b, minus that in a
   double error = 0;      ///< standard error of log_ratio
-  double degrees = 0;    ///< degrees of freedom of Student's distribution; infinity for the normal one
-  bool paired = false;   ///< whether the processes of a and b took turns
+  double degrees = 0;    ///< degrees of freedom of Student's t; infinity: normal distribution
+  bool paired = false;   ///< whether the processes of a and b took turns, so that a paired t-test was used
   bool assumed = false;  ///< whether `error` contains assumed_spread
 };
 
-/// Estimates the difference from the medians of the processes. If the processes of both sets took turns (an
-/// equal number, at least fewest_processes; in the order of their starts, each first and second process
-/// belong to different sets), the test uses the differences within the pairs (paired t-test). Otherwise it
-/// uses both variances (Welch's t-test). Needs at least one process with one sample in each set.
+/// Estimates the difference from the medians of the processes. If the processes of both sets took turns, the
+/// function uses the differences within pairs (paired t-test). Otherwise it uses the variances of both sets
+/// (Welch's t-test). The processes took turns if both sets have the same number of processes, at least
+/// fewest_processes, and if each pair of consecutive processes contains one process of each set. The pairs
+/// follow the order of the start times. Each set needs at least one process with one sample.
 Difference difference_of(const Timings& a, const Timings& b);
 
-/// Returns the interval of b / a with this confidence.
+/// Returns the confidence interval of the ratio b / a at the level `confidence`, such as 0.95.
 Interval ratio_interval(const Difference& difference, double confidence);
 
 enum class Side { below, within, above, undecided };
 
-/// Position of b / a relative to the limits 1 - threshold and 1 + threshold.
+/// The verdict for one difference: whether b / a is below, within or above the limits 1 - threshold and 1 +
+/// threshold.
 struct Decision {
   Side side = Side::undecided;
-  double p = 1;           ///< two-sided p-value of the nearest limit, before Holm's correction
+  double p = 1;  ///< two-sided p-value for "b / a equals the nearest limit", before Holm's correction
   double confidence = 0;  ///< of `ratio`
-  Interval ratio;         ///< interval of b / a; decides the side
+  Interval ratio;         ///< confidence interval of b / a at the level `confidence`
 };
 
-/// Decides on which side of the limits each b / a lies. The probability that one or more of the decisions is
-/// wrong is at most `alpha` (Holm's method, as for the claims). With the threshold 0 no ratio is `within`.
+/// Decides for each difference whether b / a is below, within or above the limits. The probability that one
+/// or more of the decisions are wrong is at most `alpha` (Holm's method). If the threshold is 0, no decision
+/// is `within`.
 std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha);
 
-/// Returns the smallest increase of b / a above 1 that decide() would find with the probability `power` among
-/// `count` differences, if the limit of the first step of Holm's method applies: 0.05 is 5%.
+/// Returns the smallest relative increase from a to b (0.05 is 5%) that decide() would find with the
+/// probability `power` among `count` differences. The function assumes the strictest step of Holm's method,
+/// in which the p-value must be at most alpha / count.
 double detectable_change(const Difference& difference, std::size_t count, double threshold, double alpha,
                          double power = 0.9);
 

@@ -14,7 +14,7 @@ QuietMachine quiet_machine_from_text(const std::string& text) {
   if (text.empty()) return QuietMachine::unchecked;
   if (text == "warn") return QuietMachine::warn;
   if (text == "require") return QuietMachine::require;
-  throw InputError(fmt::format("--quiet-machine '{}' is not warn or require", text));
+  throw InputError(fmt::format("--quiet-machine '{}' is neither warn nor require", text));
 }
 
 std::optional<double> share_of_one_second() {

@@ -132,7 +132,8 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     if (const auto covered = row.metrics.find("covered_fragments");
         row.status == Status::ok && covered != row.metrics.end())
       row.metrics["fragments_per_s"] = {covered->second.value / (median(frame_ms(row)) / 1000), "1/s"};
-    // For instance, a texture was edited after the identity was computed.
+    // Detects inputs that changed during the measurement, for instance a texture that was edited after the
+    // identity was computed.
     if (row.status == Status::ok) refuse_contradiction(row);
   } catch (const Unsupported& error) {
     fails(Status::unsupported, error.what());

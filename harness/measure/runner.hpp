@@ -27,15 +27,16 @@ struct RunPlan {
 
 /// Functions that are called during a run. Each may be empty.
 struct RunListener {
-  /// Returns whether the case may start. After false, no further case starts.
+  /// Called before each case. If it returns false, neither this case nor any later case starts.
   std::function<bool(const Case&)> may_start;
   std::function<void(std::size_t index, const Case&)> starting;
   std::function<void(std::size_t index, const Row&)> finished;
 };
 
-/// Numbers of cases. `kept` cases already had a row in the journal. `left` cases did not start within the
-/// time limit, or because RunListener::may_start refused one; then `disturbed` is true. The other cases ran:
-/// `ok` cases have the status `ok` or `unsupported`, and `not_ok` cases have another status.
+/// Numbers of cases. `kept` cases already had a row in the journal. `left` cases did not start, because the
+/// time limit was reached or because RunListener::may_start returned false. In the second case `disturbed` is
+/// true. The other cases ran: `ok` cases have the status `ok` or `unsupported`, and `not_ok` cases have
+/// another status.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
   bool disturbed = false;

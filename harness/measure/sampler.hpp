@@ -27,7 +27,7 @@ struct Sampling {
   double first_launch_ms = 0;  ///< time of the first frame, which includes compilation and uploads
   /// The entry "frame" holds the times of whole frames. Each phase has an entry with the times of that phase.
   std::map<std::string, PhaseSamples> samples;
-  bool converged = false;  ///< whether the median has the precision that `limits` requires
+  bool converged = false;  ///< whether the median reached the precision that the SamplingLimits require
 };
 
 /// Times frames by calling `frame` until the median has the precision that `limits` requires or a limit is

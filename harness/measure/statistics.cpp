@@ -100,20 +100,20 @@ Drift drift_of(std::span<const double> values) {
   chosen.reserve(count);
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(values[i * values.size() / count]);
   std::vector<double> slopes;
-  double rises = 0;  // Kendall's S: pairs that rise minus pairs that fall
+  double rises = 0;  // Kendall's S: number of rising pairs minus number of falling pairs
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j) {
       slopes.push_back((chosen[j] - chosen[i]) / double(j - i));
       rises += double(chosen[j] > chosen[i]) - double(chosen[j] < chosen[i]);
     }
-  std::map<double, double> times;  // value -> number of its samples
+  std::map<double, double> times;  // value -> number of samples with this value
   for (const double v : chosen) ++times[v];
   const auto term = [](double n) { return n * (n - 1) * (2 * n + 5); };
   double variance = term(double(count));
   for (const auto& [value, n] : times) variance -= term(n);
   variance /= 18;
   if (!(variance > 0)) return {};
-  // The continuity correction moves S by 1 towards 0.
+  // The continuity correction reduces the absolute value of S by 1.
   const double z = std::max(0.0, std::abs(rises) - 1) / std::sqrt(variance);
   return {median(slopes) * double(count - 1) / median(chosen),
           2 * boost::math::cdf(boost::math::normal(), -z)};

@@ -41,26 +41,29 @@ Interval nested_median_interval(std::span<const std::vector<double>> processes, 
 /// Returns whether `count` values suffice for mean_interval(): three or more.
 bool has_mean_interval(std::size_t count);
 
-/// Returns the interval of the mean of values that separate runs measured, by Student's distribution. If all
-/// values are positive, as times and ratios are, the function computes the interval from their logarithms; it
-/// then holds for the geometric mean. Needs at least three values.
+/// Returns a confidence interval of the mean of independent values, such as values from separate runs. It
+/// uses Student's t-distribution. If all values are positive, the function computes the interval from their
+/// logarithms. It is then an interval of the geometric mean. Needs at least three values.
 Interval mean_interval(std::span<const double> values, double confidence = 0.95);
 
-/// A change of the times during a run, for instance because the processor became warmer.
+/// A trend of the times during a run, for instance because the processor became warmer and slower.
 struct Drift {
-  /// Change from the first to the last sample as a fraction of the median: the median slope of all pairs of
-  /// samples (Theil and Sen), times the number of samples minus 1. 0.05 is 5% slower at the end.
+  /// Change from the first to the last sample, as a fraction of the median. If it is 0.05, the last sample is
+  /// 5% slower. The change is the median slope of all pairs of samples (Theil and Sen), multiplied by the
+  /// number of samples minus 1.
   double change = 0;
-  /// Two-sided p-value of "there is no trend": Kendall's rank correlation of time and position, with the
-  /// normal approximation.
+  /// Two-sided p-value of the hypothesis that there is no trend. The test uses Kendall's rank correlation
+  /// between a sample's time and its position, with the normal approximation.
   double p = 1;
 };
 
-/// Returns the drift of samples in the order of measurement. Of more than 400 samples it uses 400 at equal
-/// distances. Returns {0, 1} for fewer than eight samples.
+/// Returns the drift of `values`, which must be in the order of measurement. If there are more than 400
+/// values, the function uses only 400 of them, at equal distances. It returns {0, 1} for fewer than eight
+/// values.
 Drift drift_of(std::span<const double> values);
 
-/// A drift counts as such if its p-value is below 0.01 and it changes the time by more than 2%.
+/// Returns whether a drift is significant: its p-value is below 0.01, and it changes the time by more than
+/// 2%.
 bool drifts(const Drift& drift);
 
 /// Returns half the width of median_interval, divided by the median.

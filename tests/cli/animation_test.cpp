@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the text with `from` replaced by `to`. The test fails if `from` is not in the text exactly once.
+/// Returns `text` with `from` replaced by `to`. The test fails unless `from` occurs exactly once.
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
@@ -26,7 +26,7 @@ TEST(Animation, TheLoopDrawsFramesThatMoveAndJoin) {
   ASSERT_EQ(blocks.size(), 2u);
   std::string loop = replaced(blocks[0].text, "--size 800x600", "--size 96x72 --set fur.layers=8");
   loop = replaced(loop, "seq 0 59", "seq 0 3");
-  loop = replaced(loop, "$i / 30", "$i / 5");  // 0.2 s between the frames, so that each frame differs
+  loop = replaced(loop, "$i / 30", "$i / 5");  // with 0.2 s between frames, all frames differ
   ASSERT_EQ(run_in(folder, loop), 0) << folder.read("stderr");
   std::set<std::string> pictures;
   for (const char* frame : {"0000", "0001", "0002", "0003"})

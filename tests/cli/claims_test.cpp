@@ -1,4 +1,5 @@
-// Tests pelage claims on the recorded rows of the repository, and on wrong input.
+// Tests the command `pelage claims` with the results that are recorded in the repository, and with invalid
+// input.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -19,7 +20,7 @@ std::string between(const std::string& text, const std::string& begin, const std
   return text.substr(start, to - start);
 }
 
-/// CPU time of the finished child processes of this test, in seconds.
+/// Returns the CPU time in seconds of all finished child processes of this test.
 double cpu_seconds() {
   rusage use{};
   getrusage(RUSAGE_CHILDREN, &use);
@@ -33,8 +34,8 @@ TEST(Claims, OfThePapersAreJudgedByTheRecordings) {
   const Outcome text = pelage(folder, "claims " + results + " --csv claims.csv");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
-  // The whole repository's recordings must take less than 5 s. CPU time does not depend on the machine's
-  // load; the command uses one thread.
+  // The command must judge all recorded results of the repository in less than 5 s of CPU time. The test uses
+  // CPU time because wall time depends on the load of the machine.
   EXPECT_LT(cpu_seconds() - before, 5);
   const Outcome json = pelage(folder, "claims " + results + " --json");
   const auto list = nlohmann::json::parse(json.out);
@@ -61,7 +62,7 @@ TEST(Claims, TheTableOfTheDocumentIsThatOfTheRecordings) {
       << "run scripts/claims_table.py";
 }
 
-// The example of docs/claims.md is a complete file.
+// Tests that the example in docs/claims.md is a complete file of claims.
 TEST(Claims, OfTheUserNeedNoProgram) {
   const Folder folder;
   std::ifstream file(PELAGE_SOURCE_DIR "/docs/claims.md", std::ios::binary);

@@ -1,5 +1,5 @@
-// Tests pelage merge, the options of shards, the scripts of experiments/slurm with a real Slurm, and the
-// commands of docs/cluster.md.
+// Tests `pelage merge`, the options --shard and --balance, the scripts in experiments/slurm with a real
+// Slurm, and the commands in docs/cluster.md.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An experiment of four cases.
+/// Writes an experiment with four cases into a temporary folder.
 struct Cluster : ::testing::Test {
   void SetUp() override {
     folder.write(
@@ -35,7 +35,7 @@ std::size_t lines_of(const std::string& text) {
   return std::size_t(std::count(text.begin(), text.end(), '\n'));
 }
 
-/// Returns the sorted names of the cases in the CSV of `pelage export`.
+/// Returns the sorted names of the cases that `pelage export` prints for `results`.
 std::vector<std::string> cases_in(const Folder& folder, const std::string& results) {
   std::istringstream csv(pelage(folder, "export " + results).out);
   std::vector<std::string> names;
@@ -79,10 +79,11 @@ TEST_F(Cluster, MergedShardsAreTheRunAndNamedIfMissing) {
 
 TEST_F(Cluster, ARunCutByItsBudgetIsIncomplete) {
   ASSERT_EQ(pelage(folder, "run own.toml --budget 0.000001s -o cut").code, 0);
-  EXPECT_EQ(pelage(folder, "merge out cut").code, 2);  // no row at all
+  EXPECT_EQ(pelage(folder, "merge out cut").code, 2);  // the results contain no row
   run("--filter x12-4- -o cut4");
   run("--resume cut4 --budget 0.000001s");
-  EXPECT_EQ(pelage(folder, "merge --dry-run out cut4").code, 0);  // only this case was wanted
+  // The filter limited this run to one case, so no case is missing.
+  EXPECT_EQ(pelage(folder, "merge --dry-run out cut4").code, 0);
   const Outcome cases = pelage(folder, "merge --dry-run out cut4 --expect own.toml");
   EXPECT_EQ(cases.code, 4);
   EXPECT_EQ(lines_of(cases.out), 3u) << cases.out;
@@ -155,7 +156,8 @@ TEST_F(Cluster, AnAnonymousRunKeepsTheGivenHostOnly) {
   EXPECT_TRUE(found);
 }
 
-/// Runs a command in the shell, in `folder`, with this build's pelage. Returns its exit code.
+/// Runs a shell command in `folder`. The variable PELAGE names the pelage program of this build. Returns the
+/// exit code.
 int shell(const Folder& folder, const std::string& command) {
   const std::string line = "cd '" + folder.path().string() +
                            "' && ASAN_OPTIONS=detect_leaks=0 PELAGE='" PELAGE_BINARY "' timeout 1200 " +
@@ -174,7 +176,7 @@ TEST(Slurm, KilledAndLostShardsMergeToTheRowsOfOneRun) {
   EXPECT_NE(folder.read("stdout").find("slurm_check: passed"), std::string::npos);
 }
 
-/// Returns the blocks of the document between ```sh and ```.
+/// Returns the text of all code blocks of the document that begin with ```sh.
 std::string shell_blocks(const fs::path& document) {
   std::ifstream file(document);
   std::string text;
@@ -188,7 +190,8 @@ std::string shell_blocks(const fs::path& document) {
   return text;
 }
 
-// The blocks of other languages than sh configure a new build, or need a container or several machines.
+// The test runs only blocks of the language sh. The other blocks configure a new build, or need a container
+// or several machines.
 TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   const Folder folder;
   if (shell(folder, "sh -c 'command -v sbatch && command -v parallel'") != 0)
@@ -196,8 +199,8 @@ TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   const std::string blocks = shell_blocks(PELAGE_SOURCE_DIR "/docs/cluster.md");
   ASSERT_GT(std::count(blocks.begin(), blocks.end(), '\n'), 8);
   const std::string build = fs::path(PELAGE_BINARY).lexically_normal().parent_path().string();
-  // The document installs to $HOME/pelage. The mesh cache stays that of the user, so that no mesh is
-  // prepared.
+  // The document installs pelage to $HOME/pelage, so HOME is set to the temporary folder. XDG_CACHE_HOME
+  // still names the user's mesh cache, so that no mesh must be prepared again.
   folder.write("blocks.sh",
                "set -euxo pipefail\nexport XDG_CACHE_HOME=${XDG_CACHE_HOME:-$HOME/.cache} HOME=$PWD\n"
                "unset PELAGE\ncmake --install '" +

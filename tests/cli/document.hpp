@@ -1,4 +1,4 @@
-// Reads the code blocks of a document, and runs blocks of shell commands as a reader would.
+// Reads the code blocks of a Markdown document, and runs blocks of shell commands.
 #pragma once
 #include <filesystem>
 #include <fstream>
@@ -9,9 +9,9 @@
 
 namespace pelage::cli {
 
-/// A block between two lines that begin with ```.
+/// A code block: the text between two lines that begin with ```.
 struct Block {
-  int line = 0;  ///< line of the block's first ``` in the document
+  int line = 0;  ///< number of the line with the first ```
   std::string language, text;
 };
 

@@ -1,5 +1,5 @@
-// Tests commands on input that is meant to do harm: names, options and files that once made pelage crash,
-// hang, take gigabytes of memory, or print a wrong reason.
+// Tests commands with harmful input. Earlier versions of pelage crashed, hung, used gigabytes of memory or
+// printed a wrong reason for such names, options and files.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -69,7 +69,8 @@ TEST(Hostile, AnAxisOfManyValuesIsNoCaseOfManyGigabytes) {
 
 TEST(Hostile, ACoatOfTooManyPixelsIsRefused) {
   const Folder folder;
-  // The header of a grey PNG picture of 16384 x 16384 pixels, and the beginning of its pixels.
+  // A truncated PNG file: the header of a grey picture of 16384 x 16384 pixels, and the beginning of its
+  // pixel data.
   folder.write(
       "coat.png",
       std::string("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x40\0\0\0\x40\0\x08\0\0\0\0\x8c\xa3\x4f\x58", 33) +
@@ -117,8 +118,8 @@ TEST(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
   }
 }
 
-// The program may also end before it can print anything. It must not advise to continue a run of which no
-// folder exists.
+// If no results folder exists yet, an interrupted program must not advise the user to continue the run with
+// --resume. It may also end without a message.
 TEST(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
   const Folder folder;
   folder.write("own.toml", experiment("[\"torus-24x12\"]"));

@@ -1,5 +1,5 @@
-// Installs pelage into a temporary folder, and builds the Debian package. The installed program must work
-// there with its own files, without the source tree.
+// Installs pelage into a temporary folder, and builds the Debian package. The installed program must use the
+// installed files, not the files of the source tree.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"
@@ -24,8 +24,8 @@ bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The installation into the folder `inst`, in which files are changed. The program must use the changed
-/// files.
+/// Installs pelage into the folder `inst`. The tests change installed files and expect that the program uses
+/// the changed files.
 struct Install : ::testing::Test {
   static void SetUpTestSuite() {
     folder = new Folder;
@@ -81,7 +81,7 @@ TEST_F(Install, TheManualAndTheDocumentsAreThere) {
     EXPECT_TRUE(fs::exists(folder->path() / "inst" / file)) << file;
 }
 
-/// Returns the words that bash offers for the last word of a command line.
+/// Returns the words that bash completion offers for the last word of the command line `line`.
 std::string completed(const std::string& line) {
   const std::string words = line.ends_with(' ') ? line + "''" : line;
   return output_of(
@@ -102,7 +102,7 @@ TEST_F(Install, BashCompletesCommandsOptionsAndValues) {
   EXPECT_TRUE(has(completed("pelage render --set fur.le"), " fur.length= "));
   EXPECT_TRUE(has(completed("pelage render --model bu"), " bunny "));
   EXPECT_FALSE(has(completed("pelage list --"), "--resume"));
-  EXPECT_EQ(completed("pelage render -o pict"), "  ");  // bash then completes the names of files
+  EXPECT_EQ(completed("pelage render -o pict"), "  ");  // no words; bash then completes file names
 }
 
 TEST(Package, HoldsARunningProgramAndItsDependencies) {

@@ -1,4 +1,5 @@
-// Tests commands with a damaged folder of PoCL's compiled kernels, and with a full disk under this folder.
+// Tests commands with a damaged cache folder, in which PoCL keeps compiled kernels, and with a cache folder
+// on a full disk.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"
@@ -32,7 +33,7 @@ TEST(KernelCache, ADamagedFileLeadsToTheAdviceToDeleteTheFolder) {
   EXPECT_EQ(pelage(folder, render, kept).code, 0) << folder.read("stderr");
 }
 
-// PoCL finds no kernel in an empty file of a program, and reports no error of the file.
+// If a program file in the cache is empty, PoCL reports a missing kernel instead of a damaged file.
 TEST(KernelCache, AnEmptyFileOfAProgramLeadsToTheSameAdvice) {
   const Folder folder;
   const std::string kept = "POCL_CACHE_DIR='" + (folder.path() / "kept").string() + "'";

@@ -46,7 +46,7 @@ TEST_F(Results, ResumeRefusesAnEditedScene) {
   EXPECT_EQ(resume().code, 0);
 }
 
-// The identity of a row covers the content of the scene file of the experiment.
+// A row records a hash of the scene file's content, so --resume detects that the file was edited.
 TEST_F(Results, ResumeRefusesAnEditedSceneFile) {
   std::string text = experiment("0.1");
   text.replace(text.find("fur.length = 0.1"), 16, "file = \"my.toml\"");

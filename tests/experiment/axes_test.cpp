@@ -1,5 +1,5 @@
-// Tests axes with a name of the author's own, whose values are names of tables with scene keys, and the
-// checks of all axes.
+// Tests axes whose names the author of the experiment file chose, and the checks of all axes. The values of
+// such an axis are names of tables, which contain scene keys.
 #include "harness/experiment/axes.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST_F(Axes, ATableMustNotContradictAnAxis) {
   refuses(moods + "[model.torus]\nfur.layers = 4\n[mood.storm]\n" + quick, "[model.torus] sets fur.layers");
   refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
           {.set = {{"fur.layers", "4"}}, .axes = {}, .model = {}});
-  // A value of the command line has precedence over a table.
+  // A value from the command line overrides the value in a table.
   const Experiment e =
       read("name = \"e\"\n[axes]\nmood = [\"storm\"]\n[mood.storm]\nfur.layers = 4\n" + quick);
   const auto cases =

@@ -1,4 +1,4 @@
-// Tests the division of cases among shards.
+// Tests the division of the cases of a run among shards, according to earlier times.
 #include "harness/experiment/balance.hpp"
 
 #include <gtest/gtest.h>
@@ -31,14 +31,15 @@ TEST(Deal, WithoutTimesEveryCountThCaseBelongsToOneShard) {
   EXPECT_TRUE(deal(Times(), 5).empty());
 }
 
-// Dealt in turn, the shards of these cases take 22 s and 4 s.
+// If the cases were assigned alternately to the two shards, the shards would take 22 s and 4 s.
 TEST(Deal, ALongCaseDoesNotShareItsShardWithOthers) {
   const Times times{10.0, 1.0, 6.0, 1.0, 6.0, 2.0};
   const std::vector<int> shards = deal(times, 2);
   EXPECT_EQ(loads_of(times, shards, 2), (std::vector<double>{13, 13}));
 }
 
-// The order is that of decreasing times: 4, 2 (of the case without a time), 1, 1.
+// The case without a time counts as 2 s, the mean of the others. deal() assigns the cases in the order 4 s, 2
+// s, 1 s, 1 s.
 TEST(Deal, ACaseWithoutATimeCountsAsTheMeanOfTheOthers) {
   EXPECT_EQ(deal({1.0, std::nullopt, 4.0, 1.0}, 2), (std::vector<int>{1, 1, 0, 1}));
 }
@@ -47,8 +48,8 @@ TEST(Deal, EqualTimesAreDealtInTurn) {
   EXPECT_EQ(deal({5.0, 5.0, 5.0, 5.0, 5.0}, 3), (std::vector<int>{0, 1, 2, 0, 1}));
 }
 
-// The shard that gets a case has at most the mean load before, so its load stays at most the mean load plus
-// the largest time.
+// deal() gives each case to the shard with the smallest load (sum of times), which is at most the mean load.
+// Therefore no load exceeds the mean load plus the largest time.
 TEST(Deal, EveryCaseIsInOneShardAndTheLoadsAreBounded) {
   std::mt19937 random(18);
   for (int round = 0; round < 500; ++round) {

@@ -1,4 +1,4 @@
-// Tests experiments that take a scene file as it is: [scene] file = "my.toml".
+// Tests experiments whose table [scene] names a scene file: file = "my.toml".
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An experiment in the folder e/ that uses the scene file s/my.toml.
+/// Writes an experiment file into the folder e/. The experiment uses the scene file s/my.toml.
 struct SceneFile : ::testing::Test {
   void SetUp() override {
     fs::create_directories(folder.path / "e");
@@ -45,7 +45,7 @@ TEST_F(SceneFile, IsTakenAsItIs) {
   Scene expected = read_scene(folder.path / "s/my.toml");
   expected.curl.turns = 1;
   EXPECT_EQ(write_scene(first(read(""))), write_scene(expected));
-  // A relative path in the scene file starts at the folder of the scene file.
+  // A relative path in the scene file is relative to the folder of the scene file.
   EXPECT_EQ(first(read("")).coat.image, folder.path / "s/coat.png");
 }
 

@@ -1,4 +1,4 @@
-// Tests the table [report] of experiment files: how the report shows the rows of the experiment.
+// Tests the table [report] of experiment files, which selects the tables and plots of the report.
 #include "harness/experiment/view.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(View, RowsStoreIt) {
   const View view{.blocks = {"reading"}, .x = "layers", .y = {"fps"}, .y_scale = "log"};
   EXPECT_EQ(view_from_json(to_json(view)), view);
   EXPECT_TRUE(to_json(View{}).empty());
-  // Rows come from anywhere: what is not a view is no view.
+  // A user may have edited the rows. Values of a wrong type must be ignored.
   for (const char* text :
        {"null", "3", "[1]", "{\"x\": 3, \"y\": \"fps\", \"series\": [1, {}], \"other\": []}"})
     EXPECT_EQ(view_from_json(nlohmann::json::parse(text)), View{}) << text;

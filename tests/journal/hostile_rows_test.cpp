@@ -1,4 +1,4 @@
-// Tests rows that have a valid checksum but contents that no pelage wrote.
+// Tests rows with a valid checksum whose contents no version of pelage would write.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the row as a line after the change `change`, with the right checksum.
+/// Applies `change` to a sample row, and returns the line of the changed row with a correct checksum.
 std::string changed(const std::function<void(Json&)>& change) {
   Json json = Json::parse(to_line(test::sample_row("a")));
   json.erase("crc");
@@ -37,7 +37,8 @@ TEST(HostileRows, AnUnchangedRowIsAccepted) {
   EXPECT_EQ(refusal(changed([](Json&) {})), "accepted");
 }
 
-// Copying and printing a JSON value need stack space for each level of nesting.
+// Copying and printing a JSON value need stack space for each level of nesting, so deep nesting would
+// overflow the stack.
 TEST(HostileRows, DeepNestingIsRefused) {
   const auto nested = [](std::size_t depth) {
     Json json = Json::parse(to_line(test::sample_row("a")));
@@ -67,7 +68,7 @@ TEST(HostileRows, NumbersOutOfRangeAreRefused) {
             std::string::npos);
 }
 
-// Commands read these keys without a check of their types.
+// Commands read these keys without checking their types, so the parser of rows must check them.
 TEST(HostileRows, ProvenanceOfWrongTypesIsRefused) {
   EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"] = "x"; })),
             "the provenance of the row is not an object");

@@ -1,4 +1,5 @@
-// Tests which rows a merge joins, leaves out, refuses or keeps apart, and the folder that it writes.
+// Tests which rows a merge writes into one journal, leaves out, refuses, or writes into separate folders.
+// Also tests the files of the new folder.
 #include "harness/journal/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,7 @@ Row failed(Row row, const std::string& utc) {
   return row;
 }
 
-/// Folders with journals and pictures.
+/// A temporary folder into which a test writes journals and pictures.
 struct Inputs {
   Folder folder;
 
@@ -85,7 +86,8 @@ TEST(Merge, ShardsBecomeOneJournalAndRowsStayAsTheyAre) {
   const Inputs inputs;
   inputs.write("s0/own/gpu@node1.0-of-2.jsonl", {row_of("a"), row_of("c")});
   inputs.write("s1/own/gpu@node1.1-of-2.jsonl", {row_of("b", "run2")});
-  inputs.write("s1/other/gpu@node2.jsonl", {row_of("b", "run3")});  // the row names its experiment
+  // The row's field `experiment` counts, not the name of the folder "other".
+  inputs.write("s1/other/gpu@node2.jsonl", {row_of("b", "run3")});
   Merge merge = inputs.plan({"s0", "s1"});
   EXPECT_EQ(write_merge(merge, inputs.out()), 0u);
   EXPECT_EQ(cases_of(inputs.out() / "own/gpu@node1.jsonl"), (Names{"a", "c", "b"}));
@@ -145,8 +147,8 @@ TEST(Merge, AChangedRowIsRefused) {
   EXPECT_NE(inputs.refusal({"a", "b"}).find("One of the files was changed"), std::string::npos);
 }
 
-// The shards of a run measure different cases, so only properties that all cases share can reveal that they
-// are not of one run.
+// Two shards of a run contain no common case. Only properties that are equal for all cases of a run can
+// therefore show that shards come from different runs.
 TEST(Merge, ShardsOfDifferentRunsAreRefusedAndNamed) {
   const auto refusal_of = [](const std::function<void(Row&)>& change) {
     const Inputs inputs;
@@ -221,7 +223,8 @@ TEST(Merge, EachRowKeepsItsPicture) {
   EXPECT_EQ(pictures, (std::set<std::string>{"of node1", "of node2", "of the cpu"}));
 }
 
-// The processes of --repeat draw the same picture. If the bits differ, both pictures are kept.
+// All processes of --repeat should write the same picture of a case. If the files differ, the merge must keep
+// both.
 TEST(Merge, APictureIsNeverReplaced) {
   const Inputs inputs;
   Row second = row_of("a", "run2");
@@ -240,7 +243,7 @@ TEST(Merge, NothingIsOverwritten) {
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   const Merge merge = inputs.plan({"a"});
   fs::create_directories(inputs.out());
-  write_merge(merge, inputs.out());  // an empty folder is a new folder
+  write_merge(merge, inputs.out());  // allowed, because the folder is empty
   const std::string before = text_of(inputs.out() / "own/gpu@node1.jsonl");
   EXPECT_THROW(write_merge(merge, inputs.out()), InputError);
   EXPECT_EQ(text_of(inputs.out() / "own/gpu@node1.jsonl"), before);
@@ -254,7 +257,8 @@ TEST(Merge, AFailedMergeLeavesNothing) {
   inputs.write("a/own/gpu@node1.jsonl", {row_of("a")});
   inputs.picture("a/own/images/a.png", "picture");
   Merge merge = inputs.plan({"a"});
-  merge.rows.push_back(merge.rows.front());  // the journal refuses a second row with the same key
+  // The merge now fails, because a journal refuses a second row with the same key.
+  merge.rows.push_back(merge.rows.front());
   EXPECT_THROW(write_merge(merge, inputs.out()), InputError);
   EXPECT_EQ(std::distance(fs::directory_iterator(inputs.folder.path), fs::directory_iterator()), 1);
 }
@@ -272,7 +276,7 @@ TEST(Merge, ARowCannotLeaveTheFolder) {
   EXPECT_NE(inputs.refusal({"a"}).find("cannot be the name of a file"), std::string::npos);
 }
 
-// Every recorded row of the repository keeps all its bytes.
+// A merge must copy the recorded rows of the repository without changing a byte.
 TEST(Merge, TheRecordedRowsComeThroughUnchanged) {
   const Inputs inputs;
   std::size_t journals = 0;

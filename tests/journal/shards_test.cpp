@@ -1,4 +1,4 @@
-// Tests which shards and cases of a run are reported as missing.
+// Tests run_states(), which finds the missing shards and cases of a run.
 #include "harness/journal/shards.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A run of 6 cases in 3 shards: cases 0 and 3 belong to shard 0, 1 and 4 to shard 1, 2 and 5 to shard 2.
+/// A run of 6 cases in 3 shards. Cases 0 and 3 belong to shard 0, cases 1 and 4 to shard 1, and cases 2 and 5
+/// to shard 2.
 struct FakeRun {
   std::vector<fs::path> journals;
   std::vector<FoundRow> rows;
@@ -76,7 +77,7 @@ TEST(Shards, AJournalWithoutRowsHasAGap) {
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 shard 2/3: no rows"}));
 }
 
-// With more shards than cases some shards have no case.
+// If a run has more shards than cases, some shards have no case.
 TEST(Shards, AShardWithoutCasesHasNoGap) {
   FakeRun run;
   run.add(0, {0});
@@ -95,11 +96,11 @@ TEST(Shards, ShardsOfSeveralHostsAreOneRunUnlessAHostHasAll) {
   run.add(1, {1, 4}, "node2");
   run.add(2, {2}, "node3");
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1+node2+node3 shard 2/3: 1 of 2 cases"}));
-  run.add(2, {5}, "node1");  // requeued on another host
+  run.add(2, {5}, "node1");  // the missing case was measured on another host
   EXPECT_EQ(run.gaps(), Texts{});
   for (int shard = 0; shard < 3; ++shard) run.add(shard, {shard, shard + 3}, "node4");
   run.add(0, {0, 3}, "node5");
-  run.rows.erase(run.rows.begin(), run.rows.begin() + 6);  // the rows of node1, node2 and node3
+  run.rows.erase(run.rows.begin(), run.rows.begin() + 6);  // removes the rows of node1, node2 and node3
   run.journals.erase(run.journals.begin(), run.journals.begin() + 4);
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node5 shard 1/3: no rows", "gpu@node5 shard 2/3: no rows"}));
 }
@@ -122,8 +123,8 @@ TEST(Shards, EachProcessOfRepeatCounts) {
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 run: 2 of 4 cases"}));
 }
 
-// The shards were dealt from different times: no shard has case 4, although each has as many cases as it
-// should have.
+// The shards divided the cases by different earlier times. No shard has case 4, although each shard has the
+// right number of cases.
 TEST(Shards, ACaseThatBelongsToNoShardIsAGap) {
   FakeRun run;
   run.add(0, {0, 3});

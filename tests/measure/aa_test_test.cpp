@@ -1,4 +1,4 @@
-// Tests of the trials that pelage aa-test counts, with simulated timings.
+// Tests the trials of pelage aa-test with simulated timings.
 #include "harness/measure/aa_test.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,8 @@
 namespace pelage {
 namespace {
 
-/// A machine whose speed drifts by 10% per second and whose frames have 1% of noise.
+/// A simulated machine whose speed drifts by 10% per second. The frame times have random noise with a
+/// standard deviation of 1%.
 struct Machine {
   std::mt19937_64 random{3};
   std::normal_distribution<double> noise{0, 0.01};
@@ -53,7 +54,7 @@ TEST(AaTest, MoreWorkIsCalledSlower) {
   EXPECT_EQ(count_of(trials_of(-0.05, 200)).slower, 0);
 }
 
-// The expected limits are those of R's binom.test(4, 200) and binom.test(0, 100).
+// R's binom.test(4, 200) and binom.test(0, 100) print the expected limits.
 TEST(AaTest, IntervalsOfRates) {
   EXPECT_NEAR(rate_interval(4, 200).low, 0.005475566, 1e-8);
   EXPECT_NEAR(rate_interval(4, 200).high, 0.05041362, 1e-7);

@@ -1,5 +1,5 @@
-// Tests of the statistical test behind `pelage compare`. Its p-values are compared with those of R, and its
-// error rates with those that it promises.
+// Tests the statistical test of `pelage compare`. Compares its p-values with those of R, and its simulated
+// error rates with the limit `alpha`.
 #include "harness/measure/difference.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,8 @@
 namespace pelage {
 namespace {
 
-/// Returns one process per value; the logarithms of the times are the values.
+/// Returns the timings of one process per value in `logs`. Each process has one sample, whose logarithm is
+/// the value.
 Timings timings_of(const std::vector<double>& logs, double first_start, double interval) {
   Timings timings;
   for (std::size_t i = 0; i < logs.size(); ++i) {
@@ -24,8 +25,8 @@ double p_of(const Difference& difference) {
   return decide(std::span(&difference, 1), 0, 0.05).front().p;
 }
 
-// The data set `sleep` of R. The expected values are those that R prints for t.test(extra ~ group), with and
-// without paired = TRUE.
+// The data set `sleep` of R. R's t.test(extra ~ group), with and without paired = TRUE, prints the expected
+// values of the next two tests.
 const std::vector<double> first{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
 const std::vector<double> second{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
 
@@ -45,8 +46,8 @@ TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
   EXPECT_TRUE(d.paired);
   EXPECT_EQ(d.degrees, 9);
   EXPECT_NEAR(p_of(d), 0.002833, 5e-7);
-  Timings swapped = timings_of(second, 1, 2);  // the second side may also be first in a pair
-  swapped.started_s[3] -= 1.5;
+  Timings swapped = timings_of(second, 1, 2);
+  swapped.started_s[3] -= 1.5;  // in the fourth pair, the process of the second set now starts first
   EXPECT_EQ(p_of(difference_of(timings_of(first, 0, 2), swapped)), p_of(d));
   swapped.started_s[3] += 3;
   EXPECT_FALSE(difference_of(timings_of(first, 0, 2), swapped).paired);
@@ -77,11 +78,12 @@ TEST(Decide, SidesOfTheLimits) {
   EXPECT_EQ(side(0.00, 0.05, 0.05), Side::undecided);
   EXPECT_EQ(side(0.001, 1e-6, 0), Side::above);
   EXPECT_EQ(side(0.0, 1e-6, 0), Side::undecided);
-  EXPECT_EQ(side(-0.9, 0.01, 1.5), Side::within);  // a threshold above 1 has no lower limit
+  EXPECT_EQ(side(-0.9, 0.01, 1.5), Side::within);  // a threshold above 1 gives no lower limit
 }
 
 TEST(Decide, CorrectsForTheNumberOfComparisons) {
-  // p = 0.03 decides alone, but not as the first of three.
+  // For alpha = 0.05, a p-value of 0.03 suffices for a single comparison, but not for the first of three
+  // comparisons.
   const double degrees = 1e6;
   const auto with_t = [&](double t) { return Difference{t * 0.01, 0.01, degrees, false, false}; };
   const std::vector<Difference> one{with_t(2.17)}, three{with_t(2.17), with_t(2.17), with_t(2.17)},
@@ -98,8 +100,9 @@ struct Rates {
   int decided = 0, above = 0;
 };
 
-/// Returns the numbers of decisions for 4000 comparisons of eight processes with eight. `change` is the true
-/// difference; the logarithms of the processes' medians have the standard deviation 0.02.
+/// Simulates 4000 comparisons of eight processes with eight other processes, and counts the decisions.
+/// `change` is the true relative difference. The logarithms of the processes' medians have the standard
+/// deviation 0.02.
 Rates rates_of(double change, double threshold, double alpha) {
   std::mt19937_64 random(7);
   std::normal_distribution<double> noise(0, 0.02);
@@ -122,7 +125,8 @@ TEST(Decide, ErrsWithTheProbabilityAlpha) {
   const Rates equal = rates_of(0, 0, 0.02);
   EXPECT_GT(equal.decided, 50);  // 80 expected, standard deviation 9
   EXPECT_LT(equal.decided, 115);
-  EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);  // on the limit, every decision is wrong
+  // The true change equals the threshold, so every decision is wrong.
+  EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);
 }
 
 TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {

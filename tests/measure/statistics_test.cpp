@@ -107,7 +107,7 @@ TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
 }
 
 TEST(Statistics, IntervalOfTheMeanOfSeparateRuns) {
-  // The data set `sleep` of R, first group: t.test prints -0.5297804 and 2.0297804.
+  // For the first group of the data set `sleep`, R's t.test prints the interval -0.5297804 to 2.0297804.
   const std::vector<double> v{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
   EXPECT_NEAR(mean_interval(v).low, -0.5297804, 5e-8);
   EXPECT_NEAR(mean_interval(v).high, 2.0297804, 5e-8);
@@ -131,12 +131,12 @@ TEST(Statistics, DriftOfALineAndOfNoise) {
   EXPECT_TRUE(drifts(drift_of(line)));
   EXPECT_FALSE(drifts(drift_of(level)));
   EXPECT_GT(drift_of(level).p, 0.01);
-  EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);  // a clock with one value
+  EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);  // all times are equal
   EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3}).p, 1);  // too few
 }
 
-// Kendall's test of the ranks 1 to 10 in order: S = 45, variance 125. R's cor.test(exact = FALSE, continuity
-// = TRUE) prints p = 8.303e-05.
+// For the values 1 to 10 in rising order, Kendall's S is 45 and its variance is 125. R's cor.test(exact =
+// FALSE, continuity = TRUE) prints p = 8.303e-05.
 TEST(Statistics, DriftHasThePValueOfKendall) {
   std::vector<double> v(10);
   std::iota(v.begin(), v.end(), 1.0);

@@ -1,5 +1,5 @@
-// Honest runs: none may be refused, and none of their rows may be kept apart from rows of the same
-// measurement. The numbers of the runs are those of docs/trust.md.
+// Tests correct runs that resemble faulty ones. pelage must not refuse their results or put rows of the same
+// measurement into separate reports. The second table of docs/trust.md lists these tests.
 #include <algorithm>
 
 #include "harness/journal/part_hashes.hpp"
@@ -12,14 +12,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Honest : Runs {
-  /// Runs own.toml with the options, and expects that all rows are ok and that no row or case is left out.
+  /// Runs the experiment `text` with the options, and expects that all rows are ok and that no row or case is
+  /// left out.
   void run(const std::string& text, const std::string& options = "", const std::string& results = "results") {
     folder.write("own.toml", text);
     const Outcome outcome = cli::pelage(folder, "run own.toml -o " + results + " " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     expect_whole({path(results)});
   }
-  /// Expects that all rows of the results are ok, are read, and are in one set.
+  /// Expects that all cases have a row with the status ok, and that a report would not separate the rows.
   static void expect_whole(const std::vector<fs::path>& places) {
     const std::vector<std::string> names(places.begin(), places.end());
     const Results results = read_all_results(names);
@@ -36,7 +37,7 @@ struct Honest : Runs {
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_NE(again.err.find(" kept from the interrupted run"), std::string::npos) << again.err;
   }
-  /// Expects that the row of a resumed case is measured again, and that the other row is kept.
+  /// Expects that the resumed run measured the one missing case, and that it kept the row of the other case.
   void expect_one_more(const Outcome& again) {
     EXPECT_EQ(again.code, 0) << again.err;
     EXPECT_NE(again.err.find("1 cases ok, 0 cases not ok, 1 kept"), std::string::npos) << again.err;

@@ -1,5 +1,5 @@
-// Plants ways to get a wrong number: an input of a measurement is changed after a part of the measurements.
-// The numbers of the ways are those of docs/trust.md.
+// Tests that pelage detects a changed input: each test changes an input of an experiment after some rows were
+// measured. The first table of docs/trust.md lists these tests.
 #include "harness/picture/image_io.hpp"
 #include "tests/planted/runs.hpp"
 
@@ -29,7 +29,7 @@ TEST_F(Planted, EditedMesh) {
 TEST_F(Planted, EditedBufferOfAMesh) {
   take("files");
   std::string bytes = folder.read("own.bin");
-  bytes[3] = '\x40';  // the first coordinate of the first vertex: 1.4 becomes about 5.6
+  bytes[3] = '\x40';  // changes the first coordinate of the first vertex from 1.4 to about 5.6
   folder.write("own.bin", bytes);
   expect_refused(resume(), "mesh was ");
 }
@@ -56,7 +56,7 @@ TEST_F(Planted, EditedLimitsOfSampling) {
   expect_refused(resume(), "measured something else: sampling was ");
 }
 
-// pelage sets POCL_AFFINITY=1, which pins the threads, unless the variable is set.
+// If the user has not set POCL_AFFINITY, pelage sets it to 1, and PoCL then pins its threads to CPU cores.
 TEST_F(Planted, ChangedEnvironment) {
   take("base");
   if (!rows().front().provenance.contains("pocl_affinity"))
@@ -101,7 +101,8 @@ TEST_F(Planted, SettingsOfTheCommandLine) {
   EXPECT_EQ(rows("second").size(), 2U) << "the unchanged case is another case";
 }
 
-/// The build of a row is a hash of its compiler and flags, so this test needs no second build.
+/// A row stores a hash of the compiler and its flags. This test changes the hash, so it needs no second
+/// build.
 TEST_F(Planted, AnotherBuild) {
   take("base");
   take("base", "second");

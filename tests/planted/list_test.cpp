@@ -11,7 +11,7 @@
 namespace pelage::planted {
 namespace {
 
-/// Returns the names of the tests of a suite, in the order of the executable.
+/// Returns the names of the tests of a suite in this program.
 std::vector<std::string> tests_of(const std::string& suite) {
   std::vector<std::string> names;
   const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
@@ -23,8 +23,8 @@ std::vector<std::string> tests_of(const std::string& suite) {
   return names;
 }
 
-/// Returns the tests of a suite that the document names in the last column of a table, in the order of their
-/// numbers.
+/// Returns the names of the tests of `suite` in the last column of the document's tables. Expects that the
+/// lines are numbered 1, 2, 3, ...
 std::vector<std::string> listed(const std::string& text, const std::string& suite) {
   const std::regex line("\\| ([0-9]+) \\|.*\\| `" + suite + "\\.(\\w+)` \\|");
   std::vector<std::string> names;

@@ -1,5 +1,5 @@
-// Plants ways to get a wrong number: rows that are copied, torn, damaged, or changed and sealed with a new
-// checksum. The numbers of the ways are those of docs/trust.md.
+// Tests that pelage detects faulty rows: copies, incomplete lines, damaged lines, and changed rows with a
+// new, correct checksum. The first table of docs/trust.md lists these tests.
 #include <cmath>
 
 #include "harness/report/left_out.hpp"
@@ -122,7 +122,8 @@ TEST_F(Planted, RenamedDeviceAndProvenance) {
   expect_unreadable("but the provenance of the row gives");
 }
 
-/// A change of a row that was sealed again, and a part of the message that refuses the row.
+/// A change of a row, which then gets a correct checksum. `text` is a part of the message with which pelage
+/// must refuse the row.
 struct Contradiction {
   const char* name;
   std::function<void(Row&)> change;
@@ -225,7 +226,8 @@ TEST_F(Planted, ContradictingFields) {
   }
 }
 
-/// A preset with a precision of 0.005 needs an interval that is narrower than that of these times.
+/// The changed rows claim that their medians have the precision 0.005. The 95% interval of the changed times
+/// is wider, so the rows must not count as converged.
 TEST_F(Planted, FalseConvergence) {
   take("base");
   reseal([](Row& row) {
@@ -236,7 +238,7 @@ TEST_F(Planted, FalseConvergence) {
     row.samples["frame"].event_ms.clear();
     std::erase_if(row.samples, [](const auto& phase) { return phase.first != "frame"; });
   });
-  // Both rows now have equal times, so each is read alone.
+  // Both rows now have equal times, and pelage would refuse to read them together.
   for (const Row& row : rows()) {
     const std::vector<Cell> cells = cells_of({{row, journal()}});
     ASSERT_EQ(cells.size(), 1U);

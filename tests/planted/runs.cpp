@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr int around = 24, across = 12;
 
-/// Returns the vertices of a torus around the y axis; `thickness` is the radius of its tube.
+/// Returns the vertices of a torus around the y axis. `thickness` is the radius of the tube.
 std::vector<float> torus_points(float thickness) {
   std::vector<float> points;
   for (int i = 0; i < around; ++i)
@@ -48,7 +48,7 @@ std::string bytes_of(const auto& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(values[0])};
 }
 
-/// Writes the files of the run "files".
+/// Writes the mesh files, the texture and the experiment of the run "files" (see Runs).
 void write_files(const Folder& folder) {
   const std::vector<float> points = torus_points(0.4F);
   const std::vector<std::uint16_t> faces = torus_faces();
@@ -78,7 +78,7 @@ void write_files(const Folder& folder) {
                                       "fur.layers = 4\ncoat.image = \"own.png\""));
 }
 
-/// Returns the folder of a run, which is made by the first call with its name.
+/// Returns the folder with the results of the run `run`. The first call for each name runs pelage.
 const Folder& made(const std::string& run) {
   static std::map<std::string, std::unique_ptr<Folder>> known;
   std::unique_ptr<Folder>& folder = known[run];
@@ -152,7 +152,7 @@ void Runs::expect_unreadable(const std::string& text) {
 void expect_refused(const Outcome& outcome, const std::string& text) {
   EXPECT_EQ(outcome.code, 2) << outcome.err;
   EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-  // Lines about the preparation of a mesh may precede the message.
+  // pelage may print lines about the preparation of a mesh before the error message.
   std::istringstream lines(outcome.err);
   int messages = 0;
   for (std::string line; std::getline(lines, line);) messages += line.starts_with("pelage: ");

@@ -1,5 +1,5 @@
-// What the tests of this folder share: short runs of the pelage binary, copied into a folder per test, and
-// changes of their files and rows. docs/trust.md lists the tests.
+// Code that the tests of this folder share. It makes short runs of the pelage program, copies their results
+// into one folder per test, and changes files and rows in this folder. docs/trust.md lists the tests.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -17,33 +17,38 @@ namespace pelage::planted {
 using cli::Folder;
 using cli::Outcome;
 
-/// Returns an experiment with the given lines in its table [axes] and [scene]. A case has six timed frames.
+/// Returns the text of an experiment file with these lines in the tables [axes] and [scene]. Each case has
+/// six timed frames.
 std::string experiment(const std::string& axes, const std::string& scene);
 
-/// The experiment of the run "base": a torus with 4 and with 8 layers, in moving air.
+/// Returns the experiment of the run "base": two cases, which draw a torus with 4 and with 8 layers of fur in
+/// wind. `length` is the length of the fur.
 std::string base_experiment(const std::string& length = "0.1");
 
-/// A folder with a copy of a short run. Each run is made once and then copied: experiment own.toml, results
-/// in results/.
-///   base   base_experiment()
-///   other  the same with another length of the fur
-///   files  a mesh file own.obj, a mesh file buffered.gltf with its buffer own.bin, and a coat own.png
+/// A temporary folder with a copy of a short run. The run's experiment file is own.toml, and its results are
+/// in results/. Each of these runs is made only once and then copied:
+/// - base: the experiment base_experiment()
+/// - other: base_experiment("0.12"), with longer fur
+/// - files: an experiment with the mesh files own.obj and buffered.gltf (buffer: own.bin) and the texture
+///   own.png
 class Runs : public ::testing::Test {
  protected:
-  /// Copies the run into the folder; `results` is the new name of its results.
+  /// Copies the run into the folder. Its results are copied into a subfolder with the name `results`.
   void take(const std::string& run, const std::string& results = "results");
   Outcome resume(const std::string& options = "", const std::string& environment = "") {
     return cli::pelage(folder, options + " run own.toml --resume results", environment);
   }
   std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
-  /// Replaces `from`, which must occur, in a file of the folder.
+  /// Replaces the first occurrence of `from` by `to` in a file of the folder. The test fails if there is
+  /// none.
   void edit(const std::string& file, const std::string& from, const std::string& to) const;
-  /// Copies the kernels into the folder mine, and replaces `from` in one of their files.
+  /// Copies the kernel sources into the subfolder mine, and replaces `from` by `to` in one of the copied
+  /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;
-  /// The only journal of a folder of results.
+  /// Returns the only journal (.jsonl file) in a folder of results.
   std::filesystem::path journal(const std::string& results = "results") const;
   std::vector<Row> rows(const std::string& results = "results") const;
-  /// Changes the rows of the journal and seals them with new checksums.
+  /// Applies `change` to each row of the journal, and writes the rows with correct checksums.
   void reseal(const std::function<void(Row&)>& change, const std::string& results = "results") const;
 
   /// Expects that every command that reads the results refuses them, with a message that contains `text`.
@@ -52,20 +57,21 @@ class Runs : public ::testing::Test {
   Folder folder;
 };
 
-/// The suite of the ways to get a wrong number.
+/// The test suite for the first table of docs/trust.md.
 class Planted : public Runs {};
 
-/// Expects that pelage refused its input: exit code 2, and one message on stderr, which contains `text`.
+/// Expects that pelage refused its input: the exit code is 2, and stderr contains exactly one error message,
+/// which contains `text`.
 void expect_refused(const Outcome& outcome, const std::string& text);
 
-/// Returns the message of the InputError that `work` throws; "" if it throws none.
+/// Returns the message of the InputError that `work` throws, or "" if `work` throws none.
 std::string refusal_of(const std::function<void()>& work);
 
-/// Returns what differs in each further set of rows that a report of these results keeps apart
-/// (input_sets()).
+/// Returns one text for each set of rows that a report keeps separate from the first set (input_sets()). The
+/// text names the inputs that differ.
 std::vector<std::string> kept_apart(const std::vector<std::filesystem::path>& results);
 
-/// Returns the cells of a report of these results.
+/// Returns the table cells of a report of these results: each cell combines the rows of one case.
 std::vector<Cell> cells_in(const std::vector<std::filesystem::path>& results);
 
 }  // namespace pelage::planted

@@ -1,5 +1,5 @@
-// Plants ways to get a wrong number: times that are not times of the frames, and pictures that are not the
-// pictures of the timed frames. The numbers of the ways are those of docs/trust.md.
+// Tests that pelage detects wrong times, and pictures that do not show the timed frames. The first table of
+// docs/trust.md lists these tests.
 #include "harness/measure/runner.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/subjects/case_identity.hpp"
@@ -16,7 +16,7 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// A real subject behind which a test plants a fault.
+/// Passes all calls to a real subject. Derived classes override one function to simulate a fault.
 class Faulty : public Subject {
  public:
   explicit Faulty(std::unique_ptr<Subject> real) : real_(std::move(real)) {}
@@ -29,8 +29,8 @@ class Faulty : public Subject {
   std::unique_ptr<Subject> real_;
 };
 
-/// Times the first case of own.toml in this process. `Fault` is the class of the faulty subject; `arguments`
-/// are those of its constructor after the real subject.
+/// Times the first case of own.toml in this process. The subject is a `Fault` that wraps the real subject.
+/// The constructor of `Fault` gets the real subject and then `arguments`.
 template <class Fault, class... Arguments>
 Row time_faulty(const Folder& folder, Arguments... arguments) {
   const Experiment own = read_experiment(folder.path() / "own.toml");
@@ -48,8 +48,8 @@ Row time_faulty(const Folder& folder, Arguments... arguments) {
                   [&](const Case& one) { return std::make_unique<Fault>(make(one), arguments...); });
 }
 
-/// Runs a case of the experiment base with the kernels of the folder mine, and expects that its row is not
-/// ok.
+/// Runs one case of base_experiment() with the kernels of the folder mine, and expects exit code 1 and a row
+/// without times.
 Row row_with_kernels(const Folder& folder) {
   folder.write("own.toml", base_experiment());
   const Outcome outcome =
@@ -61,7 +61,7 @@ Row row_with_kernels(const Folder& folder) {
   return rows.front().row;
 }
 
-/// Returns the picture of the first frame for all frames.
+/// Simulates a renderer whose picture never changes after the first frame.
 struct Stale : Faulty {
   using Faulty::Faulty;
   FrameSample frame() override {
@@ -118,7 +118,7 @@ TEST_F(Planted, SimulationThatStandsStill) {
   EXPECT_TRUE(row.samples.empty());
 }
 
-/// Replaces a file during the first frame.
+/// Replaces the file `old_` by the file `new_` during the first frame.
 struct Editor : Faulty {
   Editor(std::unique_ptr<Subject> real, fs::path old_file, fs::path new_file)
       : Faulty(std::move(real)), old_(std::move(old_file)), new_(std::move(new_file)) {}
@@ -141,8 +141,8 @@ TEST_F(Planted, TextureEditedDuringTheRun) {
   EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "") << "the journal stays readable";
 }
 
-/// Event times of a driver whose timer does not measure time: every time is multiplied by `factor`, or is
-/// `constant`.
+/// Simulates a driver with wrong event times. Every event time is `constant` if `constant` is above 0, and
+/// otherwise the true event time multiplied by `factor`.
 struct FakeTimer : Faulty {
   FakeTimer(std::unique_ptr<Subject> real, double by, double same)
       : Faulty(std::move(real)), factor(by), constant(same) {}
@@ -167,7 +167,7 @@ TEST_F(Planted, FakeTimer) {
   }
 }
 
-/// The first frame takes an hour, as if the driver compiled the kernels at the first launch.
+/// Adds one hour to the time of the first frame, as if the driver compiled the kernels during this frame.
 struct Compiling : Faulty {
   using Faulty::Faulty;
   FrameSample frame() override {
@@ -189,7 +189,8 @@ TEST_F(Planted, CompileTimeInside) {
   EXPECT_GT(row.build_ms, 0) << "the time of the build stands apart, too";
 }
 
-/// The wall clock steps by a day. No time of a row may contain a step of an hour or more.
+/// The wall clock steps by a day (tests/planted/preload/clock.cpp). Every time in the row must be shorter
+/// than one hour, so no time may contain such a step.
 TEST_F(Planted, WallClockThatSteps) {
   folder.write("own.toml", base_experiment());
   const Outcome outcome =

@@ -1,5 +1,5 @@
-// A library that is loaded before the C library (LD_PRELOAD). The wall clock of a process with this library
-// steps by a day with every second call, forward and backward. The monotonic clocks do not change.
+// A library for LD_PRELOAD, which replaces the clock functions of the C library. Calls that read the wall
+// clock return alternately a time one day too early and one day too late. The monotonic clocks stay correct.
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <unistd.h>
