@@ -44,8 +44,8 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
 /// - a dotted key or the name of a table has more than most_key_parts parts;
 /// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
 ///   parts;
-/// - a character outside quotes and comments is not ASCII. The message begins with `name`, the name of the
-///   file or option that contains the text.
+/// - a character outside quotes and comments is not ASCII.
+/// The message begins with `name`, the name of the file or option that contains the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
   int line = 1, parts = 1, around = 0;
   std::vector<int> outer;  // numbers of parts of the keys that enclose the current key; `around` is their sum

@@ -85,8 +85,7 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
   if (prisms && dynamics.solver.implicit && dynamics.full_jacobian)
     throw InputError(
         fmt::format("dynamics.springs.jacobian = \"full\": not available for the topology {} on an OpenCL "
-                    "device, because "
-                    "conjugate gradients need a symmetric matrix; use \"pruned\"",
+                    "device, because conjugate gradients need a symmetric matrix; use \"pruned\"",
                     name(topology.kind)));
   const std::size_t places = layout.places();
   const auto uploaded = [&](const std::vector<float>& values) {

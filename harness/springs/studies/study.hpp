@@ -64,8 +64,8 @@ std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting
 /// normals, and the gaps between the sticks at one surface point (shape.hpp).
 std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting, double seconds);
 
-/// Makes a subject that runs all solvers alternately; each solver simulates one second from rest. It takes
-/// the smallest number of steps per frame (1/60 s) with which its rms error is at most `most_error` fur
+/// Makes a subject that runs all solvers alternately; each solver simulates one second from rest. Each solver
+/// takes the smallest number of steps per frame (1/60 s) with which its rms error is at most `most_error` fur
 /// lengths. There are metrics for the time step and the errors of each solver, such as "rk4_error_p99".
 std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
                                       double most_error);

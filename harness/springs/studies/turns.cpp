@@ -57,8 +57,8 @@ class TurnsStudy : public Study {
 
   void describe(Row& row) override {
     Study::describe(row);
-    row.metrics.erase(
-        "step_ms");  // remove the metric of the base class, because each solver has its own time step
+    // Removes the metric of the base class, because each solver has its own time step.
+    row.metrics.erase("step_ms");
     for (Entrant& one : entrants_) {
       const Spread found = error(one);
       row.metrics[one.name + "_steps_per_frame"] = {double(one.steps), "steps"};
@@ -127,8 +127,8 @@ class TurnsStudy : public Study {
   Motions exact_;
   double most_error_;
   std::vector<Entrant> entrants_;
-  std::map<std::string, double>
-      unreached_;  // rms errors of the solvers that exceed most_error_ even with most_steps
+  // Rms errors of the solvers whose error exceeds most_error_ even with most_steps steps per frame.
+  std::map<std::string, double> unreached_;
   std::size_t round_ = 0;
 };
 
