@@ -38,7 +38,7 @@ TEST(SceneMesh, ZUpAddsARotationAboutX) {
   EXPECT_EQ(rotation_of(mesh), glm::vec3(-80, 20, 30));
   mesh.rotate.x = -300;  // -300 - 90 = -390 is below -360, so 360 degrees are added
   EXPECT_EQ(rotation_of(mesh), glm::vec3(-30, 20, 30));
-  mesh.rotate.x = 361;  // out of range; rotation_of() must not move it into the range
+  mesh.rotate.x = 361;  // 361 - 90 = 271
   EXPECT_GT(rotation_of(mesh).x, 270);
 }
 
