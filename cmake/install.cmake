@@ -1,9 +1,9 @@
-# What `cmake --install` and `cpack -G DEB` put into the prefix (docs/install.md). The installed program finds its files
-# by their path relative to its own folder (harness/data_folder.hpp), so that the prefix may be moved.
+# Files that `cmake --install` and `cpack -G DEB` install (docs/install.md). The installed program finds its data by
+# paths relative to its own folder (harness/data_folder.hpp), so that the installation may be moved.
 install(TARGETS pelage)
 install(TARGETS pelage_image_module DESTINATION ${CMAKE_INSTALL_LIBDIR}/pelage)
 install(DIRECTORY kernels shaders experiments examples DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
-        USE_SOURCE_PERMISSIONS)  # experiments/slurm contains programs
+        USE_SOURCE_PERMISSIONS)  # experiments/slurm contains executable scripts
 install(DIRECTORY harness/report/plots DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage
         PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY harness/page/web/ DESTINATION ${CMAKE_INSTALL_DATADIR}/pelage/page)
@@ -11,7 +11,8 @@ install(FILES docs/pelage.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES README.md ARTIFACT.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN pelage.1 EXCLUDE)
 install(DIRECTORY python/pelage DESTINATION ${PELAGE_PYTHON_DIR} PATTERN __pycache__ EXCLUDE)
-# The built program writes its own completion script, so that the script has the options of this build.
+# The built program writes its completion script for bash, so that the script contains exactly the options of this
+# build.
 install(CODE "execute_process(COMMAND \"$<TARGET_FILE:pelage>\" completion bash
                 OUTPUT_FILE \"${PROJECT_BINARY_DIR}/pelage.bash\" COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${PROJECT_BINARY_DIR}/pelage.bash RENAME pelage
@@ -27,10 +28,10 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-# dpkg-shlibdeps (Debian's package dpkg-dev) finds the packages of the libraries with which the program is linked.
+# dpkg-shlibdeps (Debian's package dpkg-dev) adds the packages of the linked libraries to the dependencies.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# A device, the OpenGL baseline, plots, the Python package and the models need these packages. pelage reports a missing
-# one when it needs it.
+# pelage starts without these packages. They provide an OpenCL device, OpenGL for the baseline, the plots, pandas and
+# some models. If pelage needs a missing package, it prints a message.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
        libjs-chart.js python3-matplotlib python3-pandas glmark2-data libcgal-demo)
 include(CPack)

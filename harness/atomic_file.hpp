@@ -81,8 +81,8 @@ void write_atomically(const std::filesystem::path& path, Write&& write) {
   }
 }
 
-/// Writes the text to `path` by write_atomically(). Also throws InputError if the text cannot be written, for
-/// example because the disk is full.
+/// Writes the text to the file `path` with write_atomically(). Throws InputError if the text cannot be
+/// written, for example because the disk is full.
 inline void write_text_atomically(const std::filesystem::path& path, const std::string& text) {
   write_atomically(path, [&](const std::filesystem::path& temporary) {
     std::ofstream stream(temporary, std::ios::binary);

@@ -1,5 +1,5 @@
-// Searches for the files that pelage reads at run time: kernels, shaders, experiments, models.toml, and the
-// Python programs that draw plots.
+// Finds the files that pelage reads at run time: kernels, shaders, experiments, models.toml, and the Python
+// programs that draw plots.
 #pragma once
 #include <cstdlib>
 #include <filesystem>
@@ -8,10 +8,11 @@
 
 namespace pelage {
 
-/// Returns the folders in which to search, best first: $PELAGE_DATA if it is set, then the data of an
-/// installed pelage or, for a program in a build folder, the source tree. `shared` is the path from the
-/// folder of the program (PREFIX/bin) to the data (PREFIX/share/pelage). An installed pelage thus works from
-/// any prefix, and does not read the source tree from which it was built.
+/// Returns the folders in which pelage searches for its data, in the order of the search. $PELAGE_DATA is the
+/// first folder if this variable is set. The next folder is the data folder of the installation or, if the
+/// program is in a build folder, the source tree `source`. `shared` is the relative path from the folder of
+/// the program (PREFIX/bin) to the data (PREFIX/share/pelage), so that an installation may be moved to
+/// another prefix. An installed program does not read the source tree.
 inline std::vector<std::filesystem::path> data_folders(const std::filesystem::path& source,
                                                        const std::filesystem::path& shared) {
   std::vector<std::filesystem::path> folders;

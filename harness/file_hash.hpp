@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-/// Returns 16 hexadecimal digits; "" if the file cannot be read.
+/// Returns the hash of the file's content as 16 hexadecimal digits, or "" if the file cannot be read.
 inline std::string hash_of_file(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) return {};

@@ -1,6 +1,6 @@
-// The command line of pelage. A failure prints a message on stderr and sets the exit code:
-// 0 success, 1 failed check or other error, 2 bad usage or input, 3 no usable device, 4 missing shards or
-// cases (merge), 5 regression, 130 or 143 interrupted by a signal.
+// The command line of pelage. After a failure, the program prints a message on stderr. The exit codes are: 0
+// success; 1 failed check or other error; 2 bad usage or input; 3 no usable device; 4 missing shards or cases
+// (command merge); 5 regression; 130 or 143 interrupted by a signal.
 #include <fmt/format.h>
 
 #include <cstdio>

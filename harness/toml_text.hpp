@@ -1,6 +1,6 @@
 // Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
-// a dotted key, and a key with several hundred thousand parts overflows the stack. The behaviour of toml++ is
-// undefined for some characters outside quotes that are not ASCII.
+// a dotted key, and a key with several hundred thousand parts overflows the stack. For some non-ASCII
+// characters outside quotes, the behaviour of toml++ is undefined.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -11,13 +11,14 @@
 
 namespace pelage {
 
-inline constexpr int most_key_parts = 32;    ///< of one key, or of the name of a table
-inline constexpr int most_table_depth = 64;  ///< parts of a dotted key and of all keys around it
+inline constexpr int most_key_parts = 32;    ///< limit of the parts of one dotted key or of one table name
+inline constexpr int most_table_depth = 64;  ///< limit of the parts of a key plus all keys that enclose it
 
 namespace detail {
 
-/// Returns the offset behind the string that begins at `start` with a quote. A string that does not end
-/// extends to the end of its line or, with three quotes, to the end of the text.
+/// Returns the offset of the first character after the string whose opening quote is at `start`. If the
+/// closing quote is missing, the string ends at the end of its line or, if it begins with three quotes, at
+/// the end of the text.
 inline std::size_t behind_string(std::string_view text, std::size_t start) {
   const char quote = text[start];
   const bool three = text.substr(start, 3) == std::string(3, quote);
@@ -28,7 +29,8 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
     } else if (!three && (text[i] == quote || text[i] == '\n')) {
       return text[i] == quote ? i + 1 : i;
     } else if (three && text.substr(i, 3) == std::string(3, quote)) {
-      // Two more quotes may belong to the string: """a""" and """a""""" are both complete.
+      // Up to two quotes before the closing quotes belong to the string: """a""" and """a""""" are both
+      // valid.
       for (i += 3; i < text.size() && text[i] == quote;) ++i;
       return i;
     }
@@ -43,10 +45,10 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
 /// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
 ///   parts;
 /// - a character outside quotes and comments is not ASCII.
-/// The message begins with `name`, the name of the text.
+/// The message begins with `name`, the name of the file or option that contains the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
   int line = 1, parts = 1, around = 0;
-  std::vector<int> outer;  // number of parts of each key around the present one; their sum is `around`
+  std::vector<int> outer;  // numbers of parts of the keys that enclose the current key; `around` is their sum
   const auto end_key = [&] {
     const auto refuse = [&](const char* what, int count, int limit) {
       throw InputError(name + ":" + std::to_string(line) + ": the key " + what + std::to_string(count) +
@@ -54,7 +56,7 @@ inline void check_toml_text(std::string_view text, const std::string& name) {
     };
     if (parts > most_key_parts) refuse("has ", parts, most_key_parts);
     if (parts > 1 && around + parts > most_table_depth)
-      refuse("and the keys around it have ", around + parts, most_table_depth);
+      refuse("and the keys that enclose it have ", around + parts, most_table_depth);
   };
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size();) {

@@ -17,10 +17,10 @@ std::string text_of(const char* variable) {
   return value ? value : "";
 }
 
-std::string advice;  // set before the signal handlers are installed
+std::string advice;  // text that the signal handler prints; set before the handler is installed
 
 extern "C" void explain(int signal) {
-  // write() is one of the few functions that a signal handler may call.
+  // A signal handler may call write(), but not printf().
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, advice.data(), advice.size());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -46,7 +46,8 @@ std::string kernel_cache_fault(const fs::path& folder) {
 }
 
 void need_kernel_cache() {
-  if (text_of("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");  // PoCL aborts if it is set but empty
+  // PoCL aborts if this variable is set but empty.
+  if (text_of("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
   const fs::path wanted = kernel_cache();
   if (wanted.empty()) return;
   const std::string fault = kernel_cache_fault(wanted);

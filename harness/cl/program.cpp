@@ -119,7 +119,8 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   program_ = clCreateProgramWithSource(device.context(), 1, &text, &length, &code);
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
-  // LLVM, which PoCL uses, replaces the signal handlers when it is loaded and when it compiles.
+  // PoCL uses LLVM, which replaces the signal handlers when it is loaded and when it compiles. Therefore the
+  // handlers are installed again before and after the compilation.
   explain_aborts();
   code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
   explain_aborts();

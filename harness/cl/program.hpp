@@ -15,9 +15,9 @@
 
 namespace pelage::cl {
 
-/// Returns the folder of kernel sources. It is the folder given by --kernels or set_kernel_folder(), else
-/// $PELAGE_DATA/kernels, else kernels/ in the last folder of data_folders(). Throws InputError if no such
-/// folder exists.
+/// Returns the folder of kernel sources. The first of these folders that is given is used: the argument of
+/// set_kernel_folder() or --kernels, then $PELAGE_DATA/kernels, then kernels/ in the last folder of
+/// data_folders(). Throws InputError if this folder does not exist.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
@@ -44,8 +44,9 @@ class Program {
   double build_ms() const { return build_ms_; }
   const std::string& file() const { return file_; }  ///< path of the program's file in the kernel folder
   const Sources& sources() const { return sources_; }
-  /// Text that ends a message about a kernel that the driver does not find: PoCL finds none if a file in its
-  /// folder of compiled kernels is damaged. Empty for other drivers.
+  /// Text to append to the error message if the driver does not find a kernel. PoCL does not find a kernel if
+  /// a file in its folder of compiled kernels is damaged; the text advises the user to delete this folder.
+  /// The text is empty for other drivers.
   std::string cache_advice() const;
 
  private:

@@ -16,10 +16,10 @@ namespace pelage {
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
-/// Name of the check of the number of windows.
+/// Name of the check that enough windows (squares of the picture that are compared) contain fur.
 inline constexpr const char* windows_metric = "windows";
 
-/// Returns what a user can change if too few windows contain fur.
+/// Returns advice for the user if too few windows contain fur.
 std::string window_advice();
 
 /// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the

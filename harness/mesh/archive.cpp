@@ -38,8 +38,8 @@ std::optional<std::string> read_member(const std::filesystem::path& file, const 
   }
   const std::int64_t size = archive_entry_size(entry);
   if (size > most_bytes) throw InputError(fmt::format("{}: {} is too large", file.string(), member));
-  // The size in a damaged header may be far larger than the file, so memory is taken only for bytes that
-  // arrive.
+  // A damaged header may state a size that is far larger than the file. Therefore memory is allocated only
+  // for the bytes that were read.
   std::string bytes, chunk(1 << 16, '\0');
   while (std::int64_t(bytes.size()) < size) {
     const la_ssize_t count = archive_read_data(reader.get(), chunk.data(), chunk.size());

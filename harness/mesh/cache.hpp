@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// The title of the cache files (Writer::sealed()).
+/// The text with which every cache file begins. It contains the version of the format.
 inline constexpr std::string_view mesh_cache_title = "pelage mesh 1\n";
 
 std::string encode(const Mesh& mesh);

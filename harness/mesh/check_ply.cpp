@@ -1,5 +1,6 @@
-// Checks PLY files and reduces them to points and faces. CGAL's reader trusts the header: it takes memory for
-// lists of any announced length, and crashes on properties of unexpected types.
+// Checks PLY files and reduces them to points and faces. CGAL's reader does not check the header: it
+// allocates memory for lists of any length that the file states, and crashes on properties of unexpected
+// types.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -14,7 +15,7 @@ namespace {
 struct Type {
   std::string_view name, other_name;
   std::size_t bytes;
-  bool whole, negative;  ///< whether values may be whole numbers only, and negative
+  bool whole, negative;  ///< whether values must be whole numbers; whether they may be negative
 };
 
 constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
@@ -29,8 +30,8 @@ constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
 struct Property {
   std::string_view name;
   Type type;
-  std::optional<Type> count = {};  ///< type of the number of values, for lists
-  bool kept = false;               ///< whether the property is a coordinate or the list of a face's corners
+  std::optional<Type> count = {};  ///< for lists: type of the number that states the list's length
+  bool kept = false;               ///< true for x, y, z and for the list of a face's corners
 };
 
 struct Element {
@@ -110,7 +111,8 @@ class HeaderReader {
     header_.elements.back().properties.push_back(property);
   }
 
-  // Chooses the properties that are kept: the first x, y and z of the vertices, and the corners of the faces.
+  // Marks the properties that the reduced file keeps: the first x, y and z of the vertices, and the corners
+  // of the faces.
   void choose() {
     Element &vertex = one("vertex"), &face = one("face");
     for (const char* name : {"x", "y", "z"}) {
@@ -158,7 +160,7 @@ class HeaderReader {
   Header header_;
 };
 
-/// Returns the header of a file that has only the kept properties.
+/// Returns the header of the reduced PLY file, which contains only the properties marked as `kept`.
 std::string kept_header(const Header& header) {
   constexpr const char* formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
   std::string text = fmt::format("ply\nformat {} 1.0\n", formats[int(header.format)]);
@@ -174,7 +176,8 @@ std::string kept_header(const Header& header) {
   return text + "end_header\n";
 }
 
-/// Reads the values in the body of the file in their order, and appends the values that are kept to a text.
+/// Reads the body (the values after the header) of a PLY file, and copies the values of the properties marked
+/// as `kept` to the text of the reduced file.
 class Body {
  public:
   Body(std::string_view bytes, const Header& header, const std::string& name)
@@ -194,7 +197,7 @@ class Body {
   void copy(const Property& property, std::string& kept) {
     const std::string_view before = rest_;
     const std::int64_t count = property.count ? whole(*property.count) : 1;
-    // Each value takes at least one byte.
+    // Each value needs at least one byte, so a list cannot have more values than the file has bytes left.
     if (count < 0 || std::uint64_t(count) > rest_.size())
       fail(fmt::format("a list of {} values does not fit into the rest of the file, which has {} bytes",
                        count, rest_.size()));
@@ -256,7 +259,7 @@ class Body {
   std::string_view rest_;
   const Header& header_;
   const std::string& name_;
-  std::string_view element_;  // of the present value, for messages
+  std::string_view element_;  // name of the element that is being read, for error messages
   std::int64_t number_ = 0;
 };
 

@@ -65,9 +65,9 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
   return kept;
 }
 
-// Checks an OFF file that has one vertex or one face per line, and returns its points and faces. Other
-// layouts are refused. Normals, colours and comments are dropped, because CGAL converts any number to a
-// colour of 8 bits.
+// Checks an OFF file, which must have one vertex or one face per line. Returns an OFF file that contains only
+// the points and faces. Normals and comments are removed, and so are colours, because CGAL converts any
+// number to an 8-bit colour without a check.
 std::string check_off(std::string_view bytes, const std::string& name) {
   no_binary(bytes, "OFF", name);
   std::string kept;

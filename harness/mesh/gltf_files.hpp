@@ -13,7 +13,7 @@ namespace pelage::detail {
 /// Returns no paths for a file with another extension than .gltf and .glb.
 std::vector<std::filesystem::path> gltf_files(const std::filesystem::path& file);
 
-/// The same for the bytes of a glTF file. URIs are relative to the folder of `file`.
+/// Does the same for a glTF file whose content is `bytes`. URIs are relative to the folder of `file`.
 std::vector<std::filesystem::path> gltf_files(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace pelage::detail

@@ -61,7 +61,8 @@ std::uint64_t address_space() {
   if (!sanitized) {
     ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
-    // A lower limit of the user stays in force, also for root, whom the system allows to raise it.
+    // If the user has set a lower limit (ulimit -v), it stays in force. Without this check, root would
+    // replace it by a higher limit.
     by_user = ::getrlimit(RLIMIT_AS, &space_of_user) == 0 && space_of_user.rlim_cur < space.rlim_cur;
     if (!by_user) ::setrlimit(RLIMIT_AS, &space);
     const rlimit no_core{0, 0};

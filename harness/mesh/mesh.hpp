@@ -39,8 +39,8 @@ struct MeshOptions {
   glm::vec3 rotate{0};
   bool largest_only = false;  ///< true: keep only the largest component of a file
   bool cache = true;          ///< true: read and write the cache of prepared meshes
-  /// Callback that receives progress messages during the preparation, which takes seconds to minutes, and the
-  /// notes of the mesh. A mesh from the cache sends no message.
+  /// Callback that receives progress messages during the preparation, which takes seconds to minutes. It also
+  /// receives the notes of the mesh. If the mesh is read from the cache, the callback is not called.
   std::function<void(const std::string&)> progress;
   double silent_s = 2;  ///< time in seconds before the first message about a stage of the preparation
 };

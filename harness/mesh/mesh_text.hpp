@@ -1,4 +1,4 @@
-// Functions that the checks of mesh files use to read text.
+// Functions that read words, lines and numbers from the text of mesh files, to check the files.
 #pragma once
 #include <fmt/format.h>
 
@@ -12,7 +12,8 @@
 
 namespace pelage::detail {
 
-/// Throws InputError. `line` is the number of the line, 0 if it is unknown.
+/// Throws InputError with the message `what`. `line` is the number of the line in the file `name`, or 0 if it
+/// is unknown.
 [[noreturn]] inline void fail(const std::string& name, std::size_t line, const std::string& what) {
   throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
 }
@@ -30,13 +31,13 @@ class Words {
     rest_.remove_prefix(end);
     return word;
   }
-  std::string_view rest() const { return rest_; }  ///< what follows the last word that next() returned
+  std::string_view rest() const { return rest_; }  ///< the text after the last word that next() returned
 
  private:
   std::string_view rest_;
 };
 
-/// Splits a text into lines.
+/// Returns the lines of a text one after the other.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -55,7 +56,7 @@ class Lines {
   std::size_t number_ = 0;
 };
 
-/// Returns the number that the word is; empty if it is none.
+/// Converts the word to a number. Returns an empty result if the word is not a number.
 template <class T>
 std::optional<T> read(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -65,7 +66,7 @@ std::optional<T> read(std::string_view word) {
   return value;
 }
 
-/// Returns the beginning of the word in quotes, for messages.
+/// Returns the first 24 characters of the word in quotes, for error messages.
 inline std::string shown(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';

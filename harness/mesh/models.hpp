@@ -27,7 +27,7 @@ struct Model {
 /// Reads all models of a file in the order of the file. Throws InputError with file, line and key if the file
 /// is malformed.
 std::vector<Model> read_models(const std::filesystem::path& file);
-/// Reads experiments/models.toml in the first of the folders of data_folders() that contains this file.
+/// Reads the file experiments/models.toml. Takes it from the first folder of data_folders() that contains it.
 std::vector<Model> models();
 
 }  // namespace pelage

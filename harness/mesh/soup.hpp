@@ -42,10 +42,11 @@ std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 
 namespace detail {
 /// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. Replaces
-/// `bytes` by the points and faces, except for STL, because CGAL refuses or misreads other contents.
+/// `bytes` by a file that contains only the points and faces, because CGAL refuses or misreads other
+/// contents. Does not replace STL files.
 void check_text(std::string& bytes, std::string_view format, const std::string& name);
-/// Checks the header of a PLY file, and that the body has all numbers and lists that the header announces.
-/// Returns a PLY file with the points and faces only.
+/// Checks the header of a PLY file, and checks that the rest of the file contains all numbers and lists that
+/// the header describes. Returns a PLY file with only the points and faces.
 std::string check_ply(std::string_view bytes, const std::string& name);
 bool read_by_cgal(const std::string& bytes, std::string_view format, Soup& soup);
 Soup read_by_assimp(const std::filesystem::path& file);

@@ -72,7 +72,7 @@ Picture read_picture(const fs::path& path) {
 }
 
 std::string webp_of(const Picture& picture, int quality) {
-  // OpenImageIO writes WebP only to files.
+  // OpenImageIO cannot write WebP to memory, so the picture is written to a temporary file.
   std::string folder = (fs::temp_directory_path() / "pelage-webp-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr)
     throw InputError(fmt::format("WebP: the folder {} cannot be made", folder));

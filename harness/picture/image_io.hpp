@@ -26,8 +26,9 @@ void check_picture_path(const std::filesystem::path& path);
 /// another format, is malformed or truncated, or has more than most_pixels_per_side pixels on a side.
 Picture read_picture(const std::filesystem::path& path);
 
-/// Returns the bytes of a WebP file with 8-bit RGB; the values are clamped to [0, 1] and rounded. `quality`
-/// is 1 to 100. Throws InputError if the picture cannot be compressed.
+/// Compresses the picture to a WebP file with 8-bit RGB values, and returns the bytes of the file. Clamps the
+/// values of the picture to [0, 1] and rounds them to 8 bits. `quality` is 1 to 100. Throws InputError if the
+/// picture cannot be compressed.
 std::string webp_of(const Picture& picture, int quality);
 
 }  // namespace pelage

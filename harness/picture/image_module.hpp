@@ -13,7 +13,7 @@ struct ImageModule {
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
   /// Writes 32-bit float RGBA in the format of the file's extension. Error messages call the file `name`.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);
-  /// Writes 8-bit RGB as a WebP file. `quality` is 1 to 100.
+  /// Writes the picture as a WebP file with 8-bit RGB values. `quality` is 1 to 100.
   void (*write_webp)(const std::filesystem::path& file, const Picture& picture, int quality);
 };
 

@@ -6,13 +6,14 @@
 namespace pelage {
 namespace {
 
-/// A pixel of the original and the share of it that a reduced pixel covers.
+/// The weight of an original pixel in the mean of a reduced pixel.
 struct Share {
   int pixel;
   float weight;
 };
 
-/// Returns, for each of `to` reduced pixels, the pixels of `from` that it covers.
+/// Returns, for each of the `to` reduced pixels in a row or column, the original pixels that it covers and
+/// their weights. The row or column has `from` original pixels.
 std::vector<std::vector<Share>> shares_of(int from, int to) {
   std::vector<std::vector<Share>> shares(static_cast<std::size_t>(to));
   const double step = double(from) / to;

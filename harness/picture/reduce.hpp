@@ -1,12 +1,12 @@
-// Reduced copies of pictures, for pages.
+// Reduces the size of pictures for the HTML page of a report.
 #pragma once
 #include "harness/picture/picture.hpp"
 
 namespace pelage {
 
-/// Returns the picture with at most `most_width` columns and the same proportions. Each pixel is the mean of
-/// the pixels that it covers, in the picture's gamma space; alpha is averaged too. A picture that is not
-/// wider is returned unchanged.
+/// Returns a smaller copy of the picture with `most_width` columns and the same proportions. Each reduced
+/// pixel is the mean of the original pixels that it covers, computed from gamma-encoded values. Alpha is
+/// averaged, too. If the picture has at most `most_width` columns, returns it unchanged.
 Picture reduced(const Picture& picture, int most_width);
 
 }  // namespace pelage

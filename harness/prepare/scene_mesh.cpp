@@ -2,7 +2,8 @@
 
 namespace pelage {
 glm::vec3 rotation_of(const MeshScene& mesh) {
-  // The rotation that turns z upwards is about x, like the first of the three, so the two angles are added.
+  // The rotation that makes z point up is a rotation by -90 degrees about x. The first rotation of
+  // mesh.rotate is also about x, so the two angles are added.
   glm::vec3 angles = mesh.rotate;
   if (mesh.up == "z") angles.x -= angles.x - 90 < -360 && angles.x >= -360 ? -270.0f : 90.0f;
   return angles;

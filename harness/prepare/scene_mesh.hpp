@@ -11,8 +11,8 @@
 
 namespace pelage {
 
-/// Returns the rotation of the model by mesh.up and mesh.rotate, in degrees about x, then y, then z. Each
-/// angle is -360 to 360 if the angles of mesh.rotate are.
+/// Returns the combined rotation of mesh.up and mesh.rotate: angles in degrees about x, then y, then z. If
+/// the angles of mesh.rotate are between -360 and 360 degrees, the returned angles are so, too.
 glm::vec3 rotation_of(const MeshScene& mesh);
 
 /// Loads the model of `scene` with the scene's mesh options. `progress` receives messages of long

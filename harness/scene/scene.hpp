@@ -104,8 +104,9 @@ struct WindScene {
   float gust = 0.0f;        ///< fraction of strength
   float frequency = 1.0f;   ///< Hz
   float wavelength = 2.0f;  ///< distance between gusts along the wind's direction, R
-  /// Position that determines the phase of the gusts on a stick of a separable topology: "stick" (base of the
-  /// stick) | "triangle" (centroid of the stick's triangle). No other model of motion uses this value.
+  /// Position at which the gusts on a stick are computed: "stick" (base of the stick) | "triangle" (centroid
+  /// of the stick's triangle). Only the separable topologies, whose triangles share no sticks, use this
+  /// value.
   std::string gust_at = "stick";
 };
 
@@ -117,10 +118,11 @@ struct SpringsScene {
   float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
-  /// Derivatives of the forces that backward Euler uses: "pruned" | "full" (docs/topology.md).
+  /// Derivatives of the forces in the matrix of backward Euler: "full" (all terms) | "pruned" (without some
+  /// terms, docs/topology.md).
   std::string jacobian = "pruned";
-  /// If above 0, the constants of a stick hold for a stick on this area of the surface, in R^2; on another
-  /// mesh they are multiplied by the mesh's area per stick divided by this area.
+  /// If above 0: surface area in R^2 for which the constants of a stick are given. On each mesh, the
+  /// constants are multiplied by the mesh's mean area per stick divided by this area.
   float reference_area = 0;
 };
 
@@ -247,7 +249,7 @@ struct ImageScene {
 
 /// Options of mesh preparation.
 struct MeshScene {
-  std::string up = "y";            ///< axis of the mesh file that points up: "y" | "z"
+  std::string up = "y";            ///< the axis that points up in the mesh file: "y" | "z"
   glm::vec3 rotate{0.0f};          ///< rotation of the model about x, then y, then z, in degrees
   std::string components = "all";  ///< connected components of a mesh file that are kept: "all" | "largest"
 };

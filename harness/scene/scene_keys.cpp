@@ -56,7 +56,7 @@ std::vector<Key> scene_keys(Scene& s) {
   return {
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
 
-      {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "axis of the mesh file that points up; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
+      {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
       {.name = "mesh.components", .slot = &mesh.components, .unit = "", .help = "components of a mesh file that are kept: \"all\" keeps every component that is closed or large, each with its own chart in the UV map; \"largest\" keeps the component with the most faces", .choices = {"all", "largest"}},
 
@@ -129,15 +129,15 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.wind.gust", &wind.gust, "of the strength", 0, 100, "amplitude of the gusts"},
       {"dynamics.wind.frequency", &wind.frequency, "Hz", 0, 1000, "frequency of the gusts"},
       {"dynamics.wind.wavelength", &wind.wavelength, "R", 0.001, 1000, "distance between two gusts along the wind's direction"},
-      {.name = "dynamics.wind.gust_at", .slot = &wind.gust_at, .unit = "", .help = "position that determines the phase of the gusts on a stick of a topology whose triangles share no sticks: \"stick\" is the base of the stick, so the sticks at one vertex move alike; \"triangle\" is the centroid of the stick's triangle, so neighbouring triangles feel different gusts and part; without effect on other topologies", .choices = {"stick", "triangle"}},
+      {.name = "dynamics.wind.gust_at", .slot = &wind.gust_at, .unit = "", .help = "position at which the gusts on a stick are computed: \"stick\" is the base of the stick, so all sticks at one vertex have the same motion; \"triangle\" is the centroid of the stick's triangle, so the sticks of neighbouring triangles have different gusts and move apart; this key only affects topologies whose triangles share no sticks", .choices = {"stick", "triangle"}},
       {"dynamics.springs.stiffness", &springs.stiffness, "N/m, with 1 R = 1 m", 0, 1e6, "stiffness k of a topology's sticks"},
       {"dynamics.springs.damping", &springs.damping, "N s/m", 0, 1e6, "damping coefficient along a topology's sticks"},
       {"dynamics.springs.edge_stiffness", &springs.edge_stiffness, "N/m", 0, 1e6, "stiffness k of the springs between a topology's top masses"},
       {"dynamics.springs.edge_damping", &springs.edge_damping, "N s/m", 0, 1e6, "damping coefficient of the springs between a topology's top masses"},
       {"dynamics.springs.return_weight", &springs.return_weight, "N", 0, 1e6, "w of B Eq. 5, the weight of the return force; 0: no return force"},
       {"dynamics.springs.residual", &springs.residual, "", 1e-7, 0.1, "relative residual |r| / |b| at which the conjugate-gradient solver of backward Euler stops"},
-      {.name = "dynamics.springs.jacobian", .slot = &springs.jacobian, .unit = "", .help = "derivatives of the forces that backward Euler uses: \"pruned\" omits the terms that would make the matrix of its equations asymmetric or indefinite; \"full\" uses all terms, and is not available for the topology prisms on an OpenCL device", .choices = {"pruned", "full"}},
-      {"dynamics.springs.reference_area", &springs.reference_area, "R^2", 0, 1000, "if above 0: area of the surface per stick for which mass, stiffness, damping, drag and return weight of a stick hold; on a mesh with another area per stick, these constants are multiplied by the ratio of the areas, and the springs between top masses keep their constants; 0: the constants hold on every mesh"},
+      {.name = "dynamics.springs.jacobian", .slot = &springs.jacobian, .unit = "", .help = "derivatives of the forces in the matrix of backward Euler: \"pruned\" omits the terms that would make the matrix asymmetric or indefinite; \"full\" uses all terms; \"full\" is not available for the topology prisms on an OpenCL device", .choices = {"pruned", "full"}},
+      {"dynamics.springs.reference_area", &springs.reference_area, "R^2", 0, 1000, "if above 0: surface area per stick for which mass, stiffness, damping, drag and return force constant of a stick are given; on each mesh, these constants are multiplied by the mesh's area per stick divided by this area; the springs between top masses keep their constants; 0: all constants are the same on every mesh"},
       {"dynamics.motion.velocity", &motion.velocity, "R/s", -1000, 1000, "velocity of the object; the resulting air drag moves the fur of a mass-spring topology; the camera moves with the object"},
       {"dynamics.motion.shake", &motion.shake, "R", -10, 10, "amplitude of the object's oscillating translation"},
       {"dynamics.motion.shake_frequency", &motion.shake_frequency, "Hz", 0, 1000, "frequency of the oscillating translation"},

@@ -17,7 +17,7 @@ namespace pelage {
 Scene read_scene(const std::filesystem::path& path);
 
 /// Parses the text of a scene file like read_scene(). `name` is the name of the file in error texts. Relative
-/// paths are resolved against `folder`. Keys that are absent from the text keep their values in `base`.
+/// paths are resolved against `folder`. Keys that are absent from the text have the values of `base`.
 Scene parse_scene(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".",
                   const Scene& base = {});
 

@@ -24,7 +24,7 @@ std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
 }
 
-/// Returns renderer_hash() of this machine; "absent" if OpenGL is not available.
+/// Returns the hash of this machine's OpenGL renderer, or "absent" if OpenGL is not available.
 std::string present_renderer() {
   static const std::string known = [] {
     try {

@@ -4,9 +4,9 @@
 
 namespace pelage {
 
-/// Returns the parts scene, mesh, variant, tuning, sampling, device and build. Loads the mesh of the scene.
-/// If the cache does not contain the mesh, prepares it. Throws InputError if the scene or the mesh is not
-/// valid.
+/// Returns one hash for each input of a measurement: scene, mesh, variant, tuning, sampling, device and
+/// build. Loads the mesh of the scene from the cache, or prepares the mesh if the cache does not contain it.
+/// Throws InputError if the scene or the mesh is not valid.
 Identity case_identity(SubjectContext& context, const Case& which, const SamplingLimits& limits);
 
 /// Returns the identity that the case would get now: `planned` and the present hashes of the programs and

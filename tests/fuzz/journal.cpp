@@ -15,8 +15,8 @@
 namespace pelage::fuzz {
 namespace {
 
-/// Adds the checksum of a row to a line in braces. Without a valid checksum, no line would reach the parser
-/// of rows.
+/// If the line is enclosed in braces, adds the checksum of a row. pelage rejects lines without a valid
+/// checksum before it parses them, so the fuzzer could not test the parser without this function.
 std::string with_checksum(std::string_view line) {
   if (line.size() < 2 || line.front() != '{' || line.back() != '}') return std::string(line);
   const std::string_view body = line.substr(0, line.size() - 1);
@@ -36,8 +36,8 @@ std::string with_checksums(std::string_view text) {
 
 }  // namespace
 
-// Every accepted row must be written such that it can be read again, and must be usable by the commands that
-// read rows.
+// Tests the parser of journals. If the parser accepts a row, pelage must be able to write the row and to read
+// it again. The commands that use rows must not crash.
 void journal(std::string_view bytes) {
   const MemoryFile file(with_checksums(bytes));
   may_refuse([&] {

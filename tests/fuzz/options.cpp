@@ -13,7 +13,8 @@
 
 namespace pelage::fuzz {
 
-// The input has two lines: the value of an option, and the name of a case or of a device.
+// The first line of the input is the value of an option. The rest is used as the name of a case or of a
+// device.
 void options(std::string_view bytes) {
   const std::size_t end = std::min(bytes.find('\n'), bytes.size());
   const std::string first(bytes.substr(0, end)), second(bytes.substr(std::min(end + 1, bytes.size())));

@@ -1,4 +1,5 @@
-// Runs every fuzz target on its corpus, which contains the inputs of all findings of scripts/fuzz.sh.
+// Runs every fuzz target on its stored inputs (tests/fuzz/corpus), which include all inputs with which
+// scripts/fuzz.sh has found an error.
 #include <gtest/gtest.h>
 
 #include <filesystem>

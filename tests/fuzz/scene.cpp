@@ -4,7 +4,8 @@
 
 namespace pelage::fuzz {
 
-// write_scene() must write every accepted scene such that parse_scene() reads the same scene from it.
+// If parse_scene() accepts the input, write_scene() must write a text from which parse_scene() reads the same
+// scene.
 void scene(std::string_view bytes) {
   may_refuse([&] {
     const std::string written = write_scene(parse_scene(bytes, "scene.toml", "/nowhere"));

@@ -13,7 +13,8 @@
 
 namespace pelage::fuzz {
 
-/// Calls a parser. The parser may throw InputError. Other exceptions leave this function and are findings.
+/// Calls a parser. The parser may throw InputError. Any other exception leaves this function; libFuzzer then
+/// reports it as an error.
 template <class Parse>
 void may_refuse(Parse&& parse) {
   try {
@@ -23,12 +24,13 @@ void may_refuse(Parse&& parse) {
   }
 }
 
-/// Throws an exception, which is a finding, if `holds` is false.
+/// Throws an exception if `holds` is false. libFuzzer reports this exception as an error.
 inline void expect(bool holds, const char* what) {
   if (!holds) throw std::logic_error(what);
 }
 
-/// A file in memory, for parsers that take the path of a file.
+/// A file in memory that contains the bytes of the input. It has a path, because some parsers need the path
+/// of a file.
 class MemoryFile {
  public:
   explicit MemoryFile(std::string_view bytes) : descriptor_(::memfd_create("fuzz", MFD_CLOEXEC)) {

@@ -5,7 +5,8 @@
 
 namespace pelage::fuzz {
 
-// `pelage tune` writes its values into an existing file. read_tuning() must be able to read the new file.
+// `pelage tune` writes new values into an existing tuning file. If read_tuning() accepts the existing file,
+// it must not crash on the changed file.
 void tuning(std::string_view bytes) {
   const MemoryFile file(bytes);
   may_refuse([&] {

@@ -1,4 +1,4 @@
-// Tests the limits of the process that prepares a mesh.
+// Tests the memory and time limits of the separate process that prepares a mesh.
 #include "harness/mesh/isolated.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ std::uint64_t address_space() {
   return pages * std::uint64_t(::sysconf(_SC_PAGESIZE));
 }
 
-// Takes `bytes` bytes of memory in the isolated process. Returns the message of the error, or "" without an
+// Allocates `bytes` bytes of memory in the isolated process. Returns the error message, or "" if there is no
 // error.
 std::string message_of(std::uint64_t bytes, const Limits& limits) {
   try {

@@ -9,7 +9,7 @@
 namespace pelage {
 namespace {
 
-/// A picture whose red value is the column and whose green value is the row.
+/// Returns a picture in which the red value of each pixel is its column and the green value is its row.
 Picture ramp(int width, int height) {
   Picture picture{width, height, std::vector<glm::vec4>(std::size_t(width) * std::size_t(height))};
   for (int y = 0; y < height; ++y)

@@ -34,11 +34,11 @@ TEST(SceneMesh, ZUpAddsARotationAboutX) {
   MeshScene mesh;
   mesh.rotate = {10, 20, 30};
   EXPECT_EQ(rotation_of(mesh), glm::vec3(10, 20, 30));
-  mesh.up = std::string("z");  // g++ 12 falsely warns of an assignment of "z" (GCC bug 105651)
+  mesh.up = std::string("z");  // std::string avoids a false warning of g++ 12 (GCC bug 105651)
   EXPECT_EQ(rotation_of(mesh), glm::vec3(-80, 20, 30));
-  mesh.rotate.x = -300;  // the sum -390 would be out of the range of load_model()
+  mesh.rotate.x = -300;  // -300 - 90 = -390 is below -360, so 360 degrees are added
   EXPECT_EQ(rotation_of(mesh), glm::vec3(-30, 20, 30));
-  mesh.rotate.x = 361;  // out of range, and stays so
+  mesh.rotate.x = 361;  // 361 - 90 = 271
   EXPECT_GT(rotation_of(mesh).x, 270);
 }
 

@@ -163,7 +163,7 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
   for (int i = 0; i < 20000; ++i) dotted += ".a";
   EXPECT_THROW(parse_scene(dotted + " = 1", "dotted"), InputError);
   EXPECT_NO_THROW(parse_scene("\xef\xbb\xbfmodel = '\xc3\xa4' # \xc3\xa4\n", "quoted"));
-  // Dots in comments and strings belong to no key.
+  // Dots in comments and strings do not separate parts of a key.
   const std::string sentence(2000, '.');
   EXPECT_NO_THROW(parse_scene("model = 'cow' # " + sentence, "comment"));
   EXPECT_NO_THROW(parse_scene("model = 'a" + sentence + "'", "string"));
@@ -173,7 +173,7 @@ TEST(SceneErrors, AbsurdFilesAreRefusedQuickly) {
   EXPECT_THROW(read_scene("/"), InputError);
 }
 
-// toml++ crashes on keys of several hundred thousand parts.
+// toml++ crashes on keys of several hundred thousand parts, so pelage must refuse such keys.
 TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
   const auto refusal = [](const auto& read) -> std::string {
     try {
@@ -199,7 +199,7 @@ TEST(SceneErrors, DeepKeysAreRefusedWhereverTheyStand) {
   nested += "1" + std::string(200, '}');
   EXPECT_NE(refusal([&] {
               parse_scene("fur = " + nested, "s");
-            }).find("the key and the keys around it have 81 parts separated by dots; the limit is 64"),
+            }).find("the key and the keys that enclose it have 81 parts separated by dots; the limit is 64"),
             std::string::npos);
 }
 

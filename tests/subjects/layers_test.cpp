@@ -12,7 +12,7 @@ namespace {
 /// picture fails the check.
 MakeSubject as_many_ms_as_layers(int bad) {
   return [bad](const Case& which) -> std::unique_ptr<Subject> {
-    EXPECT_EQ(which.set.back().first, "fur.layers");  // the last setting has precedence over all others
+    EXPECT_EQ(which.set.back().first, "fur.layers");  // the last setting overrides the others
     const int layers = std::stoi(which.set.back().second);
     return std::make_unique<test::FakeSubject>(double(layers), layers == bad ? 40.0 : 80.0);
   };

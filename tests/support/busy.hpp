@@ -1,4 +1,4 @@
-// Processes that use all CPUs.
+// Starts processes that use all CPUs, for tests of measurements on a busy machine.
 #pragma once
 #include <sys/wait.h>
 #include <unistd.h>

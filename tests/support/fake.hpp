@@ -9,8 +9,8 @@
 
 namespace pelage::test {
 
-/// Adds less than 0.01 ms to a frame time. Two measurements never have equal times, so rows of different
-/// cases or runs get different texts.
+/// Adds up to 0.01 ms to the first frame time of the row. The amount depends on `text`, so rows of different
+/// cases or runs get different times, as in real measurements.
 inline void vary_times(Row& row, const std::string& text) {
   row.samples["frame"].wall_ms.front() += 1e-5 * double(Hash().text(text).value() % 997);
 }

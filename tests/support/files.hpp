@@ -1,4 +1,4 @@
-// Temporary folders and text files of tests.
+// Creates temporary folders and text files for tests.
 #pragma once
 #include <unistd.h>
 

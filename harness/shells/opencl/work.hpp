@@ -49,9 +49,8 @@ inline constexpr double substep = 70;
 /// Operations to compute the coat's colour, the tangent, the self-shadow and the powers of two highlights
 /// with exponent 24. They are executed once per blended fragment if the parameter surface_light is 0.
 inline constexpr double colour = 113;
-/// Operations to compute two values of S Eq. 6 for one light: the diffuse term, and the number that the
-/// highlight raises to a power.
-/// They are executed once for each pair of a light and a blended fragment.
+/// Number of operations to compute two values of S Eq. 6 for one light: the diffuse term, and the base of the
+/// power in the specular term. They are executed once for each pair of a light and a blended fragment.
 inline constexpr double light = 35;
 /// Operations to compute W Eq. 2 to 5 without the terms that are counted in wet_light. If the parameter
 /// surface_light is 1, this number is used instead of `colour`.

@@ -5,16 +5,17 @@
 
 namespace pelage::springs {
 
-/// Pointers to the arrays with which backward Euler on shared prisms solves the equations A x = b by
-/// conjugate gradients. A symmetric 3 x 3 matrix has the columns xx, yy, zz, xy, xz and yz. Lists with two
-/// entries have one list per thread; the second one holds zeros between the parts of a step.
+/// Pointers to the arrays of the conjugate-gradient solver, with which backward Euler on shared prisms solves
+/// the equations A x = b. There is one array per vector component or matrix element; a symmetric 3 x 3 matrix
+/// has the elements xx, yy, zz, xy, xz and yz. `product` and `diagonal` have separate arrays for each of two
+/// threads. The arrays of the second thread contain zeros except while the threads add their results.
 template <class T>
 struct Gradients {
   T *change[3]{}, *load[3]{}, *residual[3]{}, *precond[3]{},
       *way[3]{};                       ///< x, b, r = b - A x, z, direction d
   T* product[2][3]{};                  ///< A d
-  T *diagonal[2][6]{}, *inverse[6]{};  ///< diagonal blocks of A, and their inverses
-  T* coupling[4]{};                    ///< per edge: even, and the vector g, of its block -(even I + g g^T)
+  T *diagonal[2][6]{}, *inverse[6]{};  ///< 3 x 3 diagonal blocks of A, and their inverses
+  T* coupling[4]{};                    ///< each edge's block of A is -(even I + g g^T); stores even and g
 };
 
 /// Pointers to the arrays of a system; the struct owns no memory. fast_loops.cpp is compiled with
@@ -32,8 +33,8 @@ struct Arrays {
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
   T *q[3]{}, *v[3]{};  ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
-  /// Only on shared prisms: forces (force[1] is the list of the second thread and holds zeros between two
-  /// steps) and work arrays of RK4.
+  /// Only for shared prisms: the forces on the top masses, and work arrays of RK4. The second thread adds its
+  /// forces to force[1], which contains zeros between two steps.
   T *force[2][3]{}, *work[12]{};
   Gradients<T> gradients;
 };
@@ -56,9 +57,10 @@ template <class T>
 struct Loops {
   /// Advances sticks and separable-sticks (no springs between top masses) by any of the four solvers.
   void (*sticks)(const Arrays<T>&, const Course&);
-  /// Advances separable-prisms by any of the four solvers.
+  /// Advances separable prisms by the steps of `Course` with any of the four solvers.
   void (*triangles)(const Arrays<T>&, const Course&);
-  /// Advances shared prisms by any of the four solvers. Returns the number of conjugate gradient iterations.
+  /// Advances shared prisms by the steps of `Course` with any of the four solvers. Returns the number of
+  /// conjugate-gradient iterations.
   long (*prisms)(const Arrays<T>&, const Course&);
 };
 

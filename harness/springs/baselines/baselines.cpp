@@ -120,7 +120,7 @@ class SerialRival : public SolverRival {
   Columns<T> root_, normal_, q_, v_;
   std::array<std::vector<T>, 6> force_;
   std::array<std::vector<T>, 12> work_;
-  std::array<std::vector<T>, 21 + 18> vectors_;  // the arrays of conjugate gradients with one value per stick
+  std::array<std::vector<T>, 21 + 18> vectors_;  // conjugate-gradient arrays with one value per stick
   std::array<std::vector<T>, 4> coupling_;
   long iterations_ = 0;
   std::vector<T> phase_cos_, phase_sin_, rest_;

@@ -28,9 +28,9 @@ class SolverRival {
   virtual long iterations() const { return 0; }  ///< number of conjugate gradient iterations so far
 };
 
-/// A baseline and its name: "serial-o3", "serial-fast", "serial-o3-double", "parallel-fast-2" (the loops of
-/// serial-fast on two threads), "eigen-llt-double-2" (two threads), "eigen-cg-block-float-1" (one thread),
-/// ...
+/// A baseline and its name. Examples of names are "serial-o3", "serial-fast", "serial-o3-double",
+/// "parallel-fast-2" (serial-fast on two threads), "eigen-llt-double-2" (two threads) and
+/// "eigen-cg-block-float-1" (one thread).
 struct NamedRival {
   std::string name;
   std::unique_ptr<SolverRival> rival;
@@ -39,8 +39,8 @@ struct NamedRival {
 /// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
 /// factorization takes seconds and gigabytes on large systems, so it is included only for fewer than
 /// `most_direct` sticks. Some baselines are compiled for the processor of the machine that built pelage. They
-/// are omitted if the processor that runs pelage does not support the same vector instructions. No baseline
-/// solves backward Euler with the full Jacobian.
+/// are omitted if the processor that runs pelage does not support the same vector instructions. If
+/// `dynamics.full_jacobian` is set, no baseline is available for backward Euler.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 

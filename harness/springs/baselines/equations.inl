@@ -144,7 +144,8 @@ PELAGE_INLINE Coupling<T> coupling_of(const Constants<T>& p, V<T> d, V<T> dv, T 
   return {a.s, even * dv + (stiff * dot(a.s, dv)) * a.s, even, stiff + p.step * p.edge_damping};
 }
 
-// The factorization m = L diag(d) L^T of a symmetric 3 x 3 matrix, where the diagonal of L is 1.
+// The factors of a symmetric 3 x 3 matrix m = L diag(d) L^T. L is a lower triangular matrix with ones on the
+// diagonal.
 template <class T>
 struct Factors {
   T over_x, over_y, over_z;  // elements of 1 / d
@@ -204,16 +205,16 @@ template <class T>
 PELAGE_INLINE V<T> transposed_times(const Matrix<T>& m, V<T> a) {
   return {dot(m.x, a), dot(m.y, a), dot(m.z, a)};
 }
-// Returns a - b^T c, which must be symmetric.
+// Returns the matrix a - b^T c. The caller ensures that this matrix is symmetric.
 template <class T>
 PELAGE_INLINE Symmetric<T> less_product(const Symmetric<T>& a, const Matrix<T>& b, const Matrix<T>& c) {
   return {a.xx - dot(b.x, c.x), a.yy - dot(b.y, c.y), a.zz - dot(b.z, c.z),
           a.xy - dot(b.x, c.y), a.xz - dot(b.x, c.z), a.yz - dot(b.y, c.z)};
 }
 
-// Solves the nine equations of the three top masses of a separable prism by block elimination. `row` holds
-// the diagonal blocks and the right-hand sides. side[c] is -1 times the block that couples corner c to corner
-// (c + 1) mod 3.
+// Solves the nine equations of the three top masses of a separable prism by block elimination. row[c]
+// contains the 3 x 3 diagonal block and the right-hand side of the top mass at corner c. side[c] is -1 times
+// the 3 x 3 block that couples corner c to corner (c + 1) mod 3.
 template <class T>
 PELAGE_INLINE void solve_triangle(const Row<T> row[3], const Symmetric<T> side[3], V<T> change[3]) {
   const Matrix<T> m01 = columns(side[0]), m12 = columns(side[1]), m02 = columns(side[2]);

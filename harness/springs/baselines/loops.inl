@@ -1,7 +1,6 @@
 // The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). The loops over sticks
 // and over triangles run all steps for one tile of 256 sticks or triangles before they start the next tile,
-// so that the tile's state stays in the first-level cache. With several threads, each thread takes a part of
-// the tiles.
+// so that the tile's state stays in the first-level cache. Several threads divide the tiles among themselves.
 
 constexpr int tile = 256;
 
@@ -23,7 +22,7 @@ template <class T>
 PELAGE_INLINE void put(T* const column[3], int i, V<T> a) {
   column[0][i] = a.x, column[1][i] = a.y, column[2][i] = a.z;
 }
-// The positions and the velocities of the top masses.
+// Pointers to the arrays of the positions q and the velocities v of the top masses, one array per coordinate.
 template <class T>
 struct Lists {
   T *q[3], *v[3];
@@ -126,20 +125,22 @@ PELAGE_INLINE Block<T, N> stepped(const Constants<T>& p, const Outside<T>* t, co
   return b;
 }
 
-// Runs `work` for the parts 0 to threads - 1. If `items` is large enough, each part has a thread of its own.
-// Otherwise one thread runs all parts, because waking a second thread would take longer than the work.
+// Calls work(part) for the parts 0 to threads - 1. If there are more than `tile` items, each part runs on its
+// own thread. Otherwise one thread runs all parts, because starting a second thread would take longer than
+// the work.
 template <class Work>
 void in_parts(int threads, int items, const Work& work) {
   if (threads == 1) return work(0);
 #pragma omp parallel for num_threads(threads) schedule(static, 1) if (items > tile)
   for (int part = 0; part < threads; ++part) work(part);
 }
-// The first item of a part, if `count` items are divided among `threads` threads.
+// Returns the index of the first item of the part, if `count` items are divided into `threads` parts.
 inline int begin_of(int part, int threads, int count) {
   return int(std::int64_t(part) * count / threads);
 }
 
-// Runs all steps of the blocks first to end - 1.
+// Computes all time steps of the independent systems first to end - 1 (single sticks if N = 1, triangles if N
+// = 3).
 template <class T, int N, Scheme scheme, bool moving>
 void through_tile(const Arrays<T> a, const Constants<T> constants, const Course& course, int first, int end) {
   Constants<T> p = constants;
@@ -179,8 +180,8 @@ void through_blocks(const Arrays<T>& a, const Course& course) {
   });
 }
 
-// Computes the forces on the sticks first to end - 1 of shared prisms (adjacent prisms share their sticks),
-// without the springs between top masses.
+// Sets force[0] for the sticks first to end - 1 of shared prisms (adjacent prisms share their sticks). The
+// springs between top masses are not included.
 template <class T, bool moving>
 void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment& moment, const Lists<T> state,
                   int first, int end) {
@@ -192,8 +193,8 @@ void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment&
     put(a.force[0], i, stick_force(p, t, place(a, i), at(state.q, i), at(state.v, i)));
 }
 
-// Adds the forces of the edges first to end - 1 to `force`. For each tile of edges, it computes the spring
-// forces and then adds them to the forces on both ends of the edges.
+// Adds the forces of the springs between top masses to `force`, for the edges first to end - 1. For each tile
+// of edges, it computes the spring forces and then adds them to the forces on both ends of the edges.
 template <class T>
 void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, T* const force[3], int first,
                  int end) {
@@ -215,7 +216,7 @@ void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, 
   }
 }
 
-// Adds the second list of the vectors first to end - 1 to the first list, and sets the second list to 0.
+// For the sticks first to end - 1, adds the vectors in `other` to those in `sum`, and sets `other` to 0.
 template <class T>
 void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
   for (int c = 0; c < 3; ++c) {
@@ -225,8 +226,9 @@ void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
   }
 }
 
-// Computes all forces on shared prisms. With two threads, each thread adds the forces of half of the edges to
-// a list of its own; force[1] holds zeros before and after the call.
+// Sets force[0] to the forces on all top masses of shared prisms. With two threads, each thread processes
+// half of the edges; the second thread adds its forces to force[1]. Before and after the call, force[1]
+// contains zeros.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment, const Lists<T>& state,
                 int threads) {
@@ -243,7 +245,7 @@ void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment,
     });
 }
 
-// Moves the tops first to end - 1 by one step of explicit or semi-implicit Euler.
+// Advances the top masses first to end - 1 by one step of explicit or semi-implicit Euler.
 template <class T>
 void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end) {
 #pragma GCC unroll 3
@@ -259,7 +261,7 @@ void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end
   }
 }
 
-// Moves the tops first to end - 1 by one stage of RK4.
+// Computes one of the four stages of an RK4 step for the top masses first to end - 1.
 template <class T>
 void rk4_move(const Arrays<T> a, const Lists<T> state, T h, T inverse_mass, int stage, int first, int end) {
   T *const *stage_q = a.work, *const *stage_v = a.work + 3, *const *sum_q = a.work + 6,

@@ -85,10 +85,10 @@ void check(const Dynamics& d) {
   if (d.most_iterations < 1)
     throw InputError(
         fmt::format("limit of conjugate gradient iterations: {}; it must be at least 1", d.most_iterations));
-  finite("length at which a stick has diverged (rest lengths)", d.lost_stretch);
+  finite("limit of a stick's length (rest lengths)", d.lost_stretch);
   if (!(d.lost_stretch > 1))
-    throw InputError(fmt::format("length at which a stick has diverged: {} rest lengths; it must be above 1",
-                                 d.lost_stretch));
+    throw InputError(
+        fmt::format("limit of a stick's length: {} rest lengths; it must be above 1", d.lost_stretch));
   finite("gravity (m/s^2)", d.gravity);
   direction("direction of the wind", d.wind.direction);
   finite("speed of the wind (m/s)", d.wind.speed);

@@ -53,10 +53,11 @@ struct Dynamics {
   float return_weight = 0.2f;   ///< weight w of B Eq. 5 in N
   float residual = 1e-5f;       ///< conjugate gradients stop at this relative residual |r| / |b|
   int most_iterations = 500;    ///< largest number of conjugate gradient iterations per step
-  /// Backward Euler uses all terms of the derivatives of the forces. If this is false, it omits the terms
-  /// that would make its matrix asymmetric or indefinite (docs/topology.md, section Solvers).
+  /// true: backward Euler uses all terms of the derivatives of the forces. false: it omits the terms that
+  /// would make its matrix asymmetric or indefinite (docs/topology.md, section Solvers).
   bool full_jacobian = false;
-  /// The simulation stops as diverged when a stick is longer than this many rest lengths (above 1).
+  /// If a stick is longer than this many rest lengths, the simulation stops and reports that it has diverged.
+  /// Must be above 1.
   float lost_stretch = most_stretch;
   glm::vec3 gravity{0, -9.81f, 0};
   Wind wind;

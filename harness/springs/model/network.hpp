@@ -18,16 +18,16 @@ namespace pelage::springs {
 /// Selects the places of the sticks in the topologies sticks and prisms. `points` places one stick on each
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
 /// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so the topology is split
-/// along the seams. Banisch and Wuethrich do not state which of the two they count (docs/topology.md). The
-/// topologies separable-sticks and separable-prisms always have one stick at each corner of each triangle, so
-/// they ignore this choice.
+/// along the seams. Banisch and Wuethrich do not state whether they count surface points or vertices
+/// (docs/topology.md). The topologies separable-sticks and separable-prisms always have one stick at each
+/// corner of each triangle, so they ignore this choice.
 enum class Vertices { points, copies };
 
-/// Selects the position x that determines the phase of the gusts on a stick. `sticks` takes the base of the
-/// stick. `triangles` takes the centroid of the triangle to which the stick belongs. The topologies sticks
-/// and prisms share their sticks among triangles, so they always take the base of the stick. With `sticks`,
-/// all sticks at one surface point feel the same wind. With `triangles`, they feel different gusts and can
-/// part.
+/// Selects the position at which the gusts on a stick are computed. `sticks` selects the base of the stick,
+/// so all sticks at one surface point have the same wind. `triangles` selects the centroid of the triangle to
+/// which the stick belongs, so the sticks at one surface point have different gusts and can move apart. In
+/// the topologies sticks and prisms, several triangles share a stick, so the base of the stick is always
+/// used.
 enum class Gusts { sticks, triangles };
 
 /// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +
@@ -41,12 +41,12 @@ struct SpringNetwork {
   std::vector<glm::vec3> normal;     ///< for each stick, its direction at rest (unit vector)
   std::vector<std::uint32_t> copy;   ///< for each stick, the index of the mesh vertex at its base
   std::vector<std::uint32_t> point;  ///< for each stick, the index of the surface point at its base
-  std::vector<glm::vec3> gust_at;    ///< for each stick, the position in R that determines the gusts' phase
+  std::vector<glm::vec3> gust_at;    ///< for each stick, the position in R at which the gusts are computed
   std::vector<glm::uvec2> spring;    ///< indices of the two masses of each spring
   std::vector<float> rest;           ///< rest length of each spring in R
   std::vector<glm::uvec3> corner;    ///< for each mesh triangle, the indices of the sticks at its corners
   float length = 0;                  ///< rest length L0 of the sticks in R
-  double stick_area = 0;             ///< area of the surface divided by the number of sticks, R^2
+  double stick_area = 0;             ///< area of the surface in R^2 divided by the number of sticks
 
   std::size_t sticks() const { return normal.size(); }
   std::size_t top(std::size_t stick) const { return sticks() + stick; }

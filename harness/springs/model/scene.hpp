@@ -12,16 +12,16 @@ namespace pelage::springs {
 /// Converts the scene's dynamics. The wind's speed is strength / drag. A wind of this speed exerts the force
 /// `strength` of the scene on a mass at rest. The wind exerts the same force on one of Silva's strands. If
 /// `springs.reference_area` of the scene is above 0, the constants of a stick (mass, stiffness, damping,
-/// drag, weight of the return force) are multiplied by the topology's area per stick divided by this area.
-/// The constants of the springs between top masses stay the same.
+/// drag, weight of the return force) are multiplied by the topology's mean surface area per stick divided by
+/// this reference area. The constants of the springs between top masses do not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
 
 /// Returns the scene's topology over its mesh: one stick per surface point, or one stick per triangle
 /// corner for the topologies separable-sticks and separable-prisms.
 SpringNetwork topology_of(const FrameInput& input);
 
-/// Returns the scene's topology over `mesh`. Throws InputError if the scene's motion is not a mass-spring
-/// topology.
+/// Builds the masses and springs of the scene's topology on `mesh`. Throws InputError if dynamics.topology of
+/// the scene is not a mass-spring topology.
 SpringNetwork topology_of(const Scene& scene, const Mesh& mesh);
 
 /// Returns the local force of the scene's poke on each stick, in newtons. The result is empty if the scene

@@ -83,10 +83,10 @@ MassSprings::MassSprings(const cl::Queue& queue, const SpringNetwork& topology, 
   Layout layout = lay_out(topology, dynamics.wind);
   const bool prisms = topology.kind.shared_edges();
   if (prisms && dynamics.solver.implicit && dynamics.full_jacobian)
-    throw InputError(fmt::format(
-        "dynamics.springs.jacobian = \"full\": the topology {} has only the value \"pruned\" on an OpenCL "
-        "device, because conjugate gradients need a symmetric matrix",
-        name(topology.kind)));
+    throw InputError(
+        fmt::format("dynamics.springs.jacobian = \"full\": not available for the topology {} on an OpenCL "
+                    "device, because conjugate gradients need a symmetric matrix; use \"pruned\"",
+                    name(topology.kind)));
   const std::size_t places = layout.places();
   const auto uploaded = [&](const std::vector<float>& values) {
     return cl::Buffer<float>(queue, std::span<const float>(values));

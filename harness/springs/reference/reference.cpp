@@ -60,7 +60,7 @@ Spring spring(const System& system, const State& state, std::size_t number) {
 }
 
 // Returns the sum of weight, wind, drag and inertial forces on one mass, in newtons, in the object's frame.
-// `gust_at` is the position that determines the phase of the gusts.
+// `gust_at` is the position at which the gusts are computed, r the position of the mass and v its velocity.
 glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 gust_at, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
@@ -122,8 +122,9 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// A block of the derivatives of the forces: the force on the top mass of stick `row`, by the position (j) and
-// by the velocity (d) of the top mass of stick `column`. Several blocks of one row and column are added.
+// Two 3 x 3 blocks of the derivatives: j is the derivative of the force on the top mass of stick `row` with
+// respect to the position of the top mass of stick `column`. d is the derivative with respect to its
+// velocity. Blocks with the same row and column are added.
 struct Block {
   std::size_t row, column;
   glm::dmat3 j, d;
@@ -134,9 +135,9 @@ glm::dmat3 outer(glm::dvec3 a, glm::dvec3 b) {
   return glm::outerProduct(a, b);
 }
 
-// The derivatives of the pull of a spring, the force on its first end, by the position and by the velocity of
-// its second end. Without `full`, j has neither the transverse stiffness of a compressed spring nor the
-// derivative of the damping force.
+// The derivatives of a spring's force on its first end with respect to the position (j) and the velocity (d)
+// of its second end. If `full` is false, j contains neither the transverse stiffness of a compressed spring
+// nor the derivative of the damping force.
 struct Pull {
   glm::dmat3 j, d;
 };
@@ -151,8 +152,8 @@ Pull pull_of(const Spring& s, glm::dvec3 parting, bool full) {
   return pull;
 }
 
-// The derivative of the return force (B Eq. 5) of a stick by the position of its top. Without `full`, it has
-// only the symmetric part.
+// Returns the derivative of a stick's return force (B Eq. 5) with respect to the position of its top. If
+// `full` is false, returns only the symmetric part.
 glm::dmat3 return_derivative(const Spring& stick, glm::dvec3 n, double weight, bool full) {
   const double cosine = glm::dot(n, stick.along);
   const glm::dvec3 lean = n - cosine * stick.along;
@@ -174,7 +175,7 @@ std::vector<Block> derivative_blocks(const System& system, const State& y, doubl
               return_derivative(spring(system, y, i), glm::dvec3(topology.normal[i]),
                                 double(dynamics.return_weight), full),
               glm::dmat3(-drag)};
-    if (full) {  // the inertial forces and the drag of a rotating object
+    if (full) {  // derivatives of the inertial forces and the drag on a rotating object
       const glm::dmat3 back = glm::transpose(at.turn);
       own.j -= back * (drag * at.turn_1 + m * at.turn_2);
       own.d -= 2 * m * (back * at.turn_1);
@@ -230,7 +231,7 @@ Equations backward_equations(const System& system, const State& y, double t, dou
   return {matrix, right};
 }
 
-// Solves the equations: by LDL^T if the matrix is symmetric, else by LU.
+// Solves the equations by LDL^T factorization if the matrix is symmetric, and otherwise by LU factorization.
 Eigen::VectorXd solved(const Equations& equations, bool symmetric) {
   const auto by = [&](auto&& factors) -> Eigen::VectorXd {
     factors.compute(equations.matrix);

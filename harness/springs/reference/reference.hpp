@@ -40,25 +40,27 @@ State step(const System& system, const State& state, long number);
 /// of this step, starting at 0.
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
-/// The derivatives of the forces on the top masses by the positions (J, N/R) and by the velocities (D, N s/R)
-/// of the top masses: two square matrices of `size` = 3 sticks rows, stored by rows. Row 3 i + c belongs to
-/// component c of the force on the top mass of stick i. Columns are numbered alike.
+/// The derivatives of the forces on the top masses: J with respect to the positions of the top masses (in
+/// N/R), and D with respect to their velocities (in N s/R). Both are square matrices with `size` rows, which
+/// is 3 times the number of sticks, and are stored row by row. Row 3 i + c belongs to component c of the
+/// force on the top mass of stick i. Column 3 i + c belongs to component c of the position or velocity of
+/// this mass.
 struct Derivatives {
   std::size_t size = 0;
   std::vector<double> by_position, by_velocity;
 };
-/// Returns the derivatives that backward Euler uses at `time`: all terms if `full_jacobian` of the dynamics
-/// is set, and otherwise the terms that docs/topology.md names. The matrices are dense, so this function is
-/// for small systems.
+/// Returns the derivatives that backward Euler uses at `time`. If `full_jacobian` of the dynamics is false,
+/// the terms that docs/topology.md names are omitted. The matrices are dense, so use this function only for
+/// small systems.
 Derivatives derivatives(const System& system, const State& state, double time);
 
-/// Returns the kinetic energy plus the potential energy of the springs, in joules. The sum excludes the
-/// potential energy of gravity. The return force (B Eq. 5) has no potential energy, because its derivative is
-/// not symmetric.
+/// Returns the kinetic energy plus the potential energy of the springs, in joules. The potential energy of
+/// gravity is not included. The return force (B Eq. 5) is not included, because it has no potential energy
+/// (its derivative is not symmetric).
 double energy(const System& system, const State& state);
 
-/// Returns energy() plus the potential energy of the weights, in joules. It is constant in a conservative
-/// system: an object at rest without wind, drag, damping and return force.
+/// Returns energy() plus the potential energy of gravity, in joules. This sum is constant in a conservative
+/// system, that is, on an object at rest without wind, drag, damping and return force.
 double total_energy(const System& system, const State& state);
 
 /// Returns the position of each top mass relative to its base, in R. The kernels call it q.

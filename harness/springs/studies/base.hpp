@@ -1,4 +1,5 @@
-// Code that the studies of the mass-spring solvers share.
+// Functions and the base class for the studies (measurements of mass-spring solvers other than plain frame
+// times).
 #pragma once
 #include <functional>
 #include <utility>
@@ -12,11 +13,11 @@ namespace pelage::springs {
 /// Returns the state at rest: every stick points along its normal, and all velocities are 0.
 Motions rest_motions(const SpringNetwork& topology);
 
-/// Returns the state of the reference with these positions and velocities of the top masses.
+/// Converts the positions and velocities of the top masses to a state of the double-precision reference.
 reference::State reference_state(const SpringNetwork& topology, const Motions& motions);
 
-/// Simulates `seconds` of motion in launches of about `look` seconds each, with at least one time step per
-/// launch. After each launch, calls `after` with the simulated time in seconds; the simulation ends if
+/// Simulates `seconds` of motion. Each kernel launch simulates about `look` seconds, but at least one time
+/// step. After each launch, calls `after` with the simulated time in seconds. The simulation ends early if
 /// `after` returns false.
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
               double look = 1.0 / 60, const std::function<bool(double)>& after = {});
@@ -32,12 +33,12 @@ class Study : public Subject {
   void describe(Row& row) override;
 
  protected:
-  /// Simulates one second and returns the wall time in ms.
+  /// Simulates one second of motion and returns the wall time of the computation in ms.
   double second(MassSprings& masses) const;
 
   cl::Queue queue_;
   Setting setting_;
-  Identity programs_;  // identity parts of the programs that ran; the studies add them with add_programs()
+  Identity programs_;  // hashes of the OpenCL programs that ran; add_programs() adds them
 };
 
 }  // namespace pelage::springs

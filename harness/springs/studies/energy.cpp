@@ -1,4 +1,5 @@
-// Records the energy of a mass-spring simulation over time, and its drift in a conservative scene.
+// Records the energy of a mass-spring simulation over time. In a conservative scene, also computes how much
+// the energy drifts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,8 +50,8 @@ class EnergyStudy : public Study {
   }
 
  private:
-  // In a conservative scene the exact motion has a constant energy, so every change is an error of the
-  // solver.
+  // Throws InputError if the scene is not conservative. In a conservative scene the energy of the exact
+  // motion is constant, so every change of the energy is an error of the solver.
   void need_conservative() const {
     const Dynamics& d = setting_.dynamics;
     const auto needs_0 = [](const char* key, double value) {
@@ -67,7 +68,8 @@ class EnergyStudy : public Study {
     needs_0("dynamics.motion.swing", double(d.motion.swing));
     needs_0("dynamics.motion.shake (length)", double(glm::length(d.motion.shake)));
   }
-  // The unit of the drift is the energy that all weights would release if they fell by the fur's length.
+  // Adds the metric `drift`. Its unit is the energy that all masses would release if they fell by the fur's
+  // length.
   void describe_drift(Row& row) const {
     const double unit = double(setting_.topology.sticks()) * double(setting_.dynamics.mass) *
                         double(glm::length(setting_.dynamics.gravity)) * double(setting_.topology.length);
@@ -85,7 +87,7 @@ class EnergyStudy : public Study {
   }
 
   bool conservative_;
-  std::map<double, double> energy_;  // by simulated time in seconds, in joules
+  std::map<double, double> energy_;  // key: simulated time in seconds; value: energy in joules
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
-// Measures the price of the derivatives that backward Euler omits: the errors of the double-precision
-// reference with the pruned and with the full Jacobian.
+// Measures how much the derivatives that backward Euler omits by default change its error. The
+// double-precision reference simulates with the pruned Jacobian, which omits them, and with the full
+// Jacobian.
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +36,7 @@ class JacobianStudy : public Study {
   }
 
  private:
-  // Simulates one second with the reference.
+  // Simulates one second with the reference and returns the errors of the positions.
   Spread error(bool full) const {
     const SpringNetwork& topology = setting_.topology;
     Dynamics dynamics = setting_.dynamics;

@@ -33,7 +33,8 @@ class Trial {
     return true;
   }
 
-  // Returns the length of the longest stick after any step, in rest lengths.
+  // Simulates with this time step, and returns the greatest length of a stick after any step, in rest
+  // lengths.
   double longest(double step) {
     dynamics_.step = float(step);
     MassSprings masses(queue_, topology_, dynamics_);
@@ -60,7 +61,7 @@ class Trial {
 Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                    double look) {
   Trial trial(queue, topology, dynamics, look);
-  // Short steps take long to simulate, so the search goes down from the longest step.
+  // A simulation with short steps takes long, so the search begins with the longest step.
   double low = most_step, high = most_step;
   while (!trial.stable(low)) {
     high = low;
@@ -84,7 +85,7 @@ class LimitStudy : public Study {
     found_ = longest_step(queue_, setting_.topology, setting_.dynamics);
     if (found_.step == 0)
       throw OutOfBounds(
-          "a stick reaches twice its rest length within two seconds with every step above 15 us");
+          "with every time step above 15 us, a stick reaches twice its rest length within two seconds");
     setting_.dynamics.step = float(found_.step);
     MassSprings masses(queue_, setting_.topology, setting_.dynamics);
     add_programs(programs_, {&masses.program()});

@@ -4,21 +4,23 @@
 
 namespace pelage::springs {
 
-/// A stick that reaches this many rest lengths after any step makes the time step too long.
+/// A time step is too long if a stick reaches this many rest lengths after any step.
 inline constexpr float most_stick = 2;
-/// The simulated time in seconds, from rest, in which no stick may become that long.
+/// Duration of the simulation in seconds. It starts at rest, and no stick may reach `most_stick` during it.
 inline constexpr double limit_seconds = 2;
 
 struct Limit {
-  /// Longest step in seconds, to 2%; at most 1 s; 0 if even a step of about 15 us is too long.
+  /// Longest stable time step in seconds, with an error of at most 2%. The largest value is 1 s. The value is
+  /// 0 if even a step of about 15 us is too long.
   double step = 0;
-  double longest = 0;  ///< length of the longest stick after any step of this length, in rest lengths
+  double longest = 0;  ///< greatest length of a stick in the simulation with `step`, in rest lengths
   int tried = 0;       ///< number of time steps that were tried
 };
 
-/// Finds the longest time step by bisection. After every step, the kernels compare the length of every stick
-/// with `most_stick`. The host asks for the result about every `look` seconds of simulated time. This
-/// interval only decides how soon the simulation of an unstable step ends; the result does not depend on it.
+/// Finds the longest stable time step by bisection. After every step, the kernels compare the length of every
+/// stick with `most_stick`. The host reads the result of this comparison about every `look` seconds of
+/// simulated time. `look` only determines how soon an unstable simulation ends; it does not change the
+/// result.
 Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                    double look = 1.0 / 60);
 

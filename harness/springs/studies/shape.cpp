@@ -23,7 +23,7 @@ Shape shape_of(const SpringNetwork& topology, const std::vector<glm::vec3>& offs
   std::map<std::uint32_t, std::vector<std::size_t>> sticks_at;
   for (std::size_t i = 0; i < topology.sticks(); ++i) {
     const glm::dvec3 q(offset[i]), n(topology.normal[i]);
-    // The arc tangent is precise also for small angles, unlike the arc cosine.
+    // The arc tangent is precise for small angles; the arc cosine is not.
     lean.push_back(std::atan2(glm::length(glm::cross(n, q)), glm::dot(n, q)) * 180 / std::numbers::pi);
     shape.height_least = std::min(shape.height_least, glm::dot(n, q) / double(topology.length));
     sticks_at[topology.point[i]].push_back(i);

@@ -45,9 +45,10 @@ std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case&
   return solver_duel(context.device, std::move(setting), scene.dynamics.substeps, baselines);
 }
 
-// Returns the exact state of the scene after one second. The result is kept for the other cases of the run.
+// Returns the state of the scene after one second, computed with very short time steps. The result is stored
+// and used again by other cases of the same scene.
 const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting) {
-  Scene any = scene;  // the exact solution does not depend on these keys
+  Scene any = scene;  // the exact solution does not depend on the keys set below
   any.dynamics.step = 1;
   any.dynamics.substeps = 1;
   any.dynamics.tolerance = 0;

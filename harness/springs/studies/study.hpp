@@ -47,29 +47,31 @@ std::unique_ptr<Subject> solver_error(const cl::Device& device, Setting setting,
 /// seconds.
 Motions exact_second(const SpringNetwork& topology, const Dynamics& dynamics, float step);
 
-/// Makes a subject that finds the longest stable time step with longest_step() of limit.hpp. The metrics are
-/// "longest_step_ms" and "longest_stick", the length of the longest stick with this time step.
+/// Makes a subject that finds the longest stable time step with longest_step() of limit.hpp. The metric
+/// "longest_step_ms" is this time step. The metric "longest_stick" is the greatest length of a stick in a
+/// simulation with this time step, in rest lengths.
 std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting);
 
-/// Makes a subject that simulates four seconds from rest and reports energies at several times. With
-/// `conservative` unset, the metric "energy_uJ_at_<seconds>" is the energy of springs and masses, which wind
-/// and drag change. With `conservative` set, "total_energy_uJ_at_<seconds>" includes the potential energy of
-/// the weights, and "drift" is its change over the four seconds. The function then throws InputError if the
-/// dynamics have drag, damping, a return force or a moving object.
+/// Makes a subject that simulates four seconds from rest and reports energies at several times. If
+/// `conservative` is false, the metrics "energy_uJ_at_<seconds>" are the kinetic energy of the masses plus
+/// the potential energy of the springs; wind and drag also change this energy. If `conservative` is true, the
+/// metrics "total_energy_uJ_at_<seconds>" also include the potential energy of gravity, and the metric
+/// "drift" is the change of this total energy over the four seconds. If `conservative` is true and the
+/// dynamics have drag, damping, a return force or a moving object, the function throws InputError.
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);
 
-/// Makes a subject that simulates `seconds` from rest and reports the shape of the fur (shape.hpp): the lean
-/// of the sticks, and the gaps between the sticks of one surface point.
+/// Makes a subject that simulates `seconds` from rest. It reports the angles of the sticks to the surface
+/// normals, and the gaps between the sticks at one surface point (shape.hpp).
 std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting, double seconds);
 
-/// Makes a subject that lets all solvers simulate one second from rest in turns. Each solver takes as few
-/// steps per frame (1/60 s) as it needs for an rms error of at most `most_error` fur lengths. The metrics
-/// name solver, norm and step, such as "rk4_error_p99".
+/// Makes a subject that runs all solvers alternately; each solver simulates one second from rest. Each solver
+/// takes the smallest number of steps per frame (1/60 s) with which its rms error is at most `most_error` fur
+/// lengths. There are metrics for the time step and the errors of each solver, such as "rk4_error_p99".
 std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
                                       double most_error);
 
 /// Makes a subject that simulates one second from rest with the double-precision reference by backward Euler,
-/// once with the pruned and once with the full Jacobian. The metrics are the errors of both.
+/// once with the pruned and once with the full Jacobian. The metrics are the errors of the two simulations.
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact);
 
 }  // namespace pelage::springs

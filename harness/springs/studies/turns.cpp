@@ -1,5 +1,5 @@
-// Compares solvers at equal error: each solver takes the longest time steps with which its error stays below
-// a limit, and the solvers simulate the same second in turns.
+// Compares the times of the solvers at equal error. Each solver takes the longest time step with which its
+// error stays below a limit. The solvers simulate the same second alternately.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class TurnsStudy : public Study {
       throw InputError(
           "dynamics.tolerance = 0: the pipeline springs-turns needs the largest rms error of the solvers, as "
           "a fraction of fur.length; give a tolerance above 0");
-    enter(default_solver);  // the first entrant's time is the denominator of the ratios
+    enter(default_solver);  // the times of the other solvers are divided by this solver's time
     for (const Solver& solver : solvers)
       if (solver != default_solver) enter(solver);
     if (entrants_.empty())
@@ -33,7 +33,7 @@ class TurnsStudy : public Study {
 
   FrameSample frame() override {
     FrameSample sample;
-    // Each round begins with another solver, so that no solver always follows the same one.
+    // Each round begins with a different solver, so that no solver is always the first or the last.
     const std::size_t first = round_++ % entrants_.size();
     for (std::size_t i = 0; i < entrants_.size(); ++i) {
       Entrant& one = entrants_[(first + i) % entrants_.size()];
@@ -57,7 +57,8 @@ class TurnsStudy : public Study {
 
   void describe(Row& row) override {
     Study::describe(row);
-    row.metrics.erase("step_ms");  // each solver has its own time step
+    // Removes the metric of the base class, because each solver has its own time step.
+    row.metrics.erase("step_ms");
     for (Entrant& one : entrants_) {
       const Spread found = error(one);
       row.metrics[one.name + "_steps_per_frame"] = {double(one.steps), "steps"};
@@ -93,8 +94,8 @@ class TurnsStudy : public Study {
     dynamics.step = 1.0f / float(frames_per_second * steps);
     return {std::string(solver.name), dynamics, steps, MassSprings(queue_, setting_.topology, dynamics)};
   }
-  // Returns the rms error after one second with this number of steps per frame. A diverged simulation has an
-  // infinite error.
+  // Simulates one second with this number of steps per frame, and returns the rms error. Returns infinity if
+  // the simulation diverges.
   double tried(const Solver& solver, int steps) {
     Entrant one = entrant(solver, steps);
     simulate(queue_, one.masses, one.dynamics, 1);
@@ -105,7 +106,8 @@ class TurnsStudy : public Study {
     }
     return error(one).rms;
   }
-  // Finds the smallest number of steps per frame that suffices, and adds the solver to the entrants.
+  // Finds the smallest number of steps per frame with which the solver's rms error is at most most_error_.
+  // Then adds the solver to entrants_, the list of solvers that are timed.
   void enter(const Solver& solver) {
     int enough = 1;
     double rms = tried(solver, enough);
@@ -125,7 +127,8 @@ class TurnsStudy : public Study {
   Motions exact_;
   double most_error_;
   std::vector<Entrant> entrants_;
-  std::map<std::string, double> unreached_;  // solvers that miss the limit: rms error with most_steps steps
+  // Rms errors of the solvers whose error exceeds most_error_ even with most_steps steps per frame.
+  std::map<std::string, double> unreached_;
   std::size_t round_ = 0;
 };
 

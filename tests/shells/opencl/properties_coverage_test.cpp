@@ -168,9 +168,9 @@ Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   return flat;
 }
 
-/// Returns the number of pixel centres next to shared edges, inside the picture. For each edge, the
-/// function determines how many rows and how many columns of pixels the edge crosses, and uses the larger of
-/// these two numbers. In each such row or column, it counts one pixel centre on each side of the edge.
+/// Returns the number of pixel centres next to shared edges, inside the picture. The function computes how
+/// many rows and how many columns of pixels each edge crosses, and takes the larger number. For each of these
+/// rows or columns, it counts two pixel centres: one on each side of the edge.
 double samples(const Flat& flat) {
   double sum = 0;
   for (const glm::uvec3& t : flat.triangle)

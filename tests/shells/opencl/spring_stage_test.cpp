@@ -88,8 +88,9 @@ TEST(SpringStageTips, AreDrawnWithoutTheTipsOfTheRasterStage) {
   Stages stages;
   const cl::Buffer<float>& tips = stages.tips();
   const Picture drawn = stages.drawn_with(tips);
-  // The raster stage has its own buffer of tips for strands without springs. If a kernel read this buffer,
-  // the picture would change with its contents: first tips of all zeros, then long tips in another direction.
+  // For strands without springs, the raster stage reads the tips from another buffer. The test fills this
+  // buffer first with zeros and then with long tips in another direction. If a kernel read the wrong buffer,
+  // the picture would change.
   constexpr int stride = 1 << 16;  // more than the number of strands
   for (const float value : {0.0f, 0.3f}) {
     const std::vector<float> values(std::size_t(3) * stride, value);

@@ -1,5 +1,5 @@
-// Tests that a backward Euler step of every baseline solves the linear system that finite differences of the
-// reference's forces give.
+// Tests the backward Euler step of every baseline. The change of the velocities must solve the linear system
+// whose matrix is computed by finite differences of the reference's forces.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

@@ -1,5 +1,6 @@
-// Tests that a backward Euler step of the kernels solves the linear system that finite differences of the
-// reference's forces give. The reference's own formulas of the derivatives take no part in this comparison.
+// Tests the backward Euler step of the kernels. The change of the velocities must solve the linear system
+// whose matrix is computed by finite differences of the reference's forces. This comparison does not use the
+// reference's formulas of the derivatives.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -32,7 +33,7 @@ TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
     Shim shim(topology, d);
     shim.set(offsets, before);
     shim.advance(1, whole);
-    // The kernels read normals, wind and weight as floats.
+    // The kernels read normals, wind and weight as floats, so the tolerance is that of single precision.
     EXPECT_LT(residual_of(step, before, shim.speeds()), tolerance::float_records) << whole;
 
     MassSprings device(queue(), topology, d, {.whole = whole ? Whole::always : Whole::never});
@@ -43,7 +44,8 @@ TEST_P(KernelStep, SolvesTheSystemOfFiniteDifferences) {
   }
 }
 
-// With all terms of the derivatives, on a rotating object, with stretched and compressed springs.
+// Tests a step with all terms of the derivatives. The object rotates, and some springs are stretched, others
+// compressed.
 TEST_P(KernelStep, WithTheFullJacobianSolvesTheSystemOfFiniteDifferences) {
   const SpringNetwork topology = build(GetParam(), sphere(0), fur_length);
   Dynamics d = lively(Solver::backward_euler);

@@ -54,8 +54,8 @@ TEST(TopologyDevice, OneSetOfBitsForEveryCutOfTheWork) {
         return same_bits(once, after(topology, d, 120, options, {}, launch));
       };
       EXPECT_TRUE(same({}, 7)) << name(kind) << ' ' << name(solver) << ", launches of 7 steps";
-      // On a CPU a single work-item computes such a small model by default. With the option value
-      // Whole::never, several work-items share the model.
+      // By default, a single work-item simulates such a small model if the device is a CPU. With the option
+      // Whole::never, several work-items simulate it.
       const auto never = MassSpringOptions::Whole::never;
       if (kind == Kind::prisms && solver == Solver::backward_euler)
         once = after(topology, d, 120, {.whole = never});

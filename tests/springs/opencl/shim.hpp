@@ -33,7 +33,8 @@ struct BlockKernels {
 };
 BlockKernels stick_kernels();
 BlockKernels triangle_kernels();
-/// The same kernels, with all terms of the derivatives in backward Euler.
+/// Return the same kernels as the two functions above, but compiled with FULL_JACOBIAN = 1: backward Euler
+/// uses all terms of the derivatives.
 BlockKernels full_stick_kernels();
 BlockKernels full_triangle_kernels();
 

@@ -1,4 +1,5 @@
-// Compares the derivatives of the forces that the reference uses with finite differences of its forces.
+// Compares the reference's formulas for the derivatives of the forces with finite differences of the
+// reference's forces.
 #include <gtest/gtest.h>
 
 #include "tests/springs/support/differences.hpp"
@@ -16,7 +17,7 @@ Matrix matrix_of(const reference::Derivatives& found, bool by_velocity) {
   return Eigen::Map<const Rows>((by_velocity ? found.by_velocity : found.by_position).data(), size, size);
 }
 
-// Bends the sticks, stretches some springs and compresses others.
+// Returns a state in which the sticks are bent, some springs are stretched and others are compressed.
 reference::State crumpled(const SpringNetwork& topology) {
   reference::State state = reference::rest(topology);
   for (std::size_t i = 0; i < topology.sticks(); ++i) {
@@ -62,12 +63,12 @@ TEST_P(Derivatives, OfAPrunedStepAreTheFiniteDifferencesOnStretchedSprings) {
                                    of.velocity.end());
   };
   EXPECT_LT(residual_of(step, speeds(state), speeds(next)), 1e-8);
-  // The pruned matrix is symmetric.
+  // Without the full Jacobian, the derivatives with respect to the positions form a symmetric matrix.
   const Matrix j = matrix_of(reference::derivatives(system, state, d.step), false);
   EXPECT_LT((j - j.transpose()).norm(), 1e-12 * j.norm());
 }
 
-// Of a compressed stick, the pruned derivative keeps only the change of the force along the stick.
+// If a stick is compressed, the pruned derivative of its force contains only the stiffness along the stick.
 TEST(DerivativesOfAStick, KeepOnlyTheForceAlongACompressedSpring) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);

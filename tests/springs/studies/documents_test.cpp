@@ -1,4 +1,4 @@
-// Compares the errors of the solvers that docs/topology.md states with the recorded rows.
+// Checks that the errors of the solvers in docs/topology.md are equal to the errors in the recorded results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path root = PELAGE_SOURCE_DIR;
 
-// Returns the errors in percent of the fur's length, per topology, with steps of 1/60 s.
+// Reads the errors of `solver` with steps of 1/60 s from the recorded results. Returns one error per
+// topology, in percent of the fur's length.
 std::map<std::string, double> errors(const std::string& solver, const std::string& norm) {
   std::map<std::string, double> found;
   for (const auto& file : fs::directory_iterator(root / "results/banisch2006-work-precision")) {
@@ -26,7 +27,7 @@ std::map<std::string, double> errors(const std::string& solver, const std::strin
     for (std::string line; std::getline(stream, line);) {
       const auto row = nlohmann::json::parse(line);
       const auto& axes = row["axes"];
-      const auto& written = axes["dynamics.step"];  // a number in old rows, a text in new ones
+      const auto& written = axes["dynamics.step"];  // a number in old results, a string in new results
       const double step = written.is_string() ? std::stod(written.get<std::string>()) : written.get<double>();
       if (row["status"] != "ok" || axes["dynamics.solver"] != solver || std::abs(step - 1.0 / 60) > 1e-6)
         continue;
@@ -36,7 +37,7 @@ std::map<std::string, double> errors(const std::string& solver, const std::strin
   return found;
 }
 
-// "2.0% of the fur's length on prisms and 4.7 to 4.8% on the other topologies"
+// Returns text such as "2.0% of the fur's length on prisms and 4.7 to 4.8% on the other topologies".
 std::string words(std::map<std::string, double> errors, int digits, const std::string& of) {
   EXPECT_EQ(errors.size(), 4u);
   const double prisms = errors["prisms"];

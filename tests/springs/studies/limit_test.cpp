@@ -1,4 +1,4 @@
-// Tests the study of the longest stable time step.
+// Tests longest_step(), which finds the longest stable time step.
 #include "harness/springs/studies/limit.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-// The scene of experiments/banisch2006-longest-step.toml with k = 10 N/m.
+// Returns the dynamics of experiments/banisch2006-longest-step.toml with the spring constant k = 10 N/m.
 Dynamics windy(Solver solver) {
   Dynamics d;
   d.solver = solver;
@@ -23,7 +23,8 @@ Dynamics windy(Solver solver) {
   return d;
 }
 
-// Returns the length of the longest stick after any step of two seconds, in rest lengths, by the reference.
+// Simulates two seconds with the reference. Returns the greatest length of a stick after any step, in rest
+// lengths.
 double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, double step) {
   d.step = float(step);
   reference::State state = reference::rest(topology);
@@ -37,8 +38,9 @@ double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, doubl
   return most / double(topology.length);
 }
 
-// The interval between two looks of the host must not change the answer. The former study looked every half
-// second, and its answer was the longest step that reaches the first look.
+// The result must not depend on how often the host reads the comparison of the lengths. An older version
+// compared the lengths only every half second, so it also accepted steps with which a stick is too long in
+// between.
 TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
@@ -53,14 +55,14 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
                 name(kind).data(), 1e3 * usual.step, usual.longest,
                 longest_by_the_reference(topology, d, usual.step),
                 longest_by_the_reference(topology, d, 1.03 * usual.step));
-    // Measured by an independent program: 75 to 78 ms, and 138 ms for prisms.
+    // An independent program found longest steps of 75 to 78 ms, and of 138 ms for prisms.
     EXPECT_NEAR(1e3 * usual.step, kind == Kind::prisms ? 138 : 77, kind == Kind::prisms ? 7 : 4) << kind;
     EXPECT_LT(usual.longest, double(most_stick)) << kind;
     EXPECT_GT(usual.longest, 0.8 * double(most_stick)) << kind;
   }
 }
 
-// The reference computes every step and keeps the longest stick.
+// longest_step() must agree with the reference, which compares the lengths of all sticks after every step.
 TEST(LongestStep, IsTheOneOfTheReference) {
   const Mesh mesh = sphere(1);
   for (const Kind& kind : {Kind::sticks, Kind::prisms})
@@ -70,7 +72,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
       const Limit found = longest_step(queue(), topology, d);
       EXPECT_LT(longest_by_the_reference(topology, d, 0.97 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
-      if (found.step == 1) continue;  // the longest step that the study tries
+      if (found.step == 1) continue;  // longest_step() tries no step above 1 s
       EXPECT_GT(longest_by_the_reference(topology, d, 1.03 * found.step), double(most_stick))
           << kind << ' ' << solver << ' ' << found.step;
     }
@@ -79,7 +81,7 @@ TEST(LongestStep, IsTheOneOfTheReference) {
 TEST(LongestStep, IsZeroIfNoStepSuffices) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = windy(Solver::semi_implicit_euler);
-  d.wind.speed = 1000;  // pulls every stick to many lengths
+  d.wind.speed = 1000;  // this wind stretches every stick to many rest lengths
   EXPECT_EQ(longest_step(queue(), topology, d).step, 0);
 }
 

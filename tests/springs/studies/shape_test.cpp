@@ -1,5 +1,5 @@
-// Tests the lean of fur at rest and in wind against the balance of moments, and the gaps between the sticks
-// of one vertex.
+// Compares the lean of fur at rest and in wind with the angle at which the moments are in balance. Also tests
+// the gaps between the sticks at one vertex.
 #include "harness/springs/studies/shape.hpp"
 
 #include <fmt/format.h>
@@ -24,9 +24,9 @@ namespace {
 using namespace test;
 
 // Returns the angle in degrees at which the forces on the top of an upright stick are in balance: a
-// horizontal force, the weight and the return force (B Eq. 5). The spring of the stick acts along the stick,
-// so only the components across the stick count. The result is the smallest angle above 0 at which the sum of
-// the moments, as a function of the angle, changes from positive to negative.
+// horizontal force, the weight and the return force (B Eq. 5). The force of the stick's spring acts along the
+// stick and has no moment about its base. The result is the smallest angle above 0 at which the sum of the
+// moments changes from positive to negative.
 double balanced_lean(const Dynamics& d, double horizontal) {
   const double weight = double(d.mass) * glm::length(glm::dvec3(d.gravity)), w = double(d.return_weight);
   const auto moment = [&](double angle) {
@@ -46,7 +46,8 @@ Dynamics steady_wind(double newtons) {
   return d;
 }
 
-// Without any horizontal force, upright fur is in an unstable balance. A force of 10 uN makes it fall.
+// Without a horizontal force, exactly upright fur is in an unstable equilibrium. A force of 10 uN makes it
+// lean.
 constexpr double draught = 1e-5, wind_of_3_m_s = 0.012;
 
 TEST(Lean, OfUprightFurIsTheBalanceOfMoments) {
@@ -70,7 +71,7 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Every sentence on the lean of the fur must give the angles of the balance of moments.
+// The angles that the documents state for the lean of the fur must be equal to the computed angles.
 TEST(Lean, IsWhatTheDocumentsSay) {
   const std::string rest = fmt::format("{:.1f}", balanced_lean(Dynamics{}, draught)),
                     windy = fmt::format("{:.1f}", balanced_lean(Dynamics{}, wind_of_3_m_s));
@@ -89,13 +90,14 @@ TEST(Lean, IsWhatTheDocumentsSay) {
     EXPECT_EQ(found[1].str(), rest) << path;
     EXPECT_EQ(found[2].str(), windy) << path;
     ++sentences;
-    // No other sentence gives another angle for this wind.
+    // No other sentence may state an angle for a wind of 3 m/s.
     EXPECT_FALSE(std::regex_search(text, std::regex("3 m/s[^.]{0,60}degrees|wind of 3 m/s bends"))) << path;
   }
   EXPECT_EQ(sentences, 8u);
 }
 
-// "Does not flip to the wrong side of the surface" (B, section 4) holds for loads below w.
+// The paper states that grass "does not flip to the wrong side of the surface" (B, section 4). This is true
+// for forces below the constant w of the return force.
 TEST(Lean, OfALoadAboveTheReturnWeightCrossesTheSurface) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   for (const auto& [load, crosses] : {std::pair(0.19, false), std::pair(0.21, true)}) {
@@ -115,8 +117,8 @@ Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
   return shape_of(topology, masses.offsets(queue()));
 }
 
-// Separable sticks at one vertex have the same constants, so without a poke they move alike, bit for bit.
-// They part if each triangle has its own phase of the gusts.
+// By default, all separable sticks at one vertex have the same constants and the same gusts, so their motions
+// are bitwise equal. If the gusts of each triangle have their own phase, the sticks move apart.
 TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
   const Mesh mesh = sphere(1);
   const Shape alike = after_gusts(Kind::separable_sticks, mesh, Gusts::sticks);
@@ -127,13 +129,13 @@ TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
   EXPECT_GE(apart.gap_most, apart.gap_median);
   const Shape prisms = after_gusts(Kind::separable_prisms, mesh, Gusts::sticks);
   EXPECT_GT(prisms.gap_median, 0.02);
-  // Topologies whose triangles share their sticks have no gap and ignore the choice.
+  // Topologies whose triangles share their sticks have no gaps, and Gusts::triangles has no effect on them.
   EXPECT_EQ(after_gusts(Kind::prisms, mesh, Gusts::triangles).gap_points, 0u);
   EXPECT_EQ(build(Kind::prisms, mesh, fur_length, Vertices::points, Gusts::triangles).gust_at,
             build(Kind::prisms, mesh, fur_length).gust_at);
 }
 
-// The reference and the device read the same phases.
+// With Gusts::triangles, the gaps on the device must agree with those of the reference.
 TEST(Gap, IsTheOneOfTheReference) {
   for (const Kind& kind : {Kind::separable_sticks, Kind::separable_prisms}) {
     const SpringNetwork topology = build(kind, sphere(0), fur_length, Vertices::points, Gusts::triangles);
@@ -147,7 +149,8 @@ TEST(Gap, IsTheOneOfTheReference) {
   }
 }
 
-// Two sticks of one point, 0.02 R apart at their tops, and three sticks of another point.
+// The test has two sticks at one surface point, whose tops are 0.02 R apart, and three sticks at another
+// surface point.
 TEST(Gap, IsTheLargestDistanceOfTwoTopsAtAPoint) {
   SpringNetwork topology;
   topology.length = 0.1f;

@@ -1,4 +1,5 @@
-// Tests the studies of equal error, energy drift and the Jacobian on small meshes.
+// Tests three studies of the mass-spring solvers on small meshes: times at equal error, energy drift, and
+// errors with the full Jacobian.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +16,8 @@ namespace {
 
 using namespace test;
 
-// Runs some frames of the subject and its checks. Returns the row with samples and metrics.
+// Times `frames` frames of the subject and runs its checks. Returns a row of results with the samples and the
+// metrics.
 Row row_of(Subject& subject, int frames) {
   Row row;
   for (int i = 0; i < frames; ++i) {
@@ -56,7 +58,7 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
     EXPECT_EQ(row.samples.at(name).wall_ms.size(), 6u) << name;
     EXPECT_EQ(row.metrics.contains(name + "_ratio"), solver != default_solver) << name;
     if (steps == 1) continue;
-    // With one step fewer per frame, the error is above the limit.
+    // With one time step fewer per frame, the error must be above the limit.
     Dynamics d = windy();
     d.solver = solver;
     d.step = 1.0f / float(60 * (steps - 1));
@@ -126,11 +128,11 @@ TEST(JacobianStudy, TheFullJacobianHasTheSmallerError) {
   EXPECT_LT(metric(row, "full_error_rms"), 0.1);
 }
 
-// The mean area per stick, and the constants of a stick with `springs.reference_area`.
+// Tests the mean area per stick, and how `springs.reference_area` scales the constants of a stick.
 TEST(AreaScaling, MultipliesTheConstantsOfAStick) {
   const SpringNetwork shared = build(Kind::prisms, square(2), fur_length),
                       apart = build(Kind::separable_prisms, square(2), fur_length);
-  EXPECT_NEAR(shared.stick_area, 1.0 / 13, 1e-9);  // a square of area 1 with 13 points and 16 triangles
+  EXPECT_NEAR(shared.stick_area, 1.0 / 13, 1e-9);  // the square has an area of 1, 13 points and 16 triangles
   EXPECT_NEAR(apart.stick_area, 1.0 / 48, 1e-9);
   DynamicsScene scene;
   const Dynamics plain = dynamics_of(scene, shared);

@@ -1,5 +1,6 @@
-// The derivatives of the reference's forces, computed by finite differences. They share no formula with the
-// derivatives in the reference, the kernels and the baselines, so they detect a mistake that all three share.
+// Computes the derivatives of the reference's forces by finite differences. The reference, the kernels and
+// the baselines use formulas of the derivatives. Finite differences do not use these formulas, so they detect
+// a mistake even if all three implementations contain it.
 #pragma once
 #include <Eigen/Dense>
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace pelage::springs::test {
 
 using Matrix = Eigen::MatrixXd;
 
-/// Returns the derivative of the forces on the top masses by the positions of the top masses, or by their
-/// velocities if `by_velocity` is set.
+/// Returns the derivative of the forces on the top masses with respect to the positions of the top masses or,
+/// if `by_velocity` is true, to their velocities.
 inline Matrix differences(const reference::System& system, const reference::State& state, double time,
                           bool by_velocity) {
   const SpringNetwork& topology = system.topology;
@@ -36,14 +37,14 @@ inline Matrix differences(const reference::System& system, const reference::Stat
   return found;
 }
 
-/// The linear system A x = b of a backward Euler step with the pruned derivatives. x is the change of the top
-/// masses' velocities.
+/// The linear system A x = b of a backward Euler step, where x is the change of the top masses' velocities.
 struct Step {
   Matrix a;
   Eigen::VectorXd b;
 };
 
-/// Returns the system (M - h D - h^2 J) x = h (f + h J v) with the forces f at `time`.
+/// Returns the system (M - h D - h^2 J) x = h (f + h J v). f are the forces of `state` at `time`, and v are
+/// its velocities.
 inline Step assembled(const reference::System& system, const reference::State& state, double time,
                       const Matrix& j, const Matrix& d) {
   const SpringNetwork& topology = system.topology;
@@ -60,10 +61,11 @@ inline Step assembled(const reference::System& system, const reference::State& s
           h * (f + h * (j * v))};
 }
 
-/// Returns the system of step `number` by finite differences. All springs of `state` must be longer than at
-/// rest, and the object must not move. The pruned derivatives are then the exact derivatives of the spring
-/// forces at velocity 0, and the exact derivatives of the return force without the part that changes the
-/// force along the stick.
+/// Returns the system of step `number` with the pruned derivatives, computed by finite differences. All
+/// springs of `state` must be longer than at rest, and the object must not move. Under these conditions, the
+/// pruned derivatives are the sum of two parts. The first part is the exact derivative of the spring forces
+/// at velocity 0. The second part is the exact derivative of the return force, projected onto the plane
+/// perpendicular to the stick.
 inline Step step_by_differences(const reference::System& system, const reference::State& state, long number) {
   const SpringNetwork& topology = system.topology;
   const double time = double(number + 1) * double(system.dynamics.step);
@@ -84,7 +86,7 @@ inline Step step_by_differences(const reference::System& system, const reference
   return assembled(system, state, time, j, differences(system, state, time, true));
 }
 
-/// Returns the system of step `number` with all terms of the derivatives, by finite differences.
+/// Returns the system of step `number` with all terms of the derivatives, computed by finite differences.
 inline Step full_step_by_differences(const reference::System& system, const reference::State& state,
                                      long number) {
   const double time = double(number + 1) * double(system.dynamics.step);
@@ -92,7 +94,8 @@ inline Step full_step_by_differences(const reference::System& system, const refe
                    differences(system, state, time, true));
 }
 
-/// Returns |b - A x| / |b| for the change x of the velocities between two states.
+/// Returns the relative residual |b - A x| / |b|, where x is the change from the velocities `before` to the
+/// velocities `after`.
 inline double residual_of(const Step& step, const std::vector<glm::dvec3>& before,
                           const std::vector<glm::dvec3>& after) {
   Eigen::VectorXd x(step.b.size());
@@ -102,13 +105,13 @@ inline double residual_of(const Step& step, const std::vector<glm::dvec3>& befor
 }
 
 /// Returns a state in which most sticks are bent by 20 to 50 degrees and every spring is longer than at rest:
-/// the top masses move outwards and turn by 0.3 rad about an axis. The derivative of the return force matters
-/// only in bent sticks. Positions and velocities are floats, so that kernels and baselines can start from
-/// exactly this state.
+/// the top masses are moved outwards and rotated by 0.3 rad about an axis. The sticks are bent, because the
+/// derivative of the return force is small for upright sticks. Positions and velocities are rounded to
+/// floats, so that kernels and baselines can start from exactly this state.
 inline reference::State stretched(const SpringNetwork& topology) {
   reference::State state = reference::rest(topology);
   const glm::dvec3 axis = glm::normalize(glm::dvec3(1, 2, 3));
-  const auto turned = [&axis](const glm::dvec3& v) {  // by the formula of Rodrigues
+  const auto turned = [&axis](const glm::dvec3& v) {  // rotates v by 0.3 rad with Rodrigues' formula
     const glm::dvec3 across = glm::cross(axis, v);
     return v + std::sin(0.3) * across + (1 - std::cos(0.3)) * glm::cross(axis, across);
   };
@@ -123,8 +126,8 @@ inline reference::State stretched(const SpringNetwork& topology) {
   return state;
 }
 
-/// Returns dynamics of backward Euler with strong springs and a strong return force on an object at rest, so
-/// that every part of the derivatives contributes to the matrix of the system.
+/// Returns dynamics with the backward Euler solver and an object at rest. Springs and return force are so
+/// strong that every term of the derivatives changes the matrix of the system noticeably.
 inline Dynamics stiff_step() {
   Dynamics d;
   d.solver = *std::find_if(solvers.begin(), solvers.end(), [](const Solver& s) { return s.implicit; });
