@@ -8,7 +8,7 @@ namespace pelage::tolerance {
 // Tolerances of pictures. Channels are 0..1, and only fur pixels count (harness/compare/metrics.hpp).
 
 /// Smallest accepted PSNR against the reference, in dB. With rounding to floats as the only difference, the
-/// test scenes reach 70 dB or more. Every planted error of reference::Mutant gives less than 60 dB.
+/// test scenes reach 70 dB or more. Every deliberate error of reference::Mutant gives less than 60 dB.
 inline constexpr double picture_psnr = 60.0;
 /// A pixel is flipped if one of its channels differs by more than this: two steps of an 8-bit display.
 /// Rounding alone changes a channel by less than one step. A larger difference means that the pixel sampled
