@@ -42,7 +42,8 @@ def build_shim(folder):
 
 
 def run_cell(trees, shim, scratch, order, cell, place):
-    """Runs the three processes of one cell. `place` is the path of their results without the name of the side."""
+    """Runs the three processes of one cell. Each element of `order` is a side: "old", "new", or
+    "control", which is a second process of the old build. Each side writes its results to the folder `place`-SIDE."""
     model, layers, size = cell
     shared = scratch / "shared"
     shared.write_bytes(bytes(64))

@@ -62,7 +62,7 @@ std::string name_of(const Cell& cell);
 /// disturbed the timing, "*!" for both.
 std::string marks_of(const Cell& cell);
 
-/// Returns one sentence for each mark (marks_of()) that occurs in these cells. It explains the mark.
+/// For each mark (marks_of()) that occurs in these cells, returns one sentence that explains the mark.
 std::vector<std::string> mark_remarks(const std::vector<Cell>& cells);
 
 /// Returns a remark that names up to five cases whose times drift (drifts()), and the change of each time:

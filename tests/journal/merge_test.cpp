@@ -1,5 +1,5 @@
 // Tests which rows a merge writes into one journal, leaves out, refuses, or writes into separate folders.
-// Also tests the files of the new folder.
+// Also tests which files the merge writes, and their contents.
 #include "harness/journal/merge.hpp"
 
 #include <gtest/gtest.h>

@@ -28,7 +28,7 @@ FrameInput flat_frame(const Flat& flat) {
   scene.shading.ambient = 1;
   scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
   scene.shading.specular = glm::vec3(0);
-  scene.shading.shadow = 1e6f;  // practically no shadow on the skin, so that the skin is white
+  scene.shading.shadow = 1e6f;  // the larger, the weaker the shadow; with 1e6 the skin stays white
   scene.coat.skin = glm::vec3(1);
   scene.image = {flat.width, flat.height, glm::vec3(1)};
 
