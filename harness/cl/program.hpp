@@ -73,7 +73,7 @@ class Event {
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
   /// Returns the duration of the command in ms, once the command has finished. The result is empty if the
-  /// device's timer is not real (its resolution is 0, or the end of the command is not after its start).
+  /// device's timer is unusable (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
   const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched
