@@ -15,8 +15,8 @@
 
 namespace pelage {
 
-/// Throws InputError if no file can be written to `path`, because its folder does not exist or because `path`
-/// is a folder.
+/// Throws InputError if the folder that should contain `path` does not exist, or if `path` itself is a
+/// folder.
 inline void require_place(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");

@@ -28,7 +28,7 @@ class Queue {
   cl_command_queue queue_ = nullptr;
 };
 
-/// Untyped storage behind Buffer<T>.
+/// A block of device memory without an element type. Buffer<T> stores its values in such a block.
 class Memory {
  public:
   Memory() = default;

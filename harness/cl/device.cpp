@@ -18,7 +18,7 @@ namespace pelage::cl {
 struct Device::State {
   cl_device_id id = nullptr;
   DeviceInfo info;
-  std::string platform_suffix;  // short name by cl_khr_icd: POCL, NV, MESA; else empty
+  std::string platform_suffix;  // short name such as POCL, NV or MESA; empty without the extension cl_khr_icd
   // The context is created on its first use, because listing the devices must not occupy every GPU of a
   // shared machine.
   mutable std::once_flag created;

@@ -1,5 +1,5 @@
-// OpenCL devices. Callers list the devices and pass them explicitly. There is no default device and no static
-// state.
+// OpenCL devices. A function that uses a device receives it as an argument; no global variable holds a
+// current device.
 #pragma once
 #include <CL/cl.h>
 

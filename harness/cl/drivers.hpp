@@ -20,8 +20,9 @@ bool may_pin(const std::vector<int>& cores, int online);
 
 /// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins thread i to core i. Without pinning, Linux
 /// sometimes wakes two threads on one core although another core has just become idle, and leaves them there
-/// for some milliseconds. Launches of 0.2 to 10 ms then took up to twice their time (docs/performance.md).
-/// The function does nothing if may_pin() is false for the cores that the process may use.
+/// for some milliseconds. Launches that take 0.2 to 10 ms with pinning then took up to twice as long
+/// (docs/performance.md). The function does nothing if may_pin() is false for the cores that the process may
+/// use.
 void pin_threads();
 
 /// Calls pin_threads(), need_kernel_cache() and explain_aborts(), and registers NVIDIA's driver. Containers

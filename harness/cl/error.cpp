@@ -16,8 +16,8 @@ struct Named {
   const char* name;
 };
 
-// Error codes of OpenCL 1.2 (CL/cl.h), the code of cl_khr_icd's loader, and NVIDIA's code for a kernel that
-// accessed memory outside its buffers.
+// Error codes of OpenCL 1.2 (CL/cl.h), the code -1001 of the OpenCL loader (cl_khr_icd), and NVIDIA's code
+// for a kernel that accessed memory outside its buffers.
 constexpr Named names[] = {
     {-1, "CL_DEVICE_NOT_FOUND"},
     {-2, "CL_DEVICE_NOT_AVAILABLE"},

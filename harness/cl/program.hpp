@@ -15,13 +15,13 @@
 
 namespace pelage::cl {
 
-/// Returns the folder of kernel sources. The first of these folders that is given is used: the argument of
-/// set_kernel_folder() or --kernels, then $PELAGE_DATA/kernels, then kernels/ in the last folder of
-/// data_folders(). Throws InputError if this folder does not exist.
+/// Returns the folder of kernel sources. This is the folder that --kernels or set_kernel_folder() names. If
+/// neither was used, it is $PELAGE_DATA/kernels. If this variable is not set either, it is kernels/ in the
+/// last folder of data_folders(). Throws InputError if this folder does not exist.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 
-/// Kernel files: for each path in the kernel folder, the hash of the file's contents.
+/// Maps the path of a kernel file, relative to the kernel folder, to the hash of the file's contents.
 using Sources = std::map<std::string, std::uint64_t>;
 
 /// Returns the hashes of `file` and of every file that it includes, directly or indirectly. Throws InputError
@@ -73,7 +73,7 @@ class Event {
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
   /// Returns the duration of the command in ms, once the command has finished. The result is empty if the
-  /// device's timer is not real (its resolution is 0, or the end of the command is not after its start).
+  /// device's timer is unusable (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
   const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched

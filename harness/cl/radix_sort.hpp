@@ -27,7 +27,9 @@ class RadixSort {
  private:
   Program program_;
   Kernel blocks_, add_, count_, move_;
-  std::vector<Buffer<std::int32_t>> sums_;  // sums of blocks, then sums of blocks of blocks, and so on
+  // sums_[0] contains the sums of the blocks of values; sums_[i] contains the sums of the blocks of
+  // sums_[i - 1].
+  std::vector<Buffer<std::int32_t>> sums_;
   Buffer<std::int32_t> digits_, other_key_, other_value_;
 };
 

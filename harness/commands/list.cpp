@@ -25,8 +25,8 @@ double most_seconds(const Experiment& experiment, const Preset& preset) {
   return double(cases_of(experiment, preset).size()) * (preset.limits.warm_up_s + preset.limits.limit_s);
 }
 
-/// Returns " (PAPER, TABLE)", the source of the experiment. Omits a part that the experiment file does not
-/// give. Returns "" if the file gives neither part.
+/// Returns " (PAPER, TABLE)", the source of the experiment. Omits PAPER or TABLE if the experiment file
+/// does not give it. Returns "" if the file gives neither of them.
 std::string source_of(const Experiment& experiment) {
   if (experiment.paper.empty() && experiment.table.empty()) return "";
   const char* between = experiment.paper.empty() || experiment.table.empty() ? "" : ", ";

@@ -33,7 +33,7 @@ struct MeshCommand {
 
 void fill(Picture& picture, const Mesh& mesh, const glm::uvec3& t, glm::vec4 colour) {
   glm::vec2 p[3];
-  for (int k = 0; k < 3; ++k)  // v increases upwards in the picture
+  for (int k = 0; k < 3; ++k)  // v increases upwards, pixel rows downwards
     p[k] = glm::vec2(mesh.uv[t[k]].x, 1 - mesh.uv[t[k]].y) * float(picture.width) - 0.5f;
   const auto low = glm::vec2(std::min({p[0].x, p[1].x, p[2].x}), std::min({p[0].y, p[1].y, p[2].y}));
   const auto high = glm::vec2(std::max({p[0].x, p[1].x, p[2].x}), std::max({p[0].y, p[1].y, p[2].y}));

@@ -14,7 +14,8 @@ namespace pelage {
 /// The options of `pelage render` that choose and configure a pipeline.
 struct RendererOptions {
   std::string pipeline = "shells", mapping, opengl, device;
-  int bits = 32;  ///< 8: the reference rounds its picture to 8 bits per channel after every layer
+  /// 8: the reference rounds its picture to 8 bits per channel after every layer. 32: it does not round.
+  int bits = 32;
 };
 
 using DrawPicture = std::function<FrameOutput(const std::shared_ptr<const FrameInput>&)>;
@@ -22,8 +23,8 @@ using DrawPicture = std::function<FrameOutput(const std::shared_ptr<const FrameI
 struct Renderer {
   std::string_view name;  ///< value of the option --pipeline
   std::string_view what;  ///< description of the pipeline in --help, one line
-  bool rounds;            ///< reads --reference-bits
-  bool has_variants;      ///< reads --opengl
+  bool rounds;            ///< true: the pipeline accepts the option --reference-bits
+  bool has_variants;      ///< true: the pipeline accepts the option --opengl
   /// Reads the options and opens the device. Throws InputError or DeviceError. It runs before the preparation
   /// of the mesh, which may take minutes, so that errors are reported at once.
   DrawPicture (*open)(const RendererOptions&);

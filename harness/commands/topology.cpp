@@ -38,8 +38,8 @@ Published published_of(const std::string& model) {
   return {};
 }
 
-// Length of the fur in R, the radius of the bounding sphere. The printed numbers of masses and springs and
-// the memory do not depend on this length.
+// An arbitrary fur length in R, the radius of the bounding sphere. The command prints numbers of masses and
+// springs and sizes of memory, which do not depend on this length.
 constexpr float any_length = 0.05f;
 
 void row(std::string_view what, const auto& masses, const auto& springs, const std::string& degrees,
@@ -83,7 +83,7 @@ int run(const TopologyCommand& command) {
   const Topology counts = topology(*mesh);
   const Published published = command.faces ? Published() : published_of(command.model);
   fmt::print(
-      "{}: {} surface points, {} vertices (points on UV seams count once per side), {} edges, {} faces\n",
+      "{}: {} surface points, {} vertices (a point on a UV seam has several vertices), {} edges, {} faces\n",
       mesh->name, counts.points, counts.copies, counts.edges, counts.faces);
   fmt::print("{:<36} {:>9} {:>9}  {:>14}  {:>21}{}\n", "", "", "", "springs per top", "device memory, KiB",
              published.empty() ? "" : "       in the paper");

@@ -1,5 +1,5 @@
-// pelage topology MODEL|FILE: prints the numbers of masses and springs of each spring network on a model, and
-// draws the networks.
+// pelage topology MODEL|FILE: prints the numbers of masses and springs of each mass-spring topology on a
+// model, and draws the topologies.
 #pragma once
 #include "harness/commands/command.hpp"
 

@@ -114,8 +114,10 @@ int tune(const TuneOptions& options) {
     return 0;
   }
   const std::vector<NamedInput> inputs = prepared(experiment, cases);
-  fmt::print("{}\nstage\tconfiguration\ttime divided by the incumbent's time (95% interval)\n",
-             device.info().name);
+  fmt::print(
+      "{}\nstage\tconfiguration\ttime divided by the time of the fastest configuration so far (95% "
+      "interval)\n",
+      device.info().name);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::vector<TuningScene> scenes;
     scenes.reserve(inputs.size());

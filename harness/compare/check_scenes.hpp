@@ -15,8 +15,8 @@ struct CheckScene {
 
 /// If `full` is false, returns four scenes: a torus with curly, with wet and with windy fur, and a bunny with
 /// all three effects at once. If `full` is true, returns 49 other scenes. 48 of them are the eight models of
-/// S Table 1, each with 16 and with 64 layers, and with curly, with wet and with windy fur. The last scene is
-/// a torus of 5.0 million triangles with all three effects.
+/// Silva's Table 1, each with 16 and with 64 layers, and with curly, with wet and with windy fur. The last
+/// scene is a torus of 5.0 million triangles with all three effects.
 std::vector<CheckScene> check_scenes(bool full);
 
 }  // namespace pelage

@@ -17,7 +17,7 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, 
 /// Returns checks that compare the distances in `found` with their limits. For shared prisms (adjacent prisms
 /// share their sticks), the limit of the rms distance is tolerance::prisms_rms, and the limit of the 99th
 /// percentile is tolerance::prisms_p99. For all other topologies, the limit of the largest distance is
-/// tolerance::stick_top. `against` names the compared result.
+/// tolerance::stick_top. `against` names the trusted state, for example "reference".
 std::vector<Check> agreement_checks(Kind kind, const std::string& against, const Spread& found);
 
 }  // namespace pelage::springs

@@ -106,8 +106,8 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
                         std::min(side, picture.height)};
       if (touches_fur(picture, cell)) cells.push_back(cell);
     }
-  // This loop shuffles the cells. It replaces std::shuffle, which gives different results in different
-  // standard libraries.
+  // Moves `taken` random cells to the front of the list. The code does not use std::shuffle, because its
+  // results differ between standard libraries.
   std::mt19937 random(seed);
   const std::size_t taken = std::min(count, cells.size());
   for (std::size_t i = 0; i < taken; ++i) std::swap(cells[i], cells[i + random() % (cells.size() - i)]);

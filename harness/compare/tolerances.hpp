@@ -16,7 +16,8 @@ inline constexpr double picture_psnr = 60.0;
 inline constexpr double flip = 2.0 / 255.0;
 /// Largest accepted share of flipped pixels (pixels that differ by more than `flip`) among the fur pixels.
 /// Comparisons of floats decide which texel of the wetness mask a pixel samples and which triangles cover the
-/// pixel. At borders, rounding can change these decisions. This happens to about 1 pixel in 10^4.
+/// pixel. At the borders of texels and triangles, rounding can change these decisions. This happens to about
+/// 1 pixel in 10^4.
 inline constexpr double flip_share = 1e-3;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers filter textures
 /// with different arithmetic. Therefore the 99.9th percentile of the baseline's errors and its share of
@@ -32,9 +33,10 @@ inline constexpr double few_pixels_difference = 4.0 / 255.0;
 
 // Tolerances of the tips of Silva's strands, as fractions of the strand's length.
 
-/// Limit for the error of every tip. S Eq. 3 keeps a tip inside a ball. In floats a tip may reach the surface
-/// of the ball one substep earlier than in doubles and then loses its outward speed. This happens to a few of
-/// 10^5 strands. The error moves the tip by less than a hundredth of a pixel in the pictures of the check.
+/// Limit for the error of every tip. Silva's Eq. 3 keeps a tip inside a ball. Because of rounding,
+/// a tip on the device may reach the surface of the ball one substep earlier than in the reference and then
+/// loses its outward speed. This happens to a few of 10^5 strands. The error moves the tip by less than a
+/// hundredth of a pixel in the pictures of the check.
 inline constexpr double worst_tip = 1e-3;
 /// Limit for the 99.9th percentile of the tip errors, as a fraction of the strand's length.
 inline constexpr double usual_tip = 1e-5;

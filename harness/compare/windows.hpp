@@ -31,7 +31,8 @@ struct WindowCheck {
   Check windows;        ///< the check of the number of windows; checks[0] is the same check
 };
 /// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
-/// the windows. `sticks` are the offsets (R) of the timed frame's sticks; empty for Silva's strands.
+/// the windows. For a mass-spring topology, `sticks` contains the offset of each stick's top mass from the
+/// stick's base in the timed frame, in R. For Silva's strands, `sticks` is empty.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 

@@ -9,7 +9,7 @@ namespace pelage {
 
 /// Writes the datasets of docs/frame.md, section 8, as HDF5, each with the attributes "units" and
 /// "description". `output` holds tips, velocities, mask and image of the frame that `input` describes. If
-/// writing fails, no partial file remains. Throws InputError.
+/// writing fails, no partial file remains. Throws InputError if the file cannot be written.
 void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output);
 
 /// Throws InputError if `path` does not end in .h5 or .hdf5, or if its folder does not exist. Call it before

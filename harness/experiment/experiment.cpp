@@ -95,8 +95,8 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // The name of a case omits the value of the axis "reading" if it is the first value of this axis in the
-    // experiment file. The same is true for the axis "variant".
+    // The name of a case omits the value of the axis "reading" or "variant" if it is the first value of that
+    // axis in the experiment file.
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&

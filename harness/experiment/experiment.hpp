@@ -99,7 +99,8 @@ struct Overrides {
   std::string model;
 };
 
-/// Reads a number in the form in which a paper prints it: "267" (a rounded number, here from 266.5 to 267.5),
+/// Reads a number in the form in which a paper prints it: "267" (a rounded number, which represents 266.5 to
+/// 267.5),
 /// "< 1" (an upper bound), "~ 30" (an approximate value) or "20..30" (a range). Throws InputError for other
 /// texts.
 Metric published_figure(const std::string& text, const std::string& unit);

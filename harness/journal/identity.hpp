@@ -10,11 +10,11 @@
 
 namespace pelage {
 
-/// Name of a part of the identity -> 16 hex digits, a hash of the part's content. The parts are "scene",
-/// "mesh", "variant", "tuning", "sampling", "device" and "build". There is also one part "kernel FILE" for
-/// each OpenCL program that the case ran; its hash covers FILE and all files that FILE includes. Rows of the
-/// OpenGL baseline also have the parts "shaders" and "renderer". The hash of the scene covers the contents of
-/// the texture files and of the mesh file that the scene names. Rows of schema 1 have no parts.
+/// Maps the name of each part of the identity to a hash of the part's content (16 hex digits). The parts are
+/// "scene", "mesh", "variant", "tuning", "sampling", "device" and "build". There is also one part "kernel
+/// FILE" for each OpenCL program that the case ran; its hash covers FILE and all files that FILE includes.
+/// Rows of the OpenGL baseline also have the parts "shaders" and "renderer". The hash of the scene covers the
+/// contents of the texture files and of the mesh file that the scene names. Rows of schema 1 have no parts.
 using Identity = std::map<std::string, std::string>;
 
 /// Prefix of the names of the parts for OpenCL programs, and name of the part for the OpenGL baseline's
@@ -24,7 +24,8 @@ inline constexpr const char *kernel_part = "kernel ", *shader_part = "shaders";
 /// Adds one part per program: the hash of the program's source files, as they were when it was built.
 void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs);
 
-/// Returns the names of the parts that differ, sorted. If only one identity has a part, this part differs.
+/// Returns the names of the parts whose hashes differ, sorted. A part that only one identity has counts as
+/// different.
 std::vector<std::string> differing_parts(const Identity& a, const Identity& b);
 
 /// Returns one text per differing part: "scene was 0123..., is 4567...". For a missing part, the text

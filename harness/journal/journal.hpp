@@ -1,12 +1,12 @@
 // The append-only journal of rows: one file with one line per case. If the program is killed, no complete row
 // is lost.
 //
-// The journal follows rules of SQLite and RocksDB. A lock admits only one writer, and the file is opened with
-// O_APPEND. Each write is one whole line with a checksum. Interrupted and short writes are completed. A row
-// counts as written only after fdatasync. The folder is synced when the file is created. If a write fails,
-// for instance on a full disk, the file is truncated to its last complete row and append() throws. If
-// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line, which has
-// no line feed. Any other damage is an error.
+// The journal follows rules for durable writing that SQLite and RocksDB also follow. A lock admits only one
+// writer, and the file is opened with O_APPEND. Each write is one whole line with a checksum. Interrupted and
+// short writes are completed. A row counts as written only after fdatasync. The folder is synced when the
+// file is created. If a write fails, for instance on a full disk, the file is truncated to its last complete
+// row and append() throws. If fdatasync fails, append() throws and does not retry. Mode::resume removes a
+// truncated last line, which has no line feed. Any other damage is an error.
 //
 // The rules above protect the rows if the program is killed. They do not protect rows that a disk loses in a
 // power failure.

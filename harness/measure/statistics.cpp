@@ -17,8 +17,9 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median with the
-/// probability `confidence`. x_(i) is the i-th smallest of n values. Returns -1 if there is no such r.
+/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median of the
+/// distribution with at least the probability `confidence`. x_(i) is the i-th smallest of n values. Returns
+/// -1 if there is no such r.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
   // Let m be the median of the distribution. The number X of values below m is binomially distributed.

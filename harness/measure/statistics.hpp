@@ -23,9 +23,9 @@ double median(std::span<const double> values);
 double quantile(std::span<const double> values, double q);
 
 /// Returns an interval between two of the sorted values that contains the true median with at least the
-/// probability `confidence`. The ranks follow from the binomial distribution, for any distribution of the
-/// values. Fewer than six values have no 95% interval. If there is no interval, returns the whole range of
-/// the values.
+/// probability `confidence`. The binomial distribution gives the ranks of the two values, so the interval is
+/// valid for any distribution of the values. Fewer than six values have no 95% interval. If there is no
+/// interval, returns the whole range of the values.
 Interval median_interval(std::span<const double> values, double confidence = 0.95);
 
 /// Returns whether `count` values suffice for an interval of median_interval with this confidence.
