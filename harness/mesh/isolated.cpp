@@ -20,7 +20,7 @@ namespace pelage {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-// With AddressSanitizer, the child process has no limit of memory and keeps stderr, because AddressSanitizer
+// With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
 // reserves terabytes of address space and writes its reports to stderr.
 constexpr bool sanitized = true;
 #else

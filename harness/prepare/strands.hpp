@@ -1,5 +1,5 @@
 // Computes the strands that move the fur. A strand is one mass on a spring with a root and a rest position.
-// Weights give the influence of the strands on each surface point.
+// Weights give the influence of the strands on each surface point. S is a paper that docs/frame.md lists.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -54,14 +54,15 @@ struct Cell {
 std::string changes_of(const Cell& cell);
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
-/// which they first occur in the rows. Rows are combined only if their identities are equal.
+/// which they first occur in the rows. Rows are combined only if their identities (hashes of everything that
+/// determines what a row measured) are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
 /// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the
 /// uncertainties of both numbers. An empty `low` or `high` means that the interval has no such limit.
 struct Ratio {
   double value = 0;
-  std::string relation;  ///< "", or ">" if the paper gives only an upper bound
+  std::string relation;  ///< ">" if the paper gives only an upper bound of its frame rate, else ""
   std::optional<double> low, high;
 };
 std::optional<Ratio> ratio_of(const Cell& cell);

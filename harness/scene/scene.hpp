@@ -1,6 +1,7 @@
 // The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
-// radius of the mesh's bounding sphere. scene_toml.hpp declares the functions that read, check and write
-// scenes.
+// radius of the mesh's bounding sphere. In the comments, S and W are the papers of Silva et al. 2010, and B
+// is Banisch and Wuethrich 2006 (docs/frame.md). scene_toml.hpp declares the functions that read, check and
+// write scenes.
 #pragma once
 #include <array>
 #include <cstdint>

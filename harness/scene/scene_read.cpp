@@ -76,7 +76,7 @@ std::string_view leaf(std::string_view name) {
 }
 
 /// Returns the error text for an unknown key. The text suggests the most similar key if one is similar
-/// enough. If `lists` is true, it also considers the names of the lists wetness.droplet and shading.light.
+/// enough. If `lists` is true, the text may also suggest the list wetness.droplet or the list shading.light.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
   names.reserve(keys.size() + 2);

@@ -1,4 +1,4 @@
-// The lighting models and their properties.
+// The lighting models and their properties. S and W are the papers that docs/frame.md lists.
 #pragma once
 #include <span>
 #include <string>
