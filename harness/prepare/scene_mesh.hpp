@@ -12,7 +12,7 @@
 namespace pelage {
 
 /// Returns the combined rotation of mesh.up and mesh.rotate: angles in degrees about x, then y, then z. If
-/// the angles of mesh.rotate are between -360 and 360 degrees, the returned angles are so, too.
+/// the angles of mesh.rotate are between -360 and 360 degrees, the returned angles are also in this range.
 glm::vec3 rotation_of(const MeshScene& mesh);
 
 /// Loads the model of `scene` with the scene's mesh options. `progress` receives messages if the preparation

@@ -15,7 +15,7 @@ namespace pelage {
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
-  Identity identity;           ///< identity of all combined rows
+  Identity identity;           ///< identity of all combined rows (harness/journal/identity.hpp)
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 1 << 20;  // greatest size of a scene file, 1 MiB
 
-/// The origin of a scene's text: its name in error texts, the folder against which relative paths are
-/// resolved, and whether error texts contain line numbers.
+/// Describes where a scene's text comes from: the name for error texts, the folder against which relative
+/// paths are resolved, and whether error texts contain line numbers.
 struct Source {
   std::string name;
   fs::path folder;
