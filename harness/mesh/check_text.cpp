@@ -1,5 +1,6 @@
-// Checks the text of mesh files and reports errors with their lines. The checks run before CGAL's readers,
-// because these readers stop without an error at the first unreadable text and trust the counts in a header.
+// Checks the text of mesh files and reports errors with their line numbers. The checks run before CGAL's
+// readers, because these readers stop without an error at the first unreadable text and trust the counts in a
+// header.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -16,7 +16,7 @@ constexpr double far = std::numeric_limits<double>::max();
 
 struct Edge {
   std::uint32_t a, b;         // points, a < b
-  std::uint32_t left, right;  // adjacent faces; right is `none` on a border
+  std::uint32_t left, right;  // the two faces at the edge; `right` is `none` if the edge lies on a border
   double length;
 };
 

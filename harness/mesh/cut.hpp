@@ -14,8 +14,8 @@ struct Disk {
   std::vector<Surface::Triangle> triangle;
 };
 
-/// Positions that determine the cuts. The cut graph is computed from the face nearest to `root`. Then a
-/// shortest path from the existing cuts to each point of `tips` is added, one tip after another.
+/// Positions that determine the cuts. The computation of the cut graph starts at the face nearest to `root`.
+/// Then a shortest path from the existing cuts to each point of `tips` is added, one tip after another.
 struct CutPlan {
   glm::dvec3 root{0};
   std::vector<glm::dvec3> tips;

@@ -76,7 +76,7 @@ Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
 }
 
 // Rotates and scales a UV map into the unit square. The rotation maximizes the size of the map. The margin is
-// two texels of a 256 x 256 mask.
+// 2/256 of the square's side (two texels of a wetness mask of 256 x 256 texels).
 void fit_uv(std::vector<Surface::Corners>& uv) {
   double best = 0, least = std::numeric_limits<double>::max();
   for (double degrees = 0; degrees < 90; degrees += 2)

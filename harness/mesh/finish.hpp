@@ -17,7 +17,8 @@ glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation);
 
 /// Rotates a finished mesh by `rotation` (degrees about x, then y, then z) and sorts it along a Morton curve
-/// again. Adds a note and updates the hash. A rotation of 0 returns the mesh unchanged.
+/// again. Adds a description of the rotation to Mesh::notes and updates Mesh::hash. If `rotation` is zero,
+/// the mesh is returned unchanged.
 Mesh turned(Mesh mesh, glm::dvec3 rotation);
 
 /// Returns a hash of all data of the mesh that influence a picture: the arrays and flags, but not the name

@@ -158,9 +158,9 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// Returns the right-hand side of the linear system in the global step of Liu et al. 2008. The system needs
-// one rotation per triangle. This rotation turns the triangle on the surface so that it fits the triangle in
-// the current map x best.
+// Returns the right-hand side of the linear system in the global step of Liu et al. 2008. It contains one
+// rotation per triangle: the rotation in the plane that best aligns the triangle's shape on the surface with
+// its image in the current map x.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };

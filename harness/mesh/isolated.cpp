@@ -20,7 +20,7 @@ namespace pelage {
 namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
-// With AddressSanitizer, the child process has no limit of memory and keeps stderr, because AddressSanitizer
+// With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
 // reserves terabytes of address space and writes its reports to stderr.
 constexpr bool sanitized = true;
 #else
@@ -37,7 +37,7 @@ void send(int pipe, Kind kind, const std::string& text) {
   for (std::size_t done = 0; done < message.size();) {
     const ssize_t written = ::write(pipe, message.data() + done, message.size() - done);
     if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) ::_exit(1);  // the parent has closed the pipe
+    if (written <= 0) ::_exit(1);  // the parent process has closed the pipe, so nobody reads the message
     done += std::size_t(written);
   }
 }

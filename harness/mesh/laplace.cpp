@@ -58,8 +58,8 @@ std::vector<int> aggregates(const Matrix& a, const Eigen::VectorXd& diagonal, in
   return group;
 }
 
-// Returns the interpolation matrix from groups to unknowns: constant over each group, then smoothed by a
-// damped Jacobi step.
+// Returns the matrix that interpolates one value per group to one value per unknown. The interpolation is
+// constant over each group and is then smoothed by a damped Jacobi step.
 Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std::vector<int>& group,
                      int count) {
   Matrix step(a.rows(), count);
@@ -81,7 +81,8 @@ Matrix interpolation(const Matrix& a, const Eigen::VectorXd& diagonal, const std
   return step;
 }
 
-// A Gauss-Seidel sweep over the unknowns in ascending or descending order.
+// Improves the solution `x` of a x = b by one Gauss-Seidel sweep, in ascending or descending order of the
+// unknowns.
 void sweep(const Matrix& a, const Eigen::VectorXd& diagonal, const Columns& b, Columns& x, bool ascending) {
   for (Eigen::Index k = 0; k < a.rows(); ++k) {
     const Eigen::Index i = ascending ? k : a.rows() - 1 - k;

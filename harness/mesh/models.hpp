@@ -24,8 +24,8 @@ struct Model {
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 
-/// Reads all models of a file in the order of the file. Throws InputError with file, line and key if the file
-/// is malformed.
+/// Returns all models of a file, in the order in which the file lists them. Throws InputError with file, line
+/// and key if the file is malformed.
 std::vector<Model> read_models(const std::filesystem::path& file);
 /// Reads the file experiments/models.toml. Takes it from the first folder of data_folders() that contains it.
 std::vector<Model> models();

@@ -9,9 +9,9 @@
 namespace pelage {
 namespace {
 
-// Implicit function of the pear. It is negative inside. The pear is the smooth union of a wide sphere below
-// and a narrow sphere above. The smooth minimum has the blend width 0.6. The stem's place at the top has a
-// shallow dimple. The pear extends from y = -0.98 to about 0.9.
+// Implicit function of the pear: negative inside the pear, zero on its surface. The pear is the smooth union
+// of a wide sphere below and a narrow sphere above. The smooth minimum has the blend width 0.6. The top has a
+// shallow dimple, where the stem of a pear would be. The pear extends from y = -0.98 to about 0.9.
 double pear(glm::dvec3 p) {
   const double across = p.x * p.x + p.z * p.z, y = p.y;
   const double low = std::sqrt(across + (y + 0.3) * (y + 0.3)) - 0.68;

@@ -186,7 +186,7 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality;
   double uv_area = 0, flipped = 0, surface_area = 0;
-  // Per face: ratio of UV area to surface area, and surface area.
+  // For each face: its ratio of UV area to surface area, and its surface area.
   std::vector<std::pair<double, double>> ratio;
   for (const glm::uvec3& t : mesh.triangle) {
     const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);

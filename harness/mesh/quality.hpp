@@ -31,9 +31,9 @@ struct UvQuality {
   double flipped = 0;      ///< UV area of the flipped faces, as a fraction of the UV area of all faces
   double overlapping = 0;  ///< texels covered by several faces, as a fraction of all covered texels
   double covered = 0;      ///< fraction of the unit square that is covered by faces
-  /// Percentiles of a face's area scale, weighted by surface area: low 1%, median 50%, high 99%. The area
-  /// scale is the ratio of UV area to surface area, divided by the same ratio of the whole map. It is 1 if
-  /// the face is neither stretched nor compressed.
+  /// The 1st, 50th and 99th percentile of the faces' area scales, weighted by surface area. The area scale of
+  /// a face is its ratio of UV area to surface area, divided by the same ratio of the whole map. A face with
+  /// the area scale 1 is neither enlarged nor reduced relative to the whole map.
   double area_low = 0, area_median = 0, area_high = 0;
 };
 

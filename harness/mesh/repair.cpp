@@ -79,7 +79,7 @@ void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
 }
 
 // Keeps all closed components and all open components of at least 1% of the largest component's area. Throws
-// InputError if more than 1000 remain.
+// InputError if more than 1000 components remain.
 void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   constexpr double least = 0.01;
   constexpr std::size_t most_components = 1000;

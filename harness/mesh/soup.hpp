@@ -19,9 +19,10 @@ struct Soup {
 
 /// Reads a mesh file. CGAL reads OBJ, OFF, PLY and STL; Assimp reads 3DS, glTF and glb. The file name's
 /// extension selects the format. If `with_uv` is true, Assimp instead of CGAL reads OBJ and PLY, because
-/// Assimp also reads texture coordinates. Throws InputError with the file, the line if known, and the
-/// permitted content. The result is not empty, its numbers are finite and its indices are in range. Malicious
-/// files may crash CGAL and Assimp, so call this function inside isolated().
+/// Assimp also reads texture coordinates. Throws InputError if the file is not a usable mesh. The message
+/// contains the file's name, the line if known, and the permitted content. The result is not empty, its
+/// numbers are finite and its indices are in range. Malicious files may crash CGAL and Assimp, so call this
+/// function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
 /// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without
@@ -37,7 +38,8 @@ std::string ending_of(const std::filesystem::path& file);
 /// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
 
-/// Reads a whole file. Throws InputError if it is missing, a folder, empty or larger than `limit` bytes.
+/// Reads a whole file. Throws InputError if the path is missing or a folder, or if the file is empty or
+/// larger than `limit` bytes.
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 
 namespace detail {

@@ -25,7 +25,7 @@ using Unfold = std::function<Surface(const Surface& surface, const CutPlan& plan
 
 /// Computes the UV map of a named model by CGAL: as rigid as possible (Liu et al. 2008, lambda 1000, 10
 /// iterations), or by mean-value coordinates on a circle if the first method fails. Named models keep this
-/// method so that their meshes stay bitwise identical.
+/// method so that their meshes stay bitwise identical in later versions of pelage.
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
 
 /// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. During the

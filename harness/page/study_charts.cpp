@@ -165,8 +165,8 @@ std::string amount(const std::string& key, double value) {
 
 std::vector<Chart> spring_charts(const std::vector<Cell>& cells) {
   static const std::map<std::string, std::string> titles{
-      {"banisch2006-update-time", "Update times of Figures 9 to 11"},
-      {"banisch2006-work-precision", "Error against cost, per topology"},
+      {"banisch2006-update-time", "Update times of Figures 9 to 11 of Banisch and Wuethrich 2006"},
+      {"banisch2006-work-precision", "Error against cost of the solvers, per topology"},
       {"banisch2006-longest-step", "Longest stable step"},
       {"banisch2006-energy", "Energy over time"},
       {"banisch2006-mesh-size", "Cost of a frame's simulation against the size of the mesh"}};

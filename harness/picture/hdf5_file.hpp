@@ -1,4 +1,4 @@
-// Writes HDF5 files: named arrays with their units. No other header includes HDF5's headers.
+// Writes HDF5 files: named arrays with their units. Only hdf5_file.cpp includes HDF5's headers.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Picture files. libpng writes PNG. OpenImageIO, which is loaded on demand, reads all formats and writes the
-// other formats.
+// Picture files. libpng writes PNG. OpenImageIO, which is loaded on demand, reads all formats and writes all
+// formats except PNG.
 #pragma once
 #include <filesystem>
 #include <string>

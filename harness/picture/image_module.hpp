@@ -7,9 +7,10 @@
 
 namespace pelage {
 
-/// The functions of the image module. All throw InputError.
+/// The functions of the image module. All throw InputError if they fail.
 struct ImageModule {
-  /// Reads an existing file. `kind` is the usual extension of the file's format, without the dot.
+  /// Reads an existing file. `kind` is OpenImageIO's name of the file's format, for instance "jpeg" or
+  /// "openexr".
   Picture (*read)(const std::filesystem::path& file, const std::string& kind);
   /// Writes 32-bit float RGBA in the format of the file's extension. Error messages call the file `name`.
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);

@@ -32,11 +32,11 @@ struct Stand {
   double across, along;
 };
 
-/// Returns the position of the eye nearest to the points at which the points just fit between two rays. The
-/// rays start at the eye. Their slopes relative to the view axis are +`slope` and -`slope`. For each point,
-/// let p be its coordinate perpendicular to the view axis, and q its coordinate parallel to the view axis.
-/// The first ray touches the point with the greatest p - slope * q. The second ray touches the point with the
-/// greatest -p - slope * q. The coordinate p of each point may vary by +-`margin` (in R).
+/// Two rays start at the eye; their slopes relative to the view axis are +`slope` and -`slope`. Of the
+/// positions of the eye at which all points lie between the two rays, returns the one nearest to the points.
+/// For each point, let p be its coordinate perpendicular to the view axis, and q its coordinate parallel to
+/// the view axis. The first ray touches the point with the greatest p - slope * q. The second ray touches the
+/// point with the greatest -p - slope * q. The coordinate p of each point may vary by +-`margin` (in R).
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -48,10 +48,11 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// Returns an eye with the given coordinate `along`. The points lie between two rays from this eye, which
-/// have opposite slopes and both touch a point. `along` must be at most touch(slope).along, so that the eye
-/// is at least as far from the points as touch(slope). A smaller slope of the rays moves the eye of touch()
-/// away from the points. Bisection between 0 and `slope` finds the slope s with touch(s).along = `along`.
+/// Returns an eye with the given coordinate `along`. The points lie between two rays from this eye. The
+/// slopes of the rays are s and -s, and each ray touches a point. `along` must be at most touch(slope).along,
+/// so that this eye is at least as far from the points as the eye that touch(slope) returns. A smaller slope
+/// moves the eye that touch() returns away from the points. Bisection between 0 and `slope` finds the s with
+/// touch(s).along = `along`.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

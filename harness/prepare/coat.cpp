@@ -102,8 +102,8 @@ glm::vec4 bilinear(const Picture& picture, double x, double y) {
          v * ((1 - u) * picture.at(x0, y1) + u * picture.at(x1, y1));
 }
 
-/// Reads a coat texture. A picture that is not square is stretched to a square of its longer side. The side
-/// is at most 4096 texels. The picture's top row is at v = 1.
+/// Reads a coat texture. The texture is a square. Its side is the longer side of the picture, but at most
+/// 4096 texels; a picture that is not square is stretched. The picture's top row is at v = 1.
 CoatTexture from_picture(const std::filesystem::path& path) {
   const Picture picture = read_picture(path);
   for (const glm::vec4& p : picture.pixel)

@@ -4,9 +4,9 @@
 
 namespace pelage {
 
-/// Returns the coat texture in UV space, which is a picture or a pattern. A pattern is a function of the
-/// position in space and therefore has no seams. Throws InputError for an unknown pattern or an unreadable
-/// picture.
+/// Returns the coat's colours as a texture in UV space. They come from a picture or a pattern. A pattern is a
+/// function of the position in space and therefore has no seams. Throws InputError for an unknown pattern or
+/// an unreadable picture.
 CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat);
 
 }  // namespace pelage

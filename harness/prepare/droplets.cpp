@@ -82,8 +82,8 @@ float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }
 
-/// A grid of points. It tests whether a new point has a minimum distance from all points of the grid. The
-/// size of a grid cell must not be smaller than this distance.
+/// A set of points, stored in the cells of a grid. clear() tests whether a new point is at least `distance`
+/// away from all stored points. The size of a grid cell must be at least `distance`.
 class Crowd {
  public:
   explicit Crowd(double cell) : cell_(cell) {}

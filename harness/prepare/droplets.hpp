@@ -1,4 +1,5 @@
-// The droplets that Algorithm 1 (S 3.3, W 3.1) draws into the wetness mask.
+// The droplets that Algorithm 1 (S 3.3, W 3.1) draws into the wetness mask. S and W are the papers that
+// docs/frame.md lists.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

@@ -1,6 +1,6 @@
 // The input of a frame: all arrays from which every pipeline computes the frame. The host prepares the arrays
 // once. Their values are single-precision floats, so the double-precision reference and the devices read the
-// same values. docs/frame.md defines each array.
+// same values. docs/frame.md defines each array, and lists the papers S, W and B.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace pelage {
 struct FurStrand {
   glm::dvec2 root{0};       ///< position of the root in the square, in [0,1)^2
   glm::dvec2 pull{0};       ///< displacement at height L0 towards the centre of the hair's lock
-  glm::dvec2 bend{0};       ///< sideways offset of the tip that the hair's bend causes
+  glm::dvec2 bend{0};       ///< sideways offset of the tip because the hair is bent
   double steep = 2.5;       ///< exponent c of the bend, see FurScene::bend_exponent
   double length = 1;        ///< length of the hair, as a fraction of L0
   double radius = 0;        ///< radius of the hair at its root

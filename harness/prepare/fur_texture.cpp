@@ -10,9 +10,9 @@ namespace {
 
 constexpr int fine = 4;               // number of sub-samples per texel and axis
 constexpr double shade_unit = 127.5;  // stored byte value of the shade 1.0
-// Painter computes the coverage c of a texel as the opacity of one of this many layers. For N = fur.layers
-// layers, c is converted to 1 - (1 - c)^(reference_layers / N), so that all N layers together are equally
-// opaque.
+// Painter computes the coverage c of a texel for fur of this many layers. If the fur has N = fur.layers
+// layers, c is converted to 1 - (1 - c)^(reference_layers / N), so that N layers together are as opaque as
+// reference_layers layers with the coverage c.
 constexpr double reference_layers = 16;
 
 /// One slice of the texture during its generation; coverage is 0..1.

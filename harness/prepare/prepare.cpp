@@ -29,8 +29,8 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   auto input = std::make_shared<FrameInput>();
-  // Another thread prepares the fur texture, which does not depend on the mesh. This preparation is the
-  // longest one, even if the texture is read from the cache.
+  // Another thread prepares the fur texture, which does not depend on the mesh. The preparation of the fur
+  // texture takes longer than that of any other array, even if the texture is read from the cache.
   auto fur = std::async(std::launch::async, [&] { return kept_fur_texture(scene.fur); });
   const Skin skin = weld(*mesh);
   input->scene = scene;

@@ -12,11 +12,11 @@
 namespace pelage {
 
 /// Returns the combined rotation of mesh.up and mesh.rotate: angles in degrees about x, then y, then z. If
-/// the angles of mesh.rotate are between -360 and 360 degrees, the returned angles are so, too.
+/// the angles of mesh.rotate are between -360 and 360 degrees, the returned angles are also in this range.
 glm::vec3 rotation_of(const MeshScene& mesh);
 
-/// Loads the model of `scene` with the scene's mesh options. `progress` receives messages of long
-/// preparations. Throws InputError like load_model().
+/// Loads the model of `scene` with the scene's mesh options. `progress` receives messages if the preparation
+/// of the mesh takes long. Throws InputError like load_model().
 std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress);
 

@@ -15,7 +15,7 @@ constexpr double noise_size = 0.1;  // wavelength, in R, of the noise that varie
 // g * fur.comb / sqrt(g^2 + least_grip^2). It is fur.comb / sqrt(2) where g is equal to least_grip, and 0
 // where g is 0.
 constexpr double least_grip = 0.25;
-constexpr int comb_iterations = 20;  // iterations of smoothing over neighbours along edges
+constexpr int comb_iterations = 20;  // number of iterations of smooth_tangents()
 
 /// Returns the tilt of the strands at each surface point as a tangential vector. Its length is the tangent of
 /// the angle between strand and normal. Where the comb direction is nearly normal to the surface, the tilt

@@ -1,15 +1,15 @@
 // Computes the strands that move the fur. A strand is one mass on a spring with a root and a rest position.
-// Weights give the influence of the strands on each surface point.
+// Weights give the influence of the strands on each surface point. S is a paper that docs/frame.md lists.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
 
 namespace pelage {
 
-/// Returns one strand per triangle (S 3.2.1). The rest tip relative to the root is L0 normalize(n + comb t +
-/// comb_noise s). Here n is the triangle's normal, t is the comb direction, projected onto the surface and
-/// smoothed, and s is a smoothly varying random tangent vector. If comb and comb_noise are 0, the rest tip is
-/// exactly L0 n.
+/// Returns one strand per triangle (S 3.2.1). The vector from the root to the tip at rest is L0 normalize(n +
+/// comb t + comb_noise s). Here n is the triangle's normal, t is the comb direction, projected onto the
+/// surface and smoothed, and s is a smoothly varying random tangent vector. If comb and comb_noise are 0,
+/// this vector is exactly L0 n.
 StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind);
 
 /// Returns the rest tip of each surface point: the position of the point plus the weighted mean of

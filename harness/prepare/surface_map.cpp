@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 constexpr int nowhere = -1;
-// Tolerance of barycentric coordinates, so that a texel centre on an edge is in both triangles.
+// Tolerance of barycentric coordinates, so that a texel centre on an edge counts as inside both triangles.
 constexpr double edge_slack = 1e-9;
 
 struct Grid {
@@ -48,7 +48,7 @@ double square_distance(const Grid& grid, int from, int to) {
   return double(dx) * dx + double(dy) * dy;
 }
 
-/// Finds the nearest covered texel of every texel by jump flooding (Rong and Tan 2006).
+/// Finds, for every texel, the nearest texel that a UV triangle covers, by jump flooding (Rong and Tan 2006).
 void fill_gutters(Grid& grid) {
   int step = 1;
   while (2 * step < grid.size) step *= 2;

@@ -1,5 +1,5 @@
 // Tangent vectors of the surface: the derivatives of the position with respect to UV, and the tangent frame
-// of the curl.
+// of the curl. S is a paper that docs/frame.md lists.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"

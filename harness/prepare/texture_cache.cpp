@@ -85,7 +85,7 @@ auto kept(const std::string& name, Hash key, const Make& make) {
 }  // namespace
 
 FurTexture kept_fur_texture(const FurScene& fur) {
-  // The hash contains all keys of the section `fur`. If a key were missing, the cache could return the
+  // The hash contains all keys of the section `fur`. If the hash omitted a key, the cache could return the
   // texture of a scene with another value of this key.
   Scene scene;
   scene.fur = fur;

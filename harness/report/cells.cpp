@@ -36,7 +36,8 @@ Cell cell_of(const FoundRow& found) {
   return cell;
 }
 
-/// Returns the names of a cell. Cells with the same names may have different identities.
+/// Returns the members that name a cell. Two cells with the same names may have measured different inputs;
+/// Cell::identity then differs.
 auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }

@@ -15,7 +15,7 @@ namespace pelage {
 struct Cell {
   std::string experiment, case_name, variant, device, host;
   std::map<std::string, std::string> axes, overrides;
-  Identity identity;           ///< identity of all combined rows
+  Identity identity;           ///< identity of all combined rows (harness/journal/identity.hpp)
   Status status = Status::ok;  ///< ok only if all combined rows are ok
   std::string reason;
   std::map<std::string, Metric> metrics;  ///< each metric, combined over the rows (combined_metric())
@@ -54,14 +54,15 @@ struct Cell {
 std::string changes_of(const Cell& cell);
 
 /// Returns the cells sorted by experiment, device and host. The cases of an experiment keep the order in
-/// which they first occur in the rows. Rows are combined only if their identities are equal.
+/// which they first occur in the rows. Rows are combined only if their identities (hashes of everything that
+/// determines what a row measured) are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
 /// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the
 /// uncertainties of both numbers. An empty `low` or `high` means that the interval has no such limit.
 struct Ratio {
   double value = 0;
-  std::string relation;  ///< "", or ">" if the paper gives only an upper bound
+  std::string relation;  ///< ">" if the paper gives only an upper bound of its frame rate, else ""
   std::optional<double> low, high;
 };
 std::optional<Ratio> ratio_of(const Cell& cell);

@@ -91,7 +91,7 @@ void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Diff
   }
 }
 
-/// Throws InputError if the set contains two cells that differ only in their identity.
+/// Throws InputError if the set contains two cells that differ only in their identity (hashes of the inputs).
 void refuse_ambiguous(const std::vector<Cell>& cells, const CompareBy& by) {
   std::map<std::pair<std::string, std::string>, const Cell*> known;
   for (const Cell& cell : cells) {

@@ -16,7 +16,7 @@ namespace pelage {
 std::string csv_by_phase(const std::vector<FoundRow>& rows);
 
 /// Returns CSV with one line per sample. A line contains the index of one sample and the time of this sample
-/// in ms. It does not contain the number of samples, their median and the interval. All other columns are
+/// in ms. It contains neither the number of samples nor their median and its interval. All other columns are
 /// those of csv_by_phase(). A row that is not ok has no line.
 std::string csv_by_sample(const std::vector<FoundRow>& rows);
 

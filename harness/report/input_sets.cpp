@@ -19,7 +19,7 @@ std::string names_of(const Row& row) {
   return text;
 }
 
-/// Text of a case's names (names_of()) -> identity of the case.
+/// The key is the result of names_of() for a case, and the value is the identity of the case.
 using Identities = std::map<std::string, Identity>;
 
 /// Returns whether the identity of a case in `rows` differs from the identity that `set` has for this case.
@@ -30,8 +30,8 @@ bool conflicts(const Identities& set, const std::vector<FoundRow>& rows) {
   });
 }
 
-/// Divides the rows of one journal into parts. Each case of a part has only one identity. Usually, the result
-/// is one part.
+/// Divides the rows of one journal into lists. Within a list, each case has only one identity. Usually, the
+/// result is one list.
 std::vector<std::vector<FoundRow>> parts_of(const std::vector<FoundRow>& journal) {
   std::vector<std::vector<FoundRow>> parts;
   std::vector<Identities> identities;

@@ -1,4 +1,4 @@
-// Separates rows that have the same names but measured different inputs.
+// Separates rows that belong to the same case but measured different inputs.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,8 +10,8 @@ namespace pelage {
 /// Rows in which every case has only one identity, so that all rows of a case may be combined.
 struct InputSet {
   std::vector<FoundRow> rows;
-  /// The parts of the identity, such as "mesh, scene", in which rows of this set differ from rows that have
-  /// the same names and are in the first set. If one of two such rows has schema 1, the text contains
+  /// The parts of the identity, such as "mesh, scene", in which rows of this set differ from rows of the same
+  /// case in the first set. If one of two such rows has no identity (a row of schema 1), the text contains
   /// "identity incomplete". Empty for the first set.
   std::string differs;
 };

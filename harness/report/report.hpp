@@ -19,7 +19,7 @@ struct ReportPlot {
 };
 
 struct ReportPicture {
-  std::string title, file;  ///< the picture is images/<file>
+  std::string title, file;  ///< the picture file is images/<file> in the report's folder
 };
 
 struct Report {

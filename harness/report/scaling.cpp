@@ -31,8 +31,8 @@ std::array<int, 2> size_of(const Cell& cell) {
   return {std::atoi(size.c_str()), cross == std::string::npos ? 0 : std::atoi(size.c_str() + cross + 1)};
 }
 
-/// Returns the cell that has `layers` layers and the same device, host, variant, model and picture size as
-/// `like`. Returns null if there is no such cell.
+/// Returns the cell that has `layers` layers and otherwise the same device, host, variant, model and picture
+/// size as the cell `like`. Returns null if there is no such cell.
 const Cell* with_layers(const std::vector<Cell>& cells, const Cell& like, int layers) {
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
     return c.device == like.device && c.host == like.host && c.variant == like.variant &&

@@ -14,8 +14,8 @@ namespace pelage {
 namespace {
 
 constexpr std::pair<const char*, const char*> charts[] = {
-    {"banisch2006-update-time", "Update times of Figures 9 to 11"},
-    {"banisch2006-work-precision", "Error against cost, per topology"},
+    {"banisch2006-update-time", "Update times of Figures 9 to 11 of Banisch and Wuethrich 2006"},
+    {"banisch2006-work-precision", "Error against cost of the solvers, per topology"},
     {"banisch2006-longest-step", "Longest stable step"},
     {"banisch2006-energy", "Energy over time"},
     {"banisch2006-mesh-size", "Cost of a frame's simulation against the size of the mesh"}};

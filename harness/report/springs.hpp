@@ -24,7 +24,7 @@ std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 /// quotients, and `low` and `high` are the limits of its 95% interval. Our solver's CPU time per core is its
 /// CPU time divided by the number of cores. `processor_ratio` is the baseline's CPU time divided by our
 /// solver's CPU time per core. `processor_ratio` is 0 if the row does not contain this ratio. Other processes
-/// do not affect CPU times.
+/// on the machine lengthen wall times but hardly change CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;

@@ -1,6 +1,7 @@
 // The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
-// radius of the mesh's bounding sphere. scene_toml.hpp declares the functions that read, check and write
-// scenes.
+// radius of the mesh's bounding sphere. In the comments, S and W are the papers of Silva et al. 2010, and B
+// is Banisch and Wuethrich 2006 (docs/frame.md). scene_toml.hpp declares the functions that read, check and
+// write scenes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -46,7 +47,7 @@ struct FurScene {
   float sweep = 0.18f;
   float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
   float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
-  float comb_noise = 0.0f;  ///< tilt in smoothly varying random directions, added to `comb`
+  float comb_noise = 0.0f;  ///< tangent of a tilt in smoothly varying random directions, added to `comb`
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8

@@ -153,7 +153,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.poke.along", &poke.along, "direction", -1e6, 1e6, "direction of an axis through the centre of the local force; the force dynamics.poke.spread points away from this axis"},
 
       {.name = "shading.model", .slot = &shading.model, .unit = "", .help = shading_help(), .choices = shading_names()},
-      {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, the self-shadow of the curling model"},
+      {"shading.shadow", &shading.shadow, "", 1, 1000, "K_shadow, which determines the self-shadow of the curling model; the colour at the base surface is multiplied by (K_shadow - 1) / K_shadow, so a larger value gives a weaker shadow"},
       {"shading.specular", &shading.specular, "", 0, 100, "K_s, the colour of the highlight"},
       {"shading.exponent", &shading.exponent, "", 0, 10000, "p, the exponent of the highlight"},
       {"shading.ambient", &shading.ambient, "", 0, 100, "ambient light"},
@@ -173,7 +173,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"coat.seed", &coat.seed, "", 0, most_seed, "random seed of the procedural coat"},
       {"coat.texture", &coat.texture, "texels", 1, 4096, "number of texels per side of a procedural coat"},
 
-      {.name = "camera.framed", .slot = &camera.framed, .unit = "", .help = "true: the camera is placed along camera.direction so that the model fills 80 to 90% of the picture's height; false: camera.eye and camera.target are used"},
+      {.name = "camera.framed", .slot = &camera.framed, .unit = "", .help = "true: the camera is placed along camera.direction, at the nearest position at which the model with its fur fills at most 88% of the picture's height and at most 94% of its width; false: camera.eye and camera.target are used"},
       {"camera.direction", &camera.direction, "direction", -1e6, 1e6, "direction from the target to the eye"},
       {"camera.eye", &camera.eye, "R", -1e6, 1e6, "position of the camera if camera.framed is false"},
       {"camera.target", &camera.target, "R", -1e6, 1e6, "point in the centre of the picture if camera.framed is false"},

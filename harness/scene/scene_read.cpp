@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 1 << 20;  // greatest size of a scene file, 1 MiB
 
-/// The origin of a scene's text: its name in error texts, the folder against which relative paths are
-/// resolved, and whether error texts contain line numbers.
+/// Describes where a scene's text comes from: the name for error texts, the folder against which relative
+/// paths are resolved, and whether error texts contain line numbers.
 struct Source {
   std::string name;
   fs::path folder;
@@ -76,7 +76,7 @@ std::string_view leaf(std::string_view name) {
 }
 
 /// Returns the error text for an unknown key. The text suggests the most similar key if one is similar
-/// enough. If `lists` is true, it also considers the names of the lists wetness.droplet and shading.light.
+/// enough. If `lists` is true, the text may also suggest the list wetness.droplet or the list shading.light.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
   names.reserve(keys.size() + 2);

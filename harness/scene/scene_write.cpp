@@ -135,7 +135,9 @@ std::string write_scene(const Scene& scene) {
       "# A scene of pelage with all keys. Each comment gives the meaning and, in brackets, the range, unit "
       "and "
       "default.\n"
-      "# R is the radius of the model's bounding sphere.\n";
+      "# R is the radius of the model's bounding sphere.\n"
+      "# S and W are the papers of Silva et al. 2010 about curling fur and about wet fur. B is the paper of "
+      "Banisch and Wuethrich 2006.\n";
   std::string_view table;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const std::string_view name = keys[i].name;

@@ -1,4 +1,4 @@
-// The lighting models and their properties.
+// The lighting models and their properties. S and W are the papers that docs/frame.md lists.
 #pragma once
 #include <span>
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pelage {
 
-/// Other code tests the properties of a model and never compares names. docs/code.md lists what to change to
-/// add a model.
+/// A lighting model. Other code tests the properties below and never compares the names of models.
+/// docs/code.md lists what to change to add a model.
 struct ShadingModel {
   std::string_view name;  ///< value of the scene key shading.model
   std::string_view what;  ///< equations of the model

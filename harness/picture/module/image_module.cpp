@@ -31,15 +31,16 @@ std::string one_line(const std::string& text) {
   return line.empty() ? "no reason given" : line;
 }
 
-/// Tests whether a PNG or JPEG file contains its end marker. This is necessary because OpenImageIO returns a
-/// truncated JPEG as a picture with grey areas.
+/// Throws InputError if a PNG or JPEG file does not contain its end marker. This check is necessary because
+/// OpenImageIO returns a truncated JPEG as a picture with grey areas.
 void require_end(const fs::path& file, const std::string& kind) {
   using namespace std::string_literals;
   if (kind != "png" && kind != "jpeg") return;
   const std::string marker = kind == "png" ? "IEND\xae\x42\x60\x82"s : "\xff\xd9"s;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   const std::streamoff size = stream.tellg();
-  // Some writers add padding after the end marker.
+  // Some writers add padding after the end marker, so the last 1024 bytes of the file are searched for the
+  // marker.
   std::string tail(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, 1024)), '\0');
   stream.seekg(-static_cast<std::streamoff>(tail.size()), std::ios::end);
   stream.read(tail.data(), static_cast<std::streamsize>(tail.size()));
@@ -62,8 +63,8 @@ Picture read(const fs::path& file, const std::string& kind) {
         "{}: {} x {} pixels with {} channels; pelage reads 1 to {} pixels per side, and at most 32 channels",
         file.string(), spec.width, spec.height, spec.nchannels, most_pixels_per_side));
   }
-  // A damaged header of a small file must not make the reader allocate gigabytes. Of these codecs, deflate
-  // compresses most, by a factor of at most 1032.
+  // A damaged header of a small file must not make the reader allocate gigabytes. Of the codecs that pelage
+  // reads, deflate compresses most, by a factor of at most 1032; densest_codec is larger than this factor.
   std::error_code error;
   if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
