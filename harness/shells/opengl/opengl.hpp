@@ -55,7 +55,8 @@ std::string to_text(const OpenGlOptions& options);
 /// if the baseline does not support the scene. The functions throw DeviceError if OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels (c_u, c_v, r, rho).
+  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels. A texel holds the centre
+  /// (c_u, c_v) and the radius r of a clump, and the wetness rho.
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
   ~OpenGl();
