@@ -20,8 +20,9 @@ struct OpenGlOptions {
   std::string draws = "instanced";
   /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
   std::string vertices = "indexed";
-  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). A driver
-  /// computes only coverage from its rounded positions. It interpolates attributes from unrounded positions.
+  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). With
+  /// "driver", rounded positions determine only the coverage. Attributes are then interpolated from unrounded
+  /// positions.
   std::string snap = "shader";
   /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
   /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").

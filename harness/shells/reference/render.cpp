@@ -238,7 +238,7 @@ class Painter {
   const Mask& mask_;
   const Geometry& geometry_;
   int layer_ = -1;
-  std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on this layer
+  std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on layer layer_
 };
 
 void check(bool fits, const char* what) {
