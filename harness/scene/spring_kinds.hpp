@@ -8,8 +8,8 @@
 
 namespace pelage::springs {
 
-/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. The program decides by
-/// these properties and never by the name of the topology. To add a topology, add a row to the table of
+/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. Other code tests these
+/// properties and never the name of the topology. To add a topology, add a row to the table of
 /// spring_kinds.cpp.
 struct Kind {
   std::string_view name;   ///< name in scene files and on the command line
@@ -46,8 +46,8 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
   return out << kind.name;
 }
 
-/// A time integration scheme, described by its properties. The program decides by these properties and never
-/// by the name of the scheme. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the
+/// A time integration scheme, described by its properties. Other code tests these properties and never the
+/// name of the scheme. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the
 /// time step of the scheme in kernels/springs/ and in harness/springs/reference/reference.cpp.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line

@@ -18,8 +18,8 @@ std::string hash(const std::string& text) {
   return Hash().text(text).hex();
 }
 
-/// Returns the limits as text. Every number has its shortest decimal form, so that equal limits have equal
-/// texts.
+/// Returns the sampling limits as text. Every number has its shortest decimal form, so that equal limits have
+/// equal texts.
 std::string text_of(const SamplingLimits& l) {
   return fmt::format("{} {} {} {} {}", l.warm_up_s, l.least, l.most, l.precision, l.limit_s);
 }
@@ -57,8 +57,8 @@ Identity present_identity(Identity planned, const Identity& recorded) {
     if (!part.starts_with(prefix)) continue;
     try {
       planned[part] = cl::hash_of(cl::sources_of(part.substr(prefix.size())));
-    } catch (const InputError&) {  // The program's file is missing: its part stays absent, so the identities
-                                   // differ.
+    } catch (const InputError&) {  // The program's file is missing. `planned` gets no hash for the program,
+                                   // so it differs from `recorded`.
     }
   }
   return planned;

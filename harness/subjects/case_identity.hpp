@@ -9,12 +9,12 @@ namespace pelage {
 /// Throws InputError if the scene or the mesh is not valid.
 Identity case_identity(SubjectContext& context, const Case& which, const SamplingLimits& limits);
 
-/// Returns the identity that the case would get now: `planned` and the present hashes of the programs and
-/// shaders that `recorded` contains. If the file of a program is missing, the identity has no part for this
-/// program.
+/// Returns the identity that the case would get now: the hashes of `planned`, and the present hashes of the
+/// programs and shaders that `recorded` contains. If the source file of a program is missing, the identity
+/// has no hash for this program.
 Identity present_identity(Identity planned, const Identity& recorded);
 
-/// A row of a journal and the case that would be run now under the same key.
+/// A row of a journal (a file of results), and the case of the present experiment with the same key.
 struct KeptRow {
   const Row* row;
   const Case* which;
@@ -22,8 +22,8 @@ struct KeptRow {
 
 /// Throws InputError if the inputs that a row measured differ from the present inputs of its case, or if a
 /// row has no identity because an older version of pelage wrote it. `file` is the path of the journal. The
-/// message names the journal, the case and the parts that differ. `identity` returns the identity of a case
-/// without the parts for programs and shaders.
+/// message names the journal, the case and the inputs that differ. `identity` returns the identity of a case
+/// without the hashes of programs and shaders.
 void refuse_other_inputs(const std::string& file, const std::vector<KeptRow>& kept,
                          const std::function<Identity(const Case&)>& identity);
 

@@ -39,7 +39,7 @@ class FewerLayers : public Subject {
   }
   void describe(Row& row) override {
     all_->describe(row);
-    row.metrics.erase("peak_memory");  // removed, because all three subjects use this memory
+    row.metrics.erase("peak_memory");  // removed, because it is the peak of all three subjects together
     for (const auto& [phase, subject] : fewer_)
       row.metrics[phase + "_ratio"] = median_ratio(row.samples["frame"].wall_ms, row.samples[phase].wall_ms);
   }

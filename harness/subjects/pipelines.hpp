@@ -13,8 +13,8 @@ namespace pelage {
 /// Returns the table of all pipelines. Each entry has a name and a factory function.
 std::span<const Pipeline> pipelines();
 
-/// Returns the data from which the subjects of a run are made. `tuning` maps the kernels' tuning axes to
-/// values. Long preparation steps are reported to `progress`.
+/// Returns the data from which the subjects of a run (the objects that the harness times) are made. `tuning`
+/// maps the kernels' tuning axes to values. Long preparation steps are reported to `progress`.
 std::shared_ptr<SubjectContext> make_context(const cl::Device& device, const Experiment& experiment,
                                              const std::map<std::string, int>& tuning,
                                              const std::function<void(const std::string&)>& progress);

@@ -5,7 +5,7 @@
 namespace pelage {
 
 /// Returns a subject that draws the case's scene on the context's device with the case's mapping of pixels to
-/// work-items. Its check() compares a timed picture with the reference.
+/// work-items. Its check() compares a timed picture with the reference renderer's picture.
 std::unique_ptr<Subject> make_shells(SubjectContext& context, const Case& which);
 
 }  // namespace pelage

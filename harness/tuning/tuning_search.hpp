@@ -35,10 +35,11 @@ struct TuningScene {
 /// A configuration of the kernels and the result of its timing.
 struct Candidate {
   Tuning tuning;
-  /// Time of this configuration divided by the time of the incumbent (the best configuration so far). Each
-  /// round has the geometric mean of this quotient over the scenes. The ratio is the median of these means.
+  /// Time of this configuration divided by the time of the incumbent (the best configuration so far). In
+  /// each round, the quotients of the scenes are combined by their geometric mean. The ratio is the median of
+  /// the rounds' means.
   double ratio = 0;
-  Interval interval;  ///< 95% interval of the ratio, from the rounds
+  Interval interval;  ///< 95% confidence interval of the ratio, computed from the rounds
   /// Reason why the candidate cannot win: a failed check, or an error of the run. Empty if there is no fault.
   std::string fault;
   bool wins = false;  ///< whether `fault` is empty and the upper bound of `interval` is below 1
@@ -47,10 +48,10 @@ struct Candidate {
 struct TuningSearch {
   Tuning best;  ///< fastest values with correct output; empty if the shipped values are fastest
   std::vector<Candidate> tried;  ///< all candidates in the order in which they were tried
-  /// Final comparison of the best configuration with the shipped configuration. The tuning is empty if no
+  /// Final comparison of the best configuration with the shipped configuration. `last.tuning` is empty if no
   /// candidate won.
   Candidate last;
-  std::string fault;  ///< fault of the shipped configuration; if set, nothing was searched
+  std::string fault;  ///< fault of the shipped configuration; if it is not empty, the search did not run
 };
 
 /// Searches one axis after the other, in at most two passes over all axes. The incumbent is the best

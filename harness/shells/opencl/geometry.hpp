@@ -8,7 +8,7 @@
 namespace pelage::shells {
 
 /// Arrays of the drawn mesh. The drawn vertices are the vertices of the mesh. If triangles do not share
-/// vertices (parts()), each triangle has three drawn vertices of its own instead.
+/// vertices (parts() is true), each triangle has three drawn vertices of its own instead.
 struct Geometry {
   int vertices = 0;           ///< number of drawn vertices plus at least one padding vertex; a multiple of 16
   int triangles = 0;          ///< number of triangles, padded to a multiple of 16
@@ -38,9 +38,10 @@ struct Geometry {
   std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns
 };
 
-/// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of lanes of
-/// the kernels, 1 or 16. Throws InputError for more than 2^28 vertices or triangles. Also throws it if the
-/// scene has a mass-spring topology and `input` does not have one stick normal per surface point.
+/// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of vertices
+/// that a work-item computes at once, 1 or 16. Throws InputError for more than about 2^28 vertices or
+/// triangles. Also throws InputError if the scene has a mass-spring topology and `input` does not have one
+/// stick normal per surface point.
 Geometry lay_out(const FrameInput& input, int lanes);
 
 }  // namespace pelage::shells

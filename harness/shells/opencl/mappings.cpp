@@ -27,7 +27,8 @@ const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& 
   const auto found =
       std::find_if(std::begin(kinds), std::end(kinds), [&](const auto* kind) { return kind->name == name; });
   if (found == std::end(kinds))
-    throw InputError(fmt::format("mapping '{}': one of {}", name, fmt::join(mappings(), ", ")));
+    throw InputError(
+        fmt::format("mapping '{}': the name must be one of {}", name, fmt::join(mappings(), ", ")));
   return **found;
 }
 

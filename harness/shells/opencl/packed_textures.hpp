@@ -7,14 +7,14 @@
 
 namespace pelage::shells {
 
-/// Packs the fur into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and shade of
-/// texel (x, y), then coverage and shade of texel (x, y + 1). Each row ends with a copy of its first word.
-/// The mip levels are stored one after the other, level 0 first.
+/// Packs the fur texture into one 32-bit word per texel. The bytes of a word, lowest first, are coverage and
+/// shade of texel (x, y), then coverage and shade of texel (x, y + 1). Each row ends with a copy of its first
+/// word. The mip levels are stored one after the other, level 0 first.
 std::vector<std::int32_t> packed_fur(const FurTexture& fur);
 
-/// Packs the coat into two 32-bit words per texel. The first word holds red and green of texel (x, y), then
-/// red and green of texel (x, y + 1). The second word holds blue of both texels in bytes 0 and 2. A border of
-/// one texel copies the texels of the opposite side, because the texture repeats.
+/// Packs the coat texture into two 32-bit words per texel. The first word holds red and green of texel (x,
+/// y), then red and green of texel (x, y + 1). The second word holds blue of both texels in bytes 0 and 2. A
+/// border of one texel copies the texels of the opposite side, because the texture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
 
 }  // namespace pelage::shells

@@ -8,7 +8,7 @@
 
 namespace pelage::shells {
 
-/// kernels/rasterize/buffers.clh declares the same buffers in the same order.
+/// kernels/rasterize/buffers.clh declares these buffers in the same order as this struct.
 struct RasterBuffers {
   cl::Buffer<float> layer_table;
   /// Four values per triangle: three vertex indices, and the number of layers in which the triangle is drawn.

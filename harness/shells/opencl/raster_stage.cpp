@@ -22,10 +22,10 @@ int default_batch(int layers) {
   return std::max(4, (layers + 5) / 6);
 }
 
-// Returns the value of `axis`, which is a side of a tile in pixels. The side must be a multiple of 4, because
-// tiles consist of pixel blocks of 4 x 4. The side must be at most 32, because the kernels compute coverage
-// exactly only in tiles of up to 32 pixels per side (edge_from() in kernels/rasterize/coverage/coverage.clh).
-// Throws InputError for other sides.
+// Returns the value of the tuning axis `axis`: the width or the height of a tile in pixels. The value must be
+// a multiple of 4, because tiles consist of pixel blocks of 4 x 4. The value must be at most 32, because the
+// kernels compute coverage exactly only in tiles of at most 32 x 32 pixels (edge_from() in
+// kernels/rasterize/coverage/coverage.clh). Throws InputError for other values.
 int tile_side(const Tuning& tuning, const std::string& axis, int otherwise) {
   const int side = tuned(tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)

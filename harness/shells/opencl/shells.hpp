@@ -68,11 +68,13 @@ class Shells {
   Shells& operator=(Shells&&) noexcept;
 
   // frame() and advance() throw springs::Diverged if masses of a mass-spring topology have diverged.
-  FrameTiming frame();                  ///< simulates, draws and times one frame
-  void advance(int frames);             ///< simulates `frames` frames without drawing
-  Picture read() const;                 ///< copies the picture of the last frame to the host
-  int frames_simulated() const;         ///< number of frames simulated since the fur was at rest
-  std::vector<glm::vec4> mask() const;  ///< wetness mask: wetness.size^2 texels (c_u, c_v, r, rho)
+  FrameTiming frame();           ///< simulates, draws and times one frame
+  void advance(int frames);      ///< simulates `frames` frames without drawing
+  Picture read() const;          ///< copies the picture of the last frame to the host
+  int frames_simulated() const;  ///< number of frames simulated since the fur was at rest
+  /// Returns the wetness mask, with wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
+  /// r of a clump, and the wetness rho.
+  std::vector<glm::vec4> mask() const;
   /// Returns the tip minus the root of each strand, or the top minus the base of each stick, in R.
   std::vector<glm::vec3> tips() const;
   std::vector<glm::vec3> velocities() const;  ///< velocities of the tips of strands or sticks, R/s

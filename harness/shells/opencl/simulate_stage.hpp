@@ -8,7 +8,7 @@
 
 namespace pelage::shells {
 
-/// Advances all strands by S Eq. 2 and 3.
+/// Simulates all strands. S Eq. 2 moves the tips, and S Eq. 3 limits their positions.
 class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,

@@ -13,8 +13,8 @@ namespace pelage::shells {
 class WetStage {
  public:
   WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning = {});
-  cl::Event run(const cl::Queue& queue);                   ///< computes the mask; the constructor calls run()
-  const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
+  cl::Event run(const cl::Queue& queue);  ///< computes the mask; the constructor calls it, too
+  const cl::Buffer<float>& mask() const { return mask_; }                         ///< 4 floats per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
   double mask_ms() const { return mask_ms_; }  ///< wall time of the mask's kernel in ms; 0 without droplets
 

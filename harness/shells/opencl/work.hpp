@@ -46,8 +46,8 @@ inline constexpr double substeps = 98;
 /// Operations to sample the fur texture once more along the view ray. They are executed fur.substeps - 1
 /// times per shaded fragment.
 inline constexpr double substep = 70;
-/// Operations to compute the coat's colour, the tangent, the self-shadow and the powers of two highlights
-/// with exponent 24. They are executed once per blended fragment if the parameter surface_light is 0.
+/// Operations to compute the coat's colour, the tangent, the self-shadow, and for each of two highlights a
+/// power with the exponent 24. They are executed once per blended fragment if surface_light is 0.
 inline constexpr double colour = 113;
 /// Number of operations to compute two values of S Eq. 6 for one light: the diffuse term, and the base of the
 /// power in the specular term. They are executed once for each pair of a light and a blended fragment.

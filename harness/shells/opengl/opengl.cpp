@@ -138,7 +138,7 @@ struct OpenGl::State {
     glBindTextureUnit(1, coat.id());
     glBindTextureUnit(2, mask.id());
     glViewport(0, 0, input->camera.width, input->camera.height);
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the shader writes near / w as depth
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the depth is near / w, from 0 to 1
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DITHER);

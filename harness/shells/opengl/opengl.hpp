@@ -20,8 +20,9 @@ struct OpenGlOptions {
   std::string draws = "instanced";
   /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
   std::string vertices = "indexed";
-  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). A driver
-  /// computes only coverage from its rounded positions. It interpolates attributes from unrounded positions.
+  /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). With
+  /// "driver", rounded positions determine only the coverage. Attributes are then interpolated from unrounded
+  /// positions.
   std::string snap = "shader";
   /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
   /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").
@@ -55,7 +56,8 @@ std::string to_text(const OpenGlOptions& options);
 /// if the baseline does not support the scene. The functions throw DeviceError if OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels (c_u, c_v, r, rho).
+  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels. A texel holds the centre
+  /// (c_u, c_v) and the radius r of a clump, and the wetness rho.
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
   ~OpenGl();

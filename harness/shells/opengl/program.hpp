@@ -34,7 +34,7 @@ class Program {
   Program() = default;
   /// Compiles and links the files `vertex` and `fragment` of the shader folder. Both shaders get `defines`
   /// and `constants`. The constants are literals if `baked` is true, else uniforms. Throws DeviceError with
-  /// OpenGL's log.
+  /// OpenGL's log if OpenGL cannot compile or link the shaders.
   Program(const std::string& vertex, const std::string& fragment, const std::string& defines,
           const std::vector<Constant>& constants, bool baked);
   ~Program();

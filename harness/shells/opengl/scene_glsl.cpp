@@ -16,8 +16,8 @@ std::vector<float> list(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-/// Returns a row of the camera matrix times `factor`. The factor 2 / size converts screen positions from
-/// pixels to the range -1..1.
+/// Returns a row of the camera matrix times `factor`. With the factor 2 / (width or height of the picture),
+/// the row gives screen positions in the range -1..1 instead of pixels.
 std::vector<float> scaled(const glm::vec4& row, double factor) {
   std::vector<float> out;
   out.reserve(4);

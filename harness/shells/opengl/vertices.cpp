@@ -17,8 +17,9 @@ float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& 
 
 }  // namespace
 
-/// of_strand(f) returns a value of the strand of triangle f. Returns the weighted mean of this value over the
-/// triangles around a vertex. With fur.binding "separate", returns the value of the vertex's own triangle.
+/// Returns the weighted mean of of_strand(f) over the triangles f around a vertex. of_strand(f) returns a
+/// value of the strand of triangle f. With fur.binding "separate", returns the value of the vertex's own
+/// triangle.
 template <class OfStrand>
 glm::dvec3 Vertices::mean(std::size_t vertex, const OfStrand& of_strand) const {
   if (separate_) return glm::dvec3(of_strand(vertex / 3));

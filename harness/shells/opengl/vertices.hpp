@@ -12,9 +12,9 @@ namespace pelage::rivals {
 
 /// The attributes of a vertex that are the same in all frames.
 struct Vertex {
-  glm::vec3 position;  ///< R
+  glm::vec3 position;  ///< in R
   glm::vec2 uv;
-  glm::vec3 a;               ///< A, R
+  glm::vec3 a;               ///< A (docs/frame.md, section 3), in R
   glm::vec3 curl_u, curl_v;  ///< axes u and v of the curl, each times (1 - rho) K_alpha, in R
   glm::vec3 dx_du, dx_dv;    ///< R per UV unit
 };

@@ -1,5 +1,5 @@
-// Runs independent work on at most two threads, because the reference shares the machine with the pipeline
-// that it checks.
+// Runs independent work on at most two threads, because the reference renderer shares the machine with
+// the pipeline that it checks.
 #pragma once
 #include <algorithm>
 #include <atomic>

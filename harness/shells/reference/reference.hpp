@@ -29,7 +29,7 @@ enum class Mutant {
 };
 
 struct Options {
-  int frames = 0;               ///< number of frames of strand motion since rest
+  int frames = 0;               ///< number of frames that the strands have moved since rest
   bool eight_bit = false;       ///< round the framebuffer to 8 bits after every layer, as GPUs did in 2010
   std::vector<Window> windows;  ///< the parts of the picture to draw; empty: the whole picture
   /// The sticks of a mass-spring topology, each as its top minus its base, in R. There is one stick per

@@ -184,8 +184,8 @@ class Painter {
     const glm::dvec3 eye = view(sample);
     const ShadingScene& shading = input_.scene.shading;
     const glm::dvec3 outwards = unit(bend(face, sample).a), normal = lit_normal(shading, outwards, eye);
-    // No fur shadows the back of the surface. Its shadow factor is therefore that of the fur's tips, at the
-    // height h = 1.
+    // No fur shadows the back of the surface. The back therefore has the shadow factor of the fur's tips, at
+    // the height h = 1.
     const Fragment fragment{sample_coat(input_.coat, where) * glm::dvec3(input_.scene.coat.skin),
                             normal,
                             normal,
@@ -238,7 +238,7 @@ class Painter {
   const Mask& mask_;
   const Geometry& geometry_;
   int layer_ = -1;
-  std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on this layer
+  std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on layer layer_
 };
 
 void check(bool fits, const char* what) {

@@ -37,7 +37,7 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 /// linearly from 1 - sigma_occ at the base surface to 1 at the tips.
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of a fragment of a layer by the shading model shading.model.
+/// Returns the colour of a fragment of a layer, computed by the shading model shading.model.
 glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the colour of the base surface (docs/frame.md, section 7). The models "curling" and "wet" both use

@@ -12,8 +12,8 @@ namespace pelage::reference {
 /// The view ray meets one strand at the top of the slab and another strand at the bottom. Returns the offset
 /// from the root of the first strand to the root of the second, in R: D - ((D.nu) / e) * E. `step` is D, the
 /// vector along a strand from the bottom to the top, in R. `normal` is the unit normal nu, and `eye` is the
-/// unit direction E of the ray. e is E.nu limited in magnitude: min(E.nu, -.25) if E.nu < 0, else max(E.nu,
-/// .25). If |E.nu| >= .25, the offset is in the tangent plane.
+/// unit direction E of the ray. e is E.nu, changed to a magnitude of at least .25: min(E.nu, -.25) if E.nu <
+/// 0, else max(E.nu, .25). If |E.nu| >= .25, the offset is in the tangent plane.
 glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const glm::dvec3& eye);
 
 /// Returns the coordinates (u, v) of `delta` in the basis of the surface tangents t = dX/du and b = dX/dv. If

@@ -39,7 +39,7 @@ struct Arrays {
   Gradients<T> gradients;
 };
 
-/// One call of a function of Loops computes these time steps. moments[2 * i] holds wind, gravity and the
+/// The time steps that one call of a function of Loops computes. moments[2 * i] holds wind, gravity and the
 /// object's motion at the start of step i.
 struct Course {
   Solver solver = default_solver;

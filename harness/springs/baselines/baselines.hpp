@@ -1,5 +1,5 @@
 // The baselines of the OpenCL solvers: serial C++ loops with the same integration schemes, and solvers of the
-// library Eigen. They solve the same systems from the same initial states.
+// library Eigen. They solve the same systems as the OpenCL solvers, from the same initial states.
 #pragma once
 #include <glm/vec3.hpp>
 #include <memory>
@@ -16,7 +16,7 @@ struct Motions {
   std::vector<glm::vec3> offset, speed;
 };
 
-/// A baseline solver of one system.
+/// A baseline solver of one mass-spring system.
 class SolverRival {
  public:
   virtual ~SolverRival() = default;

@@ -71,9 +71,9 @@ void check(const Dynamics& dynamics);
 /// Returns whether the object rotates. The coordinate frame of a rotating object is not inertial.
 bool turns(const Dynamics& dynamics);
 
-/// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps,
-/// that is, at every half time step dt. All values are computed in double precision and then rounded to
-/// float.
+/// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps.
+/// dt is the time step, so the times are half a time step apart. All values are computed in double precision
+/// and then rounded to float.
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps);
 
 /// Returns the kernels' parameters for sticks of `length` R. Members that depend on the launch or the layout,

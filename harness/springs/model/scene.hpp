@@ -9,11 +9,12 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics. The wind's speed is strength / drag. A wind of this speed exerts the force
-/// `strength` of the scene on a mass at rest. The wind exerts the same force on one of Silva's strands. If
-/// `springs.reference_area` of the scene is above 0, the constants of a stick (mass, stiffness, damping,
-/// drag, weight of the return force) are multiplied by the topology's mean surface area per stick divided by
-/// this reference area. The constants of the springs between top masses do not change.
+/// Converts the scene's dynamics to the parameters of the mass-spring solvers. The wind's speed is strength /
+/// drag. A wind of this speed exerts the force `strength` of the scene on a mass at rest. The wind exerts the
+/// same force on one of Silva's strands. If `springs.reference_area` of the scene is above 0, the constants
+/// of a stick (mass, stiffness, damping, drag, weight of the return force) are multiplied by the topology's
+/// mean surface area per stick divided by this reference area. The constants of the springs between top
+/// masses do not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
 
 /// Returns the scene's topology over its mesh: one stick per surface point, or one stick per triangle

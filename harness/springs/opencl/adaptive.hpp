@@ -20,8 +20,8 @@ class AdaptiveSteps {
 
   struct Frame {
     int steps = 0;  ///< number of steps of the kept result
-    double error =
-        0;  ///< difference between the positions after n and after n / 2 steps, n = `steps`, in fur lengths
+    /// Difference between the positions computed in `steps` steps and in half as many steps, in fur lengths.
+    double error = 0;
   };
   /// Computes the next frame. `masses` must be at rest (first call) or in the state that the previous call
   /// left. Throws Diverged or InputError if `most` steps do not suffice.

@@ -205,7 +205,7 @@ void MassSprings::check(const cl::Queue& queue) const {
   std::size_t stick = 0;
   for (std::size_t i = 0; i < s.layout.place.size(); ++i)
     if (at[s.layout.place[i]] < step) step = at[s.layout.place[i]], stick = i;
-  if (step == never) return;  // only padding diverged: sticks in unused places of the slices
+  if (step == never) return;  // only padding (sticks in unused places of the slices) diverged
   throw Diverged(step, s.layout.place.size() + stick, s.dynamics);
 }
 

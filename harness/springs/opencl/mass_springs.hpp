@@ -50,9 +50,9 @@ class MassSprings {
   MassSprings& operator=(MassSprings&&) noexcept;
 
   /// Sets the state of all top masses: per stick, the position relative to the base (R) and the velocity
-  /// (R/s). `steps` is the number of steps done before. Clears the record of diverged masses, and sets the
-  /// initial guess of conjugate gradients to 0. Throws InputError if a size is wrong or a value is not
-  /// finite.
+  /// (R/s). `steps` is the number of steps from rest to this state. Clears the record of diverged masses, and
+  /// sets the initial guess of conjugate gradients to 0. Throws InputError if a size is wrong or a value is
+  /// not finite.
   void set(const cl::Queue& queue, const std::vector<glm::vec3>& offsets,
            const std::vector<glm::vec3>& speeds, long steps = 0);
 
@@ -85,7 +85,8 @@ class MassSprings {
   std::vector<std::int32_t> offset_columns() const;
   long steps() const;    ///< number of steps done or enqueued
   float length() const;  ///< length of the fur in R
-  /// Bytes of device memory. memory() in layout.hpp gives the same number.
+  /// Returns the size of the device memory that the system uses, in bytes. memory() in layout.hpp gives the
+  /// same number.
   std::size_t bytes() const;
   const LinearSolves& solves() const;
   const cl::Program& program() const;  ///< program of the solver's kernels

@@ -104,9 +104,10 @@ class PrismStage {
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
   // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_: the 3 x 3 diagonal blocks of
-  // A. inverse_: their inverses. coupling_: the coupling of each spring. change_: the solution x. left_: the
-  // residual r. way_: the direction d. along_: the product A d, and later z, the preconditioned residual.
-  // change_ and way_ have rows of four floats.
+  // A. inverse_: their inverses. coupling_: for each spring, a vector that determines the spring's
+  // off-diagonal block of A. change_: the
+  // solution x. left_: the residual r. way_: the direction d. along_: the product A d, and later z, the
+  // preconditioned residual. change_ and way_ have rows of four floats.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // results of gradients_whole

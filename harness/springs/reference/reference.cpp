@@ -28,9 +28,9 @@ Pose pose(const Motion& m, double t) {
   const double angle = double(m.spin) * t + double(m.swing) * std::sin(b * t);
   const double angle_1 = double(m.spin) + double(m.swing) * b * std::cos(b * t);
   const double angle_2 = -double(m.swing) * b * b * std::sin(b * t);
-  // Rodrigues' formula for the angle a and the axis n: R = cos(a) I + sin(a) [n] + (1 - cos(a)) n n^T, where
-  // [n] is the cross-product matrix of n. The chain rule gives the derivatives of R with respect to time from
-  // the derivatives of R with respect to the angle.
+  // Rodrigues' formula for the axis n: R = c I + s [n] + (1 - c) n n^T, where c and s are the cosine and the
+  // sine of `angle`, and [n] is the cross-product matrix of n. The chain rule gives the derivatives of R with
+  // respect to time from the derivatives of R with respect to the angle.
   const glm::dmat3 identity(1), outer = glm::outerProduct(n, n);
   const glm::dmat3 cross(glm::dvec3(0, n.z, -n.y), glm::dvec3(-n.z, 0, n.x), glm::dvec3(n.y, -n.x, 0));
   const double c = std::cos(angle), s = std::sin(angle);
@@ -45,7 +45,7 @@ Pose pose(const Motion& m, double t) {
 }
 
 struct Spring {
-  glm::dvec3 along;  // unit vector from the first to the second mass; 0 where both coincide
+  glm::dvec3 along;  // unit vector from the first to the second mass; 0 if the masses coincide
   double length, rest, stiffness, damping;
 };
 

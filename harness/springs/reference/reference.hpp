@@ -63,7 +63,7 @@ double energy(const System& system, const State& state);
 /// system, that is, on an object at rest without wind, drag, damping and return force.
 double total_energy(const System& system, const State& state);
 
-/// Returns the position of each top mass relative to its base, in R. The kernels call it q.
+/// Returns the position of each top mass relative to its base, in R. In the kernels, this vector is called q.
 std::vector<glm::dvec3> offsets(const SpringNetwork& topology, const State& state);
 
 }  // namespace pelage::springs::reference

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t absent = std::numeric_limits<std::uint32_t>::max();
 
 // Returns the part of the network that consists of the given sticks and the springs between these sticks. The
-// numbers in `sticks` are in ascending order.
+// indices in `sticks` are in ascending order.
 springs::SpringNetwork part_of(const SpringNetwork& whole, const std::vector<std::uint32_t>& sticks) {
   SpringNetwork part;
   part.kind = whole.kind;

@@ -1,5 +1,5 @@
-// Computes the motion of sticks with the double-precision reference. Checks compare the device's sticks with
-// the result, and the reference uses the result to draw its pictures.
+// Computes the motion of sticks with the double-precision solvers of reference.hpp. Checks compare the
+// device's sticks with the result, and the reference renderer draws its pictures from the result.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -19,9 +19,9 @@ struct SomeSticks {
   std::vector<glm::dvec3> offset;    ///< per stick: the top mass relative to its base, in R
   std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
 };
-/// Computes the state of about `count` sticks with evenly spaced indices. On shared prisms springs connect
-/// neighbouring sticks, so each stick depends on all others. Therefore the function computes all sticks and
-/// ignores `count`.
+/// Computes the state of about `count` sticks with evenly spaced indices. In the topology prisms, springs
+/// connect neighbouring sticks, so each stick depends on all others. Therefore the function computes all
+/// sticks and ignores `count`.
 SomeSticks some_reference_sticks(const FrameInput& input, int frames, std::size_t count);
 
 }  // namespace pelage::springs

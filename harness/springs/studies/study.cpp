@@ -20,7 +20,7 @@ Scene scene_with_springs(const SubjectContext& context, const Case& which) {
   return scene;
 }
 
-// Returns the scene's system without an initial state.
+// Returns the scene's mass-spring system without an initial state.
 Setting setting_of(SubjectContext& context, const Scene& scene) {
   SpringNetwork topology = topology_of(scene, *context.mesh_of(scene));
   const Dynamics dynamics = dynamics_of(scene.dynamics, topology);

@@ -36,7 +36,7 @@ std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& 
 std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which);
 
 /// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, with every
-/// baseline. All runs start from `setting.start` and run one after the other.
+/// baseline solver. All runs start from `setting.start` and run one after the other.
 std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
 
 /// Makes a subject that times one simulated second from rest. Its error metrics are the distances of the top
