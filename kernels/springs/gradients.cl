@@ -1,6 +1,6 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of all sticks
-// have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method of
-// conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of
+// all sticks have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method
+// of conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
 // iteration starts from the x of the previous step. A work-item computes a chunk of top masses. The chunks, and
 // therefore the rounding of the sums, do not depend on the work-group size: each work-item that needs a sum adds the
 // sums of the chunks in the same order. On a large model, each function *_chunk() below runs in a separate launch. A

@@ -60,7 +60,7 @@ static inline Bounds both(Bounds a, Bounds b) {
   return c;
 }
 
-// Returns the box of one screen position. The box is unlimited if the vertex needs clipping: it may be anywhere.
+// Returns the box of one position. A vertex that needs clipping may be anywhere, so it gets an unlimited box.
 static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   truth clipped = v.iw == REAL(0.0f);
   whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);
