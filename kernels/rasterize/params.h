@@ -11,7 +11,7 @@ typedef struct {
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
   float near_depth;                           // view depth of the near plane, in mesh radii
   // Geometry.
-  int vertices;                               // length of a column: number of drawn vertices, a multiple of 16
+  int vertices;                               // length of a column: drawn vertices, padded to a multiple of 16
   int triangles;
   int layers;                                 // N
   // Bezier parameter t of a layer at height h. 0: t = h; 1: t = 1 - sqrt(1 - h).
@@ -19,13 +19,13 @@ typedef struct {
   int sticks;                                 // 1: layers follow B Eq. 4 instead of the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
-  // Number of tiles across and down the picture, and constants for the lists of the triangles of each tile.
+  // Number of tiles across and down the picture, and constants of the tiles' triangle lists.
   int tiles_x, tiles_y;
   int layer_batch;                            // layers per layer batch; a tile selects visible triangles once per batch
   int layer_batches;                          // number of layer batches of this pass + 1 (the base surface is batch 0)
   // Layers of this pass: first_layer <= n < end_layer. If N layers need too much memory, several passes draw them.
   int first_layer, end_layer;
-  int chunk;                                  // number of triangles per chunk; a work-item counts one chunk
+  int chunk;                                  // triangles per chunk; one work-item of bin_count processes one chunk
   int chunks;
   // 1: every triangle is drawn in all layers. 0: a triangle is not drawn in the outer layers in which S Algorithm 2
   // (clumps) discards all its fragments.

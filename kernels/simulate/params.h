@@ -15,7 +15,7 @@ typedef struct {
   int substeps;
 } SimulateParams;
 
-// Columns of the array of constants: normal, anchor, gust phase.
+// Columns of the array of the strands' constants: normal, anchor (rest tip), and cosine and sine of the gust's phase.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
 // Columns of the array of the strands' state: three columns for q = p - root, and three columns for the velocity v.
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };

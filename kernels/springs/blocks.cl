@@ -1,4 +1,4 @@
-// Sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks of sticks at once.
+// Simulates sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks of sticks.
 #include "springs/block.clh"
 #include "springs/places.clh"
 

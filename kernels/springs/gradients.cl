@@ -1,11 +1,11 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of all sticks
-// have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method of
-// conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of
+// all sticks have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method
+// of conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
 // iteration starts from the x of the previous step. A work-item computes a chunk of top masses. The chunks, and
 // therefore the rounding of the sums, do not depend on the work-group size: each work-item that needs a sum adds the
-// sums of the chunks in the same order. A large model takes one launch for each part of a step. A small model takes a
-// single launch of one work-item for all parts (gradients_whole), because many launches would take longer than the
-// computation.
+// sums of the chunks in the same order. On a large model, each function *_chunk() below runs in a separate launch. A
+// small model takes one launch of one work-item for all of them (gradients_whole), because many launches would take
+// longer than the computation.
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
@@ -22,7 +22,7 @@ typedef double total;
 typedef float total;
 #endif
 
-// The sums of a chunk, one per lane. total_of() adds them after the last stick of the chunk.
+// The type of a chunk's sums, one per lane. After the chunk's last stick, total_of() adds the sums of all lanes.
 #if LANES == 16 && DOUBLE_SUMS
 typedef double16 totals;
 #define to_totals convert_double16
@@ -83,7 +83,7 @@ INLINE Symmetric inverse_of(Symmetric m) {
 
 // Two top masses joined by a spring have the matrix block -(even I + g g^T) in A, with a number `even` and a vector g.
 // Only g is stored, in three columns per entry. The sum of `even` and g.g is the same for all springs, so even_of() can
-// compute `even` from g. An entry with g = 0 has no spring.
+// compute `even` from g. An entry with g = 0 is padding and stands for no spring.
 INLINE real even_of(TopologyParams p, real3 g) {
   real along = dot3(g, g);
   real even = REAL(p.step * (p.step * p.edge_stiffness + p.edge_damping)) - along;

@@ -13,12 +13,12 @@ typedef struct {
   float drag;            // drag coefficient c against the air, N s/m
   float return_weight;   // weight w of the return force in B Eq. 5, N
   float step;            // dt, s
-  float most_square;     // squared length above which a stick counts as diverged
+  float most_square;     // square of the length above which a stick counts as diverged, R^2
   int substeps;          // number of substeps in this launch
-  int first_step;        // number of the launch's first substep
+  int first_step;        // number of the launch's first substep, counted from the start of the simulation
   int first_moment;      // index of the Moment at the time at which this launch starts
   int moving;            // 1: the object rotates, so its frame is not inertial
-  int pushed;            // 1: some local forces are not zero
+  int pushed;            // 1: a poke (dynamics.poke) exerts a force on some top masses
   int sticks;            // number of sticks; entries beyond it are padding
   int blocks;            // number of slices of 16 sticks; on separable prisms, of 16 triangles
   int blocks_per_item;   // number of units that a work-item computes; a unit is LANES adjacent sticks or triangles

@@ -1,9 +1,9 @@
-// Shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The force on a top mass
-// depends on the states of neighbouring top masses, which other work-items compute. Work-items of different work-groups
-// cannot wait for each other within a launch, so each evaluation of the forces needs a separate launch. A small model
-// takes one launch of one work-item for all substeps (prism_*_whole), because many launches would take longer than the
-// computation. The state of a top mass is its offset q from the stick's base and its velocity v. Neighbours read v and
-// the position (base + q), which are stored in rows of four floats.
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The force on a
+// top mass depends on the states of neighbouring top masses, which other work-items compute. Work-items of different
+// work-groups cannot wait for each other within a launch, so each evaluation of the forces needs a separate launch. A
+// small model takes one launch of one work-item for all substeps (prism_*_whole), because many launches would take
+// longer than the computation. The state of a top mass is its offset q from the stick's base and its velocity v.
+// Neighbours read v and the position (base + q), which are stored in rows of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \

@@ -3,8 +3,8 @@
 // droplets of its texel's bucket in the order of the list.
 #include "wet/equations.clh"
 
-// bucket_row: index of the first entry of each bucket in bucket_drop; its last element is the number of all entries.
-// surface: x, y, z of the surface point under each texel, in mesh radii.
+// bucket_row: index of the first entry of each bucket in bucket_drop; the last element of bucket_row is the number of
+// all entries. surface: x, y, z of the surface point under each texel, in mesh radii.
 __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket_row, TABLE(int) bucket_drop,
                            TABLE(float) surface, __global float *mask) {
   int x = (int)get_global_id(0), y = (int)get_global_id(1);

@@ -1,7 +1,7 @@
 // Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of the vertices in all
 // layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
-// work-item computes LANES vertices. PoCL takes 25 ms to preprocess a program, even if its cache contains the compiled
-// program. Therefore the kernels of bin.clh and reach.clh are part of this program.
+// work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
+// compiled program. To save this time, the kernels of bin.clh and reach.clh are part of this program.
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
@@ -60,7 +60,7 @@ static inline Bounds both(Bounds a, Bounds b) {
   return c;
 }
 
-// Returns the box of one position. A vertex that needs clipping may be anywhere, so its box is unlimited.
+// Returns the box of one position. A vertex that needs clipping may be anywhere, so it gets an unlimited box.
 static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   truth clipped = v.iw == REAL(0.0f);
   whole x = v.x + WHOLE(128 * s->width - 128), y = v.y + WHOLE(128 * s->height - 128);

@@ -1,9 +1,9 @@
 // The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, adds each
-// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once. The
-// paper draws the layers from the innermost to the outermost with the 'over' operator. This mapping draws the layers
-// and the triangles of each layer in the reverse order with the 'under' operator. Both operators give the same result:
-// layers write no depth, so the order of drawing does not change which fragments are blended. A pixel is complete when
-// its transmittance is at most OPAQUE. A tile runs these stages in this order:
+// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once.
+// Silva et al. 2010 draw the layers from the innermost to the outermost with the 'over' operator. This mapping draws
+// the layers and the triangles of each layer in the reverse order with the 'under' operator. Both operators give the
+// same result: layers write no depth, so the order of drawing does not change which fragments are blended. A pixel is
+// complete when its transmittance is at most OPAQUE. A tile runs these stages in this order:
 //
 //   draw_layer() sets up the triangles of a layer (this file, coverage/).
 //   keep() and cover_pixels() add each triangle to the lists of the blocks that the triangle covers (fragments.clh).
@@ -56,7 +56,7 @@ static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Ba
   return covered;
 }
 
-// Draws LANES triangles if some of them need clipping (a rare case). It draws the triangles one by one to keep their
+// Draws LANES triangles of which some need clipping (a rare case). The triangles are drawn one by one to keep their
 // order.
 static int draw_with_clipping(const Pass *pass, Geometry m, Triangles b, int count, Batch *batch, Drawn *d, Tile *tile) {
   flush(pass, 0, d, tile);

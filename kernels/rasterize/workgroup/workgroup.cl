@@ -3,11 +3,11 @@
 // up one triangle of the batch and computes a mask of the pixels that this triangle covers. Triangles that cover no
 // pixel are dropped. Then each work-item draws all triangles of the batch that cover its pixel. Layers are drawn from
 // the outermost to the innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers
-// write no depth, so the 'under' operator in reverse order gives the same result as the paper's 'over' operator.
+// write no depth, so the 'under' operator in this order gives the result of 'over' in Silva et al. 2010.
 //
 //   put_triangle() sets up one triangle and the mask of its pixels (batch.clh, coverage/).
 //   draw_clipped() draws a triangle that needs clipping (this file, coverage/fan.clh).
-//   perspective_in() computes the position of a pixel on a triangle (batch.clh, coverage/perspective.clh).
+//   perspective_in() computes depth and barycentrics of a pixel on a triangle (batch.clh, coverage/perspective.clh).
 //   draw() keeps the nearest triangle of the base, or shades and blends a fragment of a layer (this file).
 //   blend_under() computes clump, fur texture and light of a fragment, and blends the fragment (shading/one_pixel.clh).
 //   over_base() adds the base surface or the background (shading/one_pixel.clh).
@@ -119,7 +119,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     for (int done = 0; first + done < last; done += GROUP_ITEMS, turn = 1 - turn) {
       // Waits until the previous batch of triangles has been drawn.
       barrier(CLK_LOCAL_MEM_FENCE);
-      // Clears the masks of the previous batch for use by the next batch. All work-items have finished reading them.
+      // Clears the masks of the previous batch, which the next batch will use. No work-item reads the masks any more.
       if (item == 0) clear(&work, 1 - turn);
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
@@ -147,7 +147,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
     }
 #ifndef COUNT_FRAGMENTS
     if (n < 0) {
-      // A fragment with 1/w below the least 1/w of the base in the tile is hidden.
+      // Computes the least 1/w of the base in the tile. The base hides every fragment whose 1/w is smaller.
       barrier(CLK_LOCAL_MEM_FENCE);
       if (inside) atomic_min(&work.least, as_int(p.depth));
       barrier(CLK_LOCAL_MEM_FENCE);
