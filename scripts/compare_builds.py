@@ -2,8 +2,8 @@
 """Compares the frame times of two builds of pelage: an old and a new checkout, both built in build/release.
 
 In every round and for every cell (a model and a number of layers of silva2010-table1), three processes draw frames in
-turns of 0.15 s: old, new and old again. The second old process is a control: its ratio to the first one must be 1. The
-order of the processes changes from round to round. scripts/turns.cpp makes them take turns.
+turns of 0.15 s: old, new and old again. The second old process is a control: its frame times should equal those of the
+first old process. The order of the processes changes from round to round. scripts/turns.cpp makes them take turns.
 
   scripts/compare_builds.py OLD NEW -o FOLDER             20 rounds of 6 cells, about 20 minutes
   scripts/compare_builds.py OLD NEW -o FOLDER --rounds 0  prints the ratios of the rounds that FOLDER contains
@@ -42,8 +42,9 @@ def build_shim(folder):
 
 
 def run_cell(trees, shim, scratch, order, cell, place):
-    """Runs the three processes of one cell. Each element of `order` is a side: "old", "new", or
-    "control", which is a second process of the old build. Each side writes its results to the folder `place`-SIDE."""
+    """Runs the three processes of one cell at the same time. `order` contains their names: "old", "new", and
+    "control", which is a second process of the old build. The process NAME writes its results to the folder
+    `place`-NAME."""
     model, layers, size = cell
     shared = scratch / "shared"
     shared.write_bytes(bytes(64))

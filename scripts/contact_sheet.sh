@@ -1,10 +1,11 @@
 #!/bin/sh
 # Draws seven scenes of examples/ at 800 x 600 and combines the pictures in docs/look/contact_sheet.jpg. Each scene is
-# drawn twice: with 64 layers, and with 16 layers and four sub-steps. The upper two rows show straight, wavy,
-# large-curls and small-curls. The lower two rows show dry, wet and grass. Rows 1 and 3 have 64 layers, rows 2 and 4
-# have 16 layers.
+# drawn twice: with 64 layers, and with 16 layers and four sub-steps. The upper two rows of the sheet show the scenes
+# straight, wavy, large-curls and small-curls. The lower two rows show the scenes dry, wet and grass. The fur has 64
+# layers in rows 1 and 3, and 16 layers in rows 2 and 4.
 #
-# Usage: scripts/contact_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.
+# Usage: scripts/contact_sheet.sh [options of pelage render]. The environment variable PELAGE can name another
+# pelage binary.
 set -eu
 cd "$(dirname "$0")/.."
 pelage=${PELAGE:-build/release/pelage}
@@ -27,8 +28,8 @@ for layers in 64 16; do
   done
 done
 
-# Each row of the sheet is 2000 pixels wide. The pictures of curls are cut to a width of 500 pixels, and the pictures
-# dry and wet to 600 pixels. The picture of grass keeps its width of 800 pixels.
+# Each row of the sheet is 2000 pixels wide. The pictures of straight, wavy, large-curls and small-curls are cut to a
+# width of 500 pixels, and those of dry and wet to 600 pixels. The picture of grass keeps its width of 800 pixels.
 cut() { oiiotool "$pictures/$1.png" --cut "$2" -o "$pictures/$1-cut.png"; }
 place() { oiiotool "$pictures/$1-cut.png" "$pictures/sheet.png" --paste "$2" -o "$pictures/sheet.png"; }
 oiiotool --create 2000x2320 3 -d uint8 -o "$pictures/sheet.png"

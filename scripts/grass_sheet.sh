@@ -12,8 +12,10 @@
 #
 #   Figure 13: waving grass in steps of 0.2 s.
 #
-# The script also draws Figures 3 to 5, the topologies on the square of grass, as docs/look/topologies.svg.
-# Usage: scripts/grass_sheet.sh [options of pelage render]. The variable PELAGE can name another binary.
+# The script also draws Figures 3 to 5 (the mass-spring topologies on the square model banisch-grass) as
+# docs/look/topologies.svg.
+# Usage: scripts/grass_sheet.sh [options of pelage render]. The environment variable PELAGE can name another pelage
+# binary.
 set -eu
 cd "$(dirname "$0")/.."
 pelage=${PELAGE:-build/release/pelage}

@@ -4,10 +4,10 @@
     scripts/mutants.py [--data FILE] [--build FOLDER] [--jobs N] [--check] [NAME ...]
 
 FILE is tests/mutants/survivors.toml by default. Each mutant has a `name`. Its `original` is a text that occurs exactly
-once in the tracked files of harness/ and kernels/; all white space counts as equal. The program replaces this text
-by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail. `why`
-describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why no
-test can detect the mutant.
+once in the tracked files of harness/ and kernels/; differences in white space are ignored. The program replaces this
+text by `replacement`. Then the tests of the executable `target` that match the GoogleTest filter `filter` must fail.
+`why` describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why
+no test can detect the mutant.
 
 The named tests must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when a
 test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while it runs. Afterwards

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Times Table 1 on this machine. The script then overwrites three things with the new results: the recorded rows in
-# results/silva2010-table1/, the folder docs/table1/, and the lines of README.md between the comments "table1 begins"
-# and "table1 ends". Usage: scripts/record.sh [options of pelage run].
+# Times the cases of Table 1 of Silva et al. 2010 on this machine. The script then overwrites three things with the
+# new results: the recorded rows in results/silva2010-table1/, the folder docs/table1/, and the lines of README.md
+# between the comments "table1 begins" and "table1 ends". Usage: scripts/record.sh [options of pelage run].
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v oiiotool >/dev/null || { echo "record.sh: oiiotool was not found; it makes the sheet of models: install openimageio-tools" >&2; exit 2; }

@@ -3,7 +3,8 @@
 # Usage: scripts/record_report.sh FOLDER RESULTS... Each RESULTS is a folder that `pelage run` wrote.
 # The script first deletes FOLDER.
 #
-# These commands write the results for docs/topology in about 30 minutes on two cores, with --preset quick:
+# These commands use the default preset, quick. They write the results for docs/topology in about 30 minutes on two
+# cores:
 #
 #   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
 #   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
@@ -44,7 +45,8 @@ for folder in "$@"; do
   done
 done
 for folder in "$@"; do
-  # Several folders RESULTS may contain rows of the same experiment and device. Each journal becomes a separate file.
+  # Several folders RESULTS may contain rows of the same experiment and device. Each .jsonl
+  # file becomes a separate file in results/.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
     place=results/$(basename "$(dirname "$rows")")
     mkdir -p "$place"

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Lists the sentences of pelage's documents, comments and messages, or draws a random sample for readers who judge them.
 
-A sentence of the sample is printed with its file, its line and its paragraph, and with the place where a reader finds it:
-the lines around a comment or a message; for a document, the headings and the lines before the paragraph, or the head and
-the row of a table.
+A sentence of the sample is printed with its file, its line, its paragraph and its surroundings. The surroundings of a
+comment or a message are the lines around it. The surroundings of a paragraph of a document are the headings and the
+lines before it. The surroundings of a table cell are the head and the row of the table.
 
   scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
   scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
@@ -44,9 +44,8 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """Yields paragraphs. `lines` has pairs of a line number and a text. A paragraph ends at
-    an empty text. It also ends before a pair whose line number is neither equal to the previous line number nor one
-    more than it."""
+    """Yields paragraphs. `lines` contains pairs of a line number and a text. A paragraph ends at an empty text. It
+    also ends if the next line number is neither the same as the last one nor the following number."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
         if words and (not text.strip() or (last is not None and number not in (last, last + 1))):

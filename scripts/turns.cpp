@@ -1,11 +1,12 @@
 // Makes several programs draw frames in turns. compare_builds.py compiles this file to a library and loads it
-// into every program with LD_PRELOAD. The speed of a shared machine changes within seconds. Programs that take
-// turns of 0.15 s all draw frames at the same changed speed.
+// into every program with LD_PRELOAD. The speed of a shared machine changes within seconds. A turn lasts only
+// about 0.15 s, so each change of the speed affects all programs.
 //
 // The programs share one mapped file. A program may draw while it has the turn. It passes the turn on between
-// two frames, outside the timed interval: pelage times a frame until clFinish() returns, and then asks for
-// the times of the frame's events. After the last frame, a program reads its picture back. It then waits
-// until all programs have drawn their frames, because the check of the picture uses all cores.
+// two frames, outside the timed interval. pelage stops the timing of a frame when clFinish() returns. It then
+// calls clGetEventProfilingInfo(). The version of this function below passes the turn on if the turn has
+// lasted at least TURN_SECONDS. After the last frame, a program reads its picture back. It then waits until
+// all programs have drawn their frames, because the check of the picture uses all cores.
 //
 // Environment: TURN_FILE: the shared file, at least 64 bytes of 0. TURN_ID: number of this program, from 0.
 // TURN_COUNT: number of programs. TURN_SECONDS: shortest duration of a turn.
@@ -103,7 +104,7 @@ Function* next_definition(Function*, const char* name) {
 
 }  // namespace
 
-// The functions below replace those of the OpenCL loader, and call them.
+// Each function below replaces the function of the OpenCL loader with the same name, and calls it.
 
 extern "C" cl_int clFinish(cl_command_queue queue) {
   static auto* const original = next_definition(&clFinish, "clFinish");

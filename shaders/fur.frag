@@ -35,7 +35,7 @@ vec2 fur_texel(vec2 p, float level) {
 #endif
 }
 
-// Returns x^exponent for x >= 0. Without the wet model the exponent is EXPONENT.
+// Returns x^exponent for x >= 0. Without the wet model, `exponent` is always the constant EXPONENT.
 float power(float x, float exponent) {
 #if defined(WHOLE_EXPONENT) && !defined(WET_MODEL)
   float y = 1.0;
@@ -65,7 +65,7 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
 void main() {
   vec2 at = uv;
   float rho = 0.0;
-  vec2 pull = vec2(0.0);  // the clump's shift divided by f(h)
+  vec2 pull = vec2(0.0);  // shift of the texture position by the clump, divided by f(h) = look.x
 #ifdef CLUMPS
   // S Eq. 5 and S Algorithm 2. At a dry texel rho is 0, so the shift is 0 too.
   vec4 here = textureLod(mask, uv, 0.0);

@@ -1,5 +1,5 @@
-// Lighting of docs/frame.md, section 6. The shaders of the fur layers (models of the papers S and W) and of the base
-// surface use these functions.
+// Computes the lighting of docs/frame.md, section 6. The shaders of the fur layers (models of the papers S and W) and
+// of the base surface use these functions.
 vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zero vector stays zero
 
 // Returns the unit vector from the eye to the surface. RAY is the view ray through the origin of window coordinates.

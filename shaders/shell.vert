@@ -3,7 +3,7 @@
 // Rendering of Wet Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
 layout(location = 0) in vec3 position;  // R
 layout(location = 1) in vec2 surface_uv;
-layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, along the normal
+layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, the tip of the upright strand
 layout(location = 3) in vec3 b;         // B: vector from the strand's root to its tip p
 layout(location = 4) in vec3 curl_u;    // first axis of the curl: (1 - rho) K_alpha u of S Eq. 4, in R
 layout(location = 5) in vec3 curl_v;    // second axis of the curl: (1 - rho) K_alpha v

@@ -18,7 +18,7 @@ void main() {
   float shadow = (SHADOW - 1.0) / SHADOW, wet = 1.0;
 #endif
 #ifdef TWO_SIDED
-  if (dot(outwards, e) > 0.0) shadow = 1.0;  // the fur casts no shadow on the back of the surface
+  if (dot(outwards, e) > 0.0) shadow = 1.0;  // factor 1: the fur casts no shadow on the back of the surface
 #endif
   float gamma = shadow * wet;
   colour = vec4(gamma * light * textureLod(coat, uv, 0.0).rgb * SKIN_COLOUR, 1.0);

@@ -21,8 +21,8 @@ cl::DeviceInfo device(int platform_index, int device_index, const char* platform
   return info;
 }
 
-// The devices of a workstation: PoCL, two equal GPUs and Mesa's rusticl. Platform 1 has no devices, so no
-// device in this list has the platform index 1.
+// The devices of an imaginary workstation: PoCL, two equal GPUs and Mesa's rusticl. Platform 1 has no
+// devices, so no device in this list has the platform index 1.
 const std::vector<cl::DeviceInfo> workstation{
     device(0, 0, "Portable Computing Language", "POCL", "pthread-AMD EPYC 9454", false),
     device(2, 0, "NVIDIA CUDA", "NV", "NVIDIA H100 80GB HBM3", true),

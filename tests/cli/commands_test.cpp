@@ -237,7 +237,7 @@ TEST(Commands, CheckFailsOnKernelsThatAreWrong) {
   const Folder folder;
   std::filesystem::copy(std::filesystem::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels",
                         std::filesystem::copy_options::recursive);
-  // The test plants a mistake in a copy of the kernels: droplets have half their wetness.
+  // The test inserts a mistake into a copy of the kernels: it halves the wetness of all droplets.
   std::string text = folder.read("kernels/wet/equations.clh");
   const std::string right = ": drop.wetness;";
   const auto place = text.find(right);

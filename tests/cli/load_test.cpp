@@ -1,4 +1,4 @@
-// `pelage run` warns if other processes use much of the machine's CPU time while a case is timed.
+// Tests that `pelage run` warns if other processes use much of the machine's CPU time while a case is timed.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"

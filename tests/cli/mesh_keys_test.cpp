@@ -1,5 +1,5 @@
 // Tests that the scene's mesh keys change the picture, and that defects of the mesh are reported on stderr
-// and in the rows.
+// and in the rows of results.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"

@@ -10,8 +10,8 @@
 namespace pelage::cli {
 namespace {
 
-/// Returns the numbers of masses and springs in the output row `name` as "MASSES SPRINGS"; "" without that
-/// row.
+/// Returns the numbers of masses and springs in the output row `name` as "MASSES SPRINGS", or "" if
+/// there is no such row.
 std::string row_of(const std::string& text, const std::string& name) {
   std::smatch found;
   const std::regex row("(^|\n)" + name + " +([0-9]+) +([0-9]+) ");

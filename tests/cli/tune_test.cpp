@@ -26,9 +26,9 @@ TEST(Tune, DryRunPrintsTheAxesAndStoresNothing) {
 TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   const Folder folder;
   fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels", fs::copy_options::recursive);
-  // The test plants two bad configurations in a copy of the kernels. If TILE_W is 8, the planted code regards
-  // a pixel as opaque at a transmittance of 0.9. This is fast but changes the picture. TILE_H = 7 is not a
-  // valid tile height.
+  // The test inserts two bad configurations into a copy of the kernels. If TILE_W is 8, the inserted code
+  // regards a pixel as opaque at a transmittance of 0.9. This is fast but changes the picture. TILE_H = 7 is
+  // not a valid tile height.
   std::string params = folder.read("kernels/rasterize/params.h");
   const auto stop = params.find("#define OPAQUE ");
   ASSERT_NE(stop, std::string::npos);

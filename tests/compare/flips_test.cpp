@@ -74,7 +74,7 @@ TEST(Flips, AreTheRuleOfThePercentile) {
 }
 
 // A pixel is flipped if it differs by more than 2/255. A picture with too many flipped pixels fails, even if
-// each of them differs by little more and the PSNR of the picture is sufficient.
+// each of them differs by only 3/255 and the PSNR of the picture is sufficient.
 TEST(Flips, TooManySmallOnesFail) {
   const Picture reference = furry(200, 100);
   Picture ours = rounded(reference, 1e-5f);

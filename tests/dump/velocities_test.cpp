@@ -1,5 +1,5 @@
-// Tests the velocities that a dump from a device holds: they agree with those of the reference, in R/s and in
-// the same order.
+// Tests the velocities in the dump of a frame that a device computed: they must agree with the reference's
+// velocities, have the unit R/s, and be in the same order.
 #include <gtest/gtest.h>
 
 #include <algorithm>

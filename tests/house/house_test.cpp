@@ -1,4 +1,5 @@
-// Tests that the repository obeys its own rules, and that the rules find planted violations.
+// Tests that the repository obeys its own rules, and that the functions of rules.hpp find deliberate
+// violations.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -160,8 +161,8 @@ TEST(House, PlantedTextsAreFound) {
   EXPECT_EQ(count(lines + "x\n"), 1u);
 }
 
-// Two computations may each occur in one kernel file only. The lines of `copies` repeat these computations;
-// earlier kernels contained such lines in other files. copy_faults() must report each of these lines.
+// rules.hpp describes two computations, each of which may occur in only one kernel file. The
+// lines of `copies` repeat these computations. copy_faults() must report each line in any other kernel file.
 TEST(House, PlantedCopiesOfAComputationAreFound) {
   const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
                                 "  h.b1 = b1 * iw1 * w;",

@@ -1,5 +1,5 @@
-// Tests the identity of rows: which parts differ, which rows are refused, which cases run again, and which
-// rows count once.
+// Tests the identity of rows (hashes of everything that determines what a row measured): which parts of two
+// identities differ, which rows are refused, which cases run again, and that copies of a row count once.
 #include "harness/journal/identity.hpp"
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
 }
 
 // Earlier revisions wrote the rows in the repository's folder results/. Some rows have other phases, no CPU
-// times, or no picture.
+// times, or no picture. The schema must accept these rows, too.
 TEST(Schema, HoldsTheRowsOfResults) {
   const test::Folder folder;
   int journals = 0;

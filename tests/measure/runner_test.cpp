@@ -93,7 +93,7 @@ TEST(Runner, NothingCheckedIsNotOk) {
       Status::diverged);
 }
 
-/// Every comparison with NaN is false, so a check with NaN must not hold.
+/// Every comparison with NaN is false, so a check whose value is NaN must fail.
 TEST(Runner, ACheckThatIsNotANumberFails) {
   const RunPlan plan = fake_plan(1);
   EXPECT_EQ(run_case(plan, plan.cases[0], kShort,
@@ -158,7 +158,8 @@ TEST(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
-/// A subject with frames of at least 1 ms whose times never converge.
+/// A subject whose frames take at least 1 ms. The reported times grow steadily, so their median never reaches
+/// the required precision.
 struct Endless : FakeSubject {
   Endless() : FakeSubject(10) {}
   FrameSample frame() override {

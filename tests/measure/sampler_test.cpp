@@ -72,7 +72,8 @@ TEST(Sampler, CpuTimesStandBesideWallTimesWhereTheyAreTaken) {
                            .phase_cpu_ms = {{"opengl", 30}}};
       },
       {0, 6, 6, 0.01, 100}, [&] { return now_s; });
-  // The first launch and one warm-up frame come before the samples.
+  // Frame i has the CPU time 10 + i ms. Frame 1 is the first launch and frame 2 the warm-up, so the samples
+  // begin at 13 ms.
   EXPECT_EQ(s.samples.at("frame").cpu_ms, (std::vector<double>{13, 14, 15, 16, 17, 18}));
   EXPECT_EQ(s.samples.at("opengl").cpu_ms, std::vector<double>(6, 30.0));
   Clock clock{.length_ms = [](int) { return 8.0; }};

@@ -1,4 +1,4 @@
-// Tests sweeps (runs of all cases of an experiment) by the program itself, with the smoke preset. Sweeps are
+// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset smoke. Sweeps are
 // killed, resumed or divided among processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -95,7 +95,7 @@ std::string three_ds() {
   return chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, std::string("octa\0", 5) + mesh)));
 }
 
-// Writes a glTF file with its buffers in a separate file, like most exporters.
+// Writes a glTF file with its buffers in a separate file, as most exporters do.
 std::string gltf(const TempFolder& folder) {
   std::string buffer;
   for (const auto& p : corner)

@@ -1,5 +1,6 @@
 // Tests the computation of UV maps for large mesh files: the linear solver and the flattening, whose
-// computation times grow linearly with the number of triangles. Also tests the progress messages.
+// computation times grow linearly with the number of triangles. The file also tests the progress messages of
+// load_model().
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -109,7 +110,9 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
 }
 
 // The test writes a model of experiments/models.toml to a file and loads the file. flatten() computes the UV
-// map of the file, and CGAL that of the model with a name. Both maps are about equally good.
+// map of the file, and CGAL computes the UV map of the named model. The range of
+// area scales, the overlaps and the flipped area of the file's map must not be much larger than those of the
+// named model's map.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

@@ -1,5 +1,5 @@
-// Loads all faulty meshes of CGAL's examples. load_model() prepares each mesh or throws an error with a
-// message of one line. It does not crash.
+// Loads all faulty meshes of CGAL's examples. load_model() must prepare each mesh or throw an error with a
+// message of one line. It must not crash.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -41,7 +41,8 @@ TEST(SurfaceSearch, no_vertex_is_nearer_than_the_closest_place) {
     float nearest = std::numeric_limits<float>::max();
     for (const glm::vec3& q : mesh->position) nearest = std::min(nearest, glm::distance(p, q));
     EXPECT_LE(glm::distance(p, place.point), nearest + 1e-6f);
-    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);  // no edge is longer than 0.08 R
+    // No edge is longer than 0.08 R, so a vertex is within 0.08 R of every surface point.
+    EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);
   }
 }
 

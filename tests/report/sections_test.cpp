@@ -218,9 +218,9 @@ TEST(CaseSection, FollowsTheExperimentsView) {
   EXPECT_EQ(json.at("labels").at("layers"), "{} layers");
 }
 
-/// Returns a row for every case of rivals.toml. Our time is 10 ms with curls and 8 ms for plain shells. On
-/// the torus, OpenGL takes 4 times our time. On all other models, OpenGL takes 9 times our time with curls,
-/// and 6 times our time for plain shells.
+/// Returns a row for every case of rivals.toml. pelage's OpenCL pipeline takes 10 ms with curls and 8 ms
+/// for plain shells. On the torus, OpenGL takes 4 times as long. On all other models, OpenGL takes 9 times as
+/// long with curls, and 6 times as long for plain shells.
 std::vector<FoundRow> duel_rows() {
   std::vector<FoundRow> rows = test::bare_rows("rivals", "paper");
   for (FoundRow& found : rows) {

@@ -46,7 +46,8 @@ StrandSet strands(const Scene& scene, const Mesh& mesh) {
   return set;
 }
 
-/// Returns the unit normals of the surface points, weighted by the areas of the triangles.
+/// Returns a unit normal for every surface point: the direction of the mean of its triangles' normals,
+/// weighted by the areas of the triangles.
 std::vector<glm::vec3> normals(const Mesh& mesh) {
   std::vector<glm::dvec3> sum(mesh.welded, glm::dvec3(0.0));
   for (const glm::uvec3& t : mesh.triangle) {

@@ -18,7 +18,7 @@ struct Flat {
   std::vector<glm::vec2> vertex;
   std::vector<glm::uvec3> triangle;
   int width = 0, height = 0;
-  /// The row of the camera matrix that gives w. On the counted layer, a vertex (x, y) has the position (x /
+  /// The row of the camera matrix that gives w. On the layer with fur, a vertex (x, y) has the position (x /
   /// 2, y / 2, 1).
   glm::vec4 row_w{0, 0, -.5f, 1};
 };

@@ -1,5 +1,5 @@
 // Tests that a mapping draws a scene with the same bits in every run, with any tile size, and with any number
-// of layers per layer batch. Also compares the pictures of two mappings.
+// of layers per layer batch. The file also compares the pictures of the mappings tile and pixel.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -11,7 +11,7 @@ namespace {
 
 using namespace pictures;
 
-// Values of the tuning axes for one picture.
+// The values of the tuning axes with which a picture is drawn.
 using Tuning = std::map<std::string, int>;
 
 Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,

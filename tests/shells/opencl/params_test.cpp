@@ -1,4 +1,5 @@
-// The rasterizer's parameters of the three models of shading (kernels/rasterize/params.h).
+// Tests the parameters of the rasterizer's kernels (kernels/rasterize/params.h) for each of the three shading
+// models.
 #include "harness/shells/opencl/params.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
-// Compares pictures of the kernels and of the reference if fragments take several samples (docs/frame.md,
-// section 6, "Sub-steps"). Kernels and reference were written independently from that section.
+// Compares pictures of the kernels and of the reference for fragments that take several samples
+// (docs/frame.md, section 6, "Sub-steps"). Kernels and reference were written independently from that
+// section.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -26,7 +26,7 @@ struct Mapping {
   const char* name;
   ShellOptions options;
   int pictures;    ///< number of pictures of random triangles
-  int triangles;   ///< number of random triangles per picture; in all pictures of "tile" a million
+  int triangles;   ///< number of random triangles per picture; the pictures of "tile" have a million in total
   int repeats;     ///< number of random meshes of each kind in the test of shared edges
   int coarser;     ///< the grids have this many times fewer columns and rows than the grids for "tile"
   int spokes;      ///< number of triangles around the common corner in each mesh made by star()

@@ -1,5 +1,5 @@
-// Every stage of a frame writes its own buffers only. The spring stage computes the tips, and the raster
-// stage reads them.
+// Tests that every stage of a frame writes only its own buffers. The spring stage computes the tips, and the
+// raster stage reads them.
 #include "harness/shells/opencl/spring_stage.hpp"
 
 #include <gtest/gtest.h>

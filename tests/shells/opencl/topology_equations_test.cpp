@@ -1,5 +1,5 @@
-// Compiles the kernels' code of B Eq. 3 and 4 as C++ in double precision, and compares it with closed forms
-// and the reference. This file also tests the spring stage.
+// Compiles the kernels' code of Eq. 3 and 4 of paper B (Banisch and Wuethrich 2006) as C++ in double
+// precision, and compares it with closed forms and the reference. This file also tests the spring stage.
 #include <gtest/gtest.h>
 
 #include <cmath>

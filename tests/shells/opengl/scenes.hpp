@@ -15,7 +15,7 @@ std::vector<glm::vec4> mask_of(const FrameInput& input);
 /// Returns the reference's strand tips after `frames` frames, one per strand: tip minus root, in R.
 std::vector<glm::vec3> tips_of(const FrameInput& input);
 
-/// `options` is text for opengl_options().
+/// Draws the frame with the OpenGL baseline. opengl_options() parses the text `options`.
 Picture drawn_by_opengl(const std::shared_ptr<const FrameInput>& input, const std::string& options = "");
 
 }  // namespace pelage::rival_tests

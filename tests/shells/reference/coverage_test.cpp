@@ -13,7 +13,7 @@ namespace {
 
 using namespace reference;
 
-constexpr int width = 33, height = 20;  // with an odd width, a pixel centre is at the image centre
+constexpr int width = 33, height = 20;  // odd width: the pixel centres of the middle column have x = 0
 
 std::vector<int> counts(const std::vector<std::array<Snapped, 3>>& triangles) {
   std::vector<int> hits(std::size_t(width) * height, 0);

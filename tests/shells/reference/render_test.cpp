@@ -1,5 +1,5 @@
-// Tests rendered pictures: pictures of which only some rectangles are drawn (Options::windows), the clipping
-// of triangles, the 8-bit framebuffer, and opaque fur.
+// Tests pictures that the reference renders: pictures of which only some rectangles are drawn
+// (Options::windows), the clipping of triangles, the 8-bit framebuffer, and opaque fur.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -1,5 +1,5 @@
-// Compares the array sizes of build() with the counts that follow from the numbers of vertices, edges and
-// faces, and with the numbers in the paper.
+// Compares the numbers of masses and springs in the networks of build() with the counts that follow from the
+// numbers of vertices, edges and faces, and with the numbers in the paper.
 #include "harness/springs/model/network.hpp"
 
 #include <gtest/gtest.h>

@@ -66,7 +66,7 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
     return found;
   };
   Dynamics stiff = lively(Solver::explicit_euler);
-  stiff.stiffness = 1000;  // steps of 0.1 ms (167 per frame) diverge
+  stiff.stiffness = 1000;  // explicit Euler then diverges with steps of 0.1 ms (167 per frame)
   const int soft = last(lively(Solver::explicit_euler)), many = last(stiff);
   EXPECT_GT(many, 2 * soft);
   EXPECT_GT(many, 150);

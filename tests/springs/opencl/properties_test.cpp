@@ -1,5 +1,6 @@
 // Tests properties that need no comparison with the reference's motion: the orders of convergence, fur that
-// stays at rest, the energy, and the effect of the return force (B Eq. 5).
+// stays at rest, the energy, and the effect of the return force (Eq. 5 of paper B, Banisch and Wuethrich
+// 2006).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -169,8 +170,8 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
 }
 
-// B says: "Grass does therefore not flip to the wrong side". In this test gravity pulls the fur through the
-// skin. The force of gravity on a top mass (0.01 N) is smaller than the weight w = 0.2 N of B Eq. 5.
+// Paper B says: "Grass does therefore not flip to the wrong side". In this test gravity pulls the fur through
+// the skin. The force of gravity on a top mass (0.01 N) is smaller than the weight w = 0.2 N of B Eq. 5.
 // Therefore no top mass sinks below the plane of its root. Without the return force of B Eq. 5 the top masses
 // hang down.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {

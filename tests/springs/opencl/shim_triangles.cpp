@@ -1,5 +1,5 @@
 #include "tests/springs/opencl/shim.hpp"
-// clang-format off: this header defines macros that would break any header after it
+// clang-format off: the next header must be the last one, because its macros would break other headers
 #include "tests/springs/support/in_double.hpp"
 // clang-format on
 

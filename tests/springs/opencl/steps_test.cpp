@@ -83,7 +83,7 @@ TEST_P(Steps, AreTheReferencesAfterASecondOfWind) {
 }
 
 struct Spread {
-  double rms = 0, percentile_99 = 0, worst = 0;  // as fractions of the fur's length
+  double rms = 0, percentile_99 = 0, worst = 0;  // errors divided by the fur's length
 };
 
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b) {

@@ -1,4 +1,4 @@
-// The device of the tests in tests/springs, and the distance between two lists of vectors.
+// The device on which the tests in tests/springs run, and a function that compares two lists of vectors.
 #pragma once
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Dynamics that the tests use.
+// The dynamics (forces, motion of the object, solver and time step) that the tests in tests/springs use.
 #pragma once
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
