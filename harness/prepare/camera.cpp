@@ -48,10 +48,10 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// Returns an eye with the given coordinate `along`. The points lie between two rays from this eye. The
-/// slopes of the rays are s and -s, and each ray touches a point. `along` must be at most touch(slope).along,
-/// so that this eye is at least as far from the points as the eye that touch(slope) returns. A smaller slope
-/// moves the eye that touch() returns away from the points. Bisection between 0 and `slope` finds the s with
+/// Returns the eye with the given coordinate `along` from which two rays enclose all points. The slopes of
+/// the rays are s and -s, and each ray touches a point. `along` must be at most touch(slope).along, so that
+/// this eye is at least as far from the points as the eye that touch(slope) returns. A smaller slope moves
+/// the eye that touch() returns away from the points. Bisection between 0 and `slope` finds the s with
 /// touch(s).along = `along`.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {

@@ -78,9 +78,9 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   return sentences;
 }
 
-/// Returns a sentence about the cost of curls and clumps. The cost is the frame time with the reading
-/// "default" divided by the frame time with the reading "plain", which has neither curls nor clumps. Returns
-/// "" if no case was timed with both readings.
+/// Returns a sentence about the cost of curls and clumps. The cost is the frame time with
+/// `reading = "default"` divided by the frame time with `reading = "plain"`, which has neither curls nor
+/// clumps. Returns "" if no case was timed with both values of `reading`.
 std::string overhead_of(const std::vector<Cell>& cells) {
   std::vector<double> ours, opengl;
   for (const Cell& coat : cells)

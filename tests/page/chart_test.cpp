@@ -65,7 +65,8 @@ TEST(Chart, PanelsAndCategories) {
   EXPECT_EQ(chart.panels[0].lines[0].points.size(), 2u);
 }
 
-/// Published numbers are drawn as separate lines. A published number without an upper limit is a lower limit.
+/// Published numbers are drawn as separate lines. If the paper gives only a lower bound,
+/// such as "> 50", the point has a lower end and no upper end.
 TEST(Chart, PublishedNumbersAreLinesOfTheirOwn) {
   PlotSpec spec = plot();
   spec.published = "paper", spec.published_label = "the paper";
