@@ -9,7 +9,6 @@ does not count lines in the files that contain the table of all items of the fam
 The exit status is 1 if the script counts more than two lines for an item. The option -v prints the lines.
 """
 import re
-import subprocess
 import sys
 from pathlib import Path
 
@@ -66,9 +65,9 @@ FAMILIES = {
 
 
 def main():
-    files = subprocess.run(["git", "ls-files", "--cached", "--others", "harness/*.?pp", "bench/*.?pp"], cwd=ROOT, check=True,
-                           capture_output=True, text=True).stdout.split()
-    lines = [(f, n, line) for f in files if (ROOT / f).exists()
+    # The file system and not git, because a source archive has no repository
+    files = sorted(str(path.relative_to(ROOT)) for folder in ("harness", "bench") for path in (ROOT / folder).rglob("*.?pp"))
+    lines = [(f, n, line) for f in files
              for n, line in enumerate((ROOT / f).read_text().split("\n"), 1)
              if not line.lstrip().startswith(("//", "#include"))]
     failed = False
