@@ -14,7 +14,7 @@ namespace pelage {
 namespace {
 
 struct CompareOptions {
-  std::string a, b, by, threshold = "5%", alpha = "5%";
+  std::string a, b, by, phase = "frame", threshold = "5%", alpha = "5%";
   bool fail_on_regression = false, json = false;
 };
 
@@ -89,6 +89,13 @@ void print_notes(const std::vector<Pair>& pairs) {
                percent(most));
 }
 
+std::vector<Cell> timed_cells(const std::string& folder, const std::string& phase) {
+  const std::vector<FoundRow> rows = read_results({folder});
+  std::vector<Cell> cells = cells_of(rows);
+  if (phase != "frame") use_phase(cells, rows, phase);
+  return cells;
+}
+
 int compare(const CompareOptions& options) {
   const CompareBy by(options.by);
   const CompareLimits limits{fraction_from_text("--threshold", options.threshold),
@@ -100,8 +107,8 @@ int compare(const CompareOptions& options) {
   if (one_set && by.text.empty())
     throw InputError(
         "give two sets of results (A and B), or one set with --by device, --by variant or --by axes.KEY");
-  const std::vector<Cell> a = cells_of(read_results({options.a}));
-  const std::vector<Cell> b = one_set ? a : cells_of(read_results({options.b}));
+  const std::vector<Cell> a = timed_cells(options.a, options.phase);
+  const std::vector<Cell> b = one_set ? a : timed_cells(options.b, options.phase);
   const std::vector<Pair> pairs = compare_cells(a, b, one_set, by, limits);
   print(pairs, options);
   const auto count = [&](Verdict v) {
@@ -129,6 +136,12 @@ void add_compare(CLI::App& app, Chosen& chosen) {
       ->type_name("B");
   command->add_option("--by", options->by, "Property in which the two results of a comparison may differ")
       ->type_name("device|variant|axes.KEY");
+  command
+      ->add_option("--phase", options->phase,
+                   "Phase whose times are compared, such as simulate or raster; frame: the time of the whole "
+                   "frame")
+      ->type_name("PHASE")
+      ->capture_default_str();
   command
       ->add_option("--threshold", options->threshold,
                    "Largest relative change of a time that counts as no change")

@@ -146,7 +146,7 @@ void add_merge(CLI::App& app, Chosen& chosen) {
           ->allow_extra_args(false)
           ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(*command, options->expected);
-  for (const char* name : {"--preset", "--model", "--set", "--axis", "--filter"})
+  for (const char* name : {"--preset", "--model", "--up", "--set", "--axis", "--filter"})
     command->get_option(name)->needs(expect);
   command->callback([options, &chosen] { chosen = [options] { return merge_command(*options); }; });
 }

@@ -85,7 +85,9 @@ Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64
   if (options.tuning != "defaults")
     for (Case& which : sweep.cases) which.variant += "/" + fs::path(options.tuning).stem().string();
   // All scenes are read before the first case runs, so that an error in a late case is reported at once.
-  for (const Case& which : sweep.cases) scene_of(sweep.experiment, which);
+  std::set<std::string> models;
+  for (const Case& which : sweep.cases) models.insert(scene_of(sweep.experiment, which).model);
+  for (const std::string& model : models) require_model(model);
   return sweep;
 }
 

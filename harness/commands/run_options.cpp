@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 
+#include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -49,6 +50,7 @@ std::vector<std::string> own_argv() {
 
 Overrides RunOptions::overrides() const {
   Overrides result;
+  if (!up.empty()) result.set.emplace_back("mesh.up", up);
   for (const std::string& text : set) result.set.push_back(key_and_value(text, "--set"));
   for (const std::string& text : axis) {
     const auto [key, values] = key_and_value(text, "--axis");
@@ -83,6 +85,7 @@ void declare_cases(CLI::App& command, RunOptions& options) {
       ->capture_default_str();
   command.add_option("--model", options.model, "Model or mesh file that replaces the experiment's models")
       ->type_name("NAME|FILE");
+  add_up_option(command, options.up);
   command.add_option("--set", options.set, "Override a key of the scene")->type_name("key=value")->take_all();
   command
       .add_option("--axis", options.axis, "Use these values of an axis instead of the experiment's values")

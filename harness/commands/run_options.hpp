@@ -13,8 +13,8 @@ namespace pelage {
 
 struct RunOptions {
   std::vector<std::string> experiments, set, axis;
-  std::string preset = "quick", device, model, filter, shard, tuning = "defaults", mapping, output, resume,
-              balance, host, quiet_machine;
+  std::string preset = "quick", device, model, up, filter, shard, tuning = "defaults", mapping, output,
+              resume, balance, host, quiet_machine;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
   int repeat_index = -1;  ///< index of this process among those of --repeat, from 0; -1: started by the user

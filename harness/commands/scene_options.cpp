@@ -1,15 +1,21 @@
 #include "harness/commands/scene_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 
+#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
+
+namespace fs = std::filesystem;
 
 namespace pelage {
 namespace {
@@ -30,6 +36,26 @@ void set_size(Scene& scene, const std::string& size) {
   apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
 }
 
+/// Returns the path of the scene file. A text without a '/' that is not a file is the name of an example
+/// scene, with or without ".toml". Throws InputError with the names of all examples if there is no such
+/// example.
+fs::path scene_file(const std::string& name_or_file) {
+  std::error_code error;
+  if (fs::exists(name_or_file, error) || error || name_or_file.find('/') != std::string::npos)
+    return name_or_file;
+  const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "examples";
+  std::vector<std::string> known;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const fs::path& file = entry.path();
+    if (file.extension() != ".toml") continue;
+    if (file.stem() == name_or_file || file.filename() == name_or_file) return file;
+    known.push_back(file.stem().string());
+  }
+  std::sort(known.begin(), known.end());
+  throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
+                               name_or_file, folder.string(), fmt::join(known, ", ")));
+}
+
 }  // namespace
 
 void add_up_option(CLI::App& command, std::string& up) {
@@ -44,24 +70,24 @@ void add_up_option(CLI::App& command, std::string& up) {
 
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
   command
-      .add_option("scene", options.file,
-                  "Scene file; without one, all keys of the scene have their default values")
-      ->type_name("SCENE.toml");
+      .add_option(
+          "scene", options.file,
+          "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the scene "
+          "have their default values")
+      ->type_name("SCENE");
   command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  if (!draws) return;
-  command
-      .add_option("--model", options.model,
-                  "Model to draw: a name in experiments/models.toml, or a mesh file")
+  command.add_option("--model", options.model, "Model: a name in experiments/models.toml, or a mesh file")
       ->type_name("MODEL");
   add_up_option(command, options.up);
+  if (!draws) return;
   command.add_option("--size", options.size, "Size of the picture in pixels")->type_name("WxH");
 }
 
 Scene resolve_scene(const SceneOptions& options) {
   Scene scene;
-  if (!options.file.empty()) scene = read_scene(options.file);
+  if (!options.file.empty()) scene = read_scene(scene_file(options.file));
   if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
   if (!options.up.empty()) apply_set(scene, "mesh.up=" + options.up, "--up");
   for (const std::string& assignment : options.set) apply_set(scene, assignment);

@@ -10,10 +10,12 @@
 #include <string>
 
 #include "harness/atomic_file.hpp"
+#include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 #include "harness/springs/model/drawing.hpp"
 #include "harness/springs/model/layout.hpp"
 #include "harness/springs/model/network.hpp"
@@ -23,7 +25,7 @@ namespace pelage {
 namespace {
 
 struct TopologyCommand {
-  std::string model;
+  std::string model, up = "y";
   std::optional<std::uint32_t> faces;
   std::string drawing;
   float length = 0.15f;
@@ -77,6 +79,9 @@ void write_drawing(const Mesh& mesh, const TopologyCommand& command) {
 int run(const TopologyCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
+  MeshScene turn;
+  turn.up = command.up;
+  options.rotate = rotation_of(turn);
   options.progress = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
   const auto mesh = load_model(command.model, options);
   if (!command.drawing.empty()) write_drawing(*mesh, command);
@@ -113,6 +118,7 @@ void add_topology(CLI::App& app, Chosen& chosen) {
       ->required();
   command->add_option("--faces", options->faces,
                       "Simplify or refine the mesh to exactly this number of triangles");
+  add_up_option(*command, options->up);
   command->add_option("--draw", options->drawing, "Draw the four topologies into this file")
       ->type_name("PICTURE.svg");
   command

@@ -325,6 +325,11 @@ Experiment read_experiment(const fs::path& file) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", file.string(), error.source().begin.line, error.description()));
   }
+  if (!table.contains("name") && !table.contains("axes"))
+    throw InputError(fmt::format(
+        "{}: is not an experiment, because it has neither a name nor axes. If it is a scene, write "
+        "an experiment that takes it: [scene] file = \"{}\" (docs/extending.md)",
+        file.string(), file.filename().string()));
   Experiment result;
   result.file = file;
   result.name = text_at(file, table, "name");

@@ -268,6 +268,10 @@ Model model_of(const std::string& name_or_file, const MeshOptions& options) {
 
 }  // namespace
 
+void require_model(const std::string& name_or_file) {
+  model_of(name_or_file, {});
+}
+
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options) {
   const Model model = model_of(name_or_file, options);
   const Source source = source_of(model);

@@ -51,4 +51,8 @@ struct MeshOptions {
 /// Throws InputError with the reason if the name is unknown or the file is not a usable mesh.
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options = {});
 
+/// Throws InputError if load_model() would refuse the text because it is neither the name of a model nor a
+/// file. Does not read the file.
+void require_model(const std::string& name_or_file);
+
 }  // namespace pelage

@@ -1,11 +1,14 @@
 #include "harness/report/cells.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
+#include "harness/error.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/precision.hpp"
 #include "harness/report/cell_metrics.hpp"
@@ -42,6 +45,14 @@ auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }
 
+/// Adds the times of one process, which recorded the row.
+void add_times(Cell& cell, const Row& row, std::vector<double> times) {
+  if (times.empty()) return;
+  cell.timings.processes.push_back(std::move(times));
+  if (const auto started = row.provenance.find("started_s"); started != row.provenance.end())
+    cell.timings.started_s.push_back(started->get<double>());
+}
+
 void add(Cell& cell, const Row& row) {
   if (row.status != Status::ok && cell.status == Status::ok) {
     cell.status = row.status;
@@ -54,9 +65,7 @@ void add(Cell& cell, const Row& row) {
   cell.converged = cell.converged && is_precise(row);
   if (const Drift drift = drift_of(times); drifts(drift) && std::abs(drift.change) > std::abs(cell.drift))
     cell.drift = drift.change;
-  cell.timings.processes.push_back(std::move(times));
-  if (const auto started = row.provenance.find("started_s"); started != row.provenance.end())
-    cell.timings.started_s.push_back(started->get<double>());
+  add_times(cell, row, std::move(times));
 }
 
 /// Samples and metrics of all rows that one cell combines.
@@ -74,6 +83,16 @@ struct Samples {
   }
 };
 
+/// Computes the median and its interval from the times of all processes.
+void summarize_times(Cell& cell) {
+  std::vector<double> pooled;
+  for (const auto& process : cell.timings.processes)
+    pooled.insert(pooled.end(), process.begin(), process.end());
+  if (pooled.empty()) return;
+  cell.median_ms = median(pooled);
+  cell.interval_ms = nested_median_interval(cell.timings.processes, 1);
+}
+
 void summarize(Cell& cell, const Samples& samples) {
   for (const auto& [name, values] : samples.metrics) {
     cell.metrics[name] = combined_metric(values);
@@ -86,12 +105,7 @@ void summarize(Cell& cell, const Samples& samples) {
     if (phase != "frame" && !times.empty()) cell.phase_ms[phase] = median(times);
   }
   if (!samples.cpu.empty()) cell.cpu_ms = median(samples.cpu);
-  if (cell.timings.processes.empty()) return;
-  std::vector<double> pooled;
-  for (const auto& process : cell.timings.processes)
-    pooled.insert(pooled.end(), process.begin(), process.end());
-  cell.median_ms = median(pooled);
-  cell.interval_ms = nested_median_interval(cell.timings.processes, 1);
+  summarize_times(cell);
 }
 
 }  // namespace
@@ -142,6 +156,29 @@ std::vector<Cell> cells_of(const std::vector<FoundRow>& rows) {
   });
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i].index = int(i);
   return cells;
+}
+
+void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase) {
+  std::set<std::string> known;
+  bool timed = false;
+  for (Cell& cell : cells) {
+    cell.timings = {};
+    cell.median_ms = 0;
+    cell.interval_ms = {};
+    for (const std::size_t index : cell.rows) {
+      const Row& row = rows[index].row;
+      for (const auto& [name, samples] : row.samples) known.insert(name);
+      const auto found = row.samples.find(phase);
+      if (row.status != Status::ok || found == row.samples.end()) continue;
+      const PhaseSamples& samples = found->second;
+      add_times(cell, row, samples.event_ms.empty() ? samples.wall_ms : samples.event_ms);
+    }
+    if (cell.status == Status::ok) summarize_times(cell);
+    timed = timed || cell.median_ms > 0;
+  }
+  if (!timed)
+    throw InputError(
+        fmt::format("no row has times of the phase '{}'; the phases are {}", phase, fmt::join(known, ", ")));
 }
 
 std::optional<Ratio> ratio_of(const Cell& cell) {

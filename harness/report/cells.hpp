@@ -58,6 +58,11 @@ std::string changes_of(const Cell& cell);
 /// determines what a row measured) are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
+/// Replaces the frame times in `cells`, which is cells_of(rows), by the times of the phase: its event times,
+/// or its wall times if a row has no event times. A cell without the phase has no time afterwards. Throws
+/// InputError with the names of all phases if no cell has the phase.
+void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase);
+
 /// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the
 /// uncertainties of both numbers. An empty `low` or `high` means that the interval has no such limit.
 struct Ratio {

@@ -53,6 +53,11 @@ const Bad usage[] = {
 
 const Bad scenes[] = {
     {"scene missing.toml", 2, "missing.toml: there is no such scene file"},
+    {"scene wet-curlz", 2, "wet-curlz: there is no such scene file, and no such example in"},
+    {"scene nowhere/wet.toml", 2, "nowhere/wet.toml: there is no such scene file"},
+    {"run typo.toml -o r", 2, "typo.toml: is not an experiment, because it has neither a name nor axes"},
+    {"run silva2010-table1 --model gone.obj --dry-run", 2, "gone.obj: neither a file nor a model"},
+    {"run silva2010-table1 --up x --dry-run", 2, "--up"},
     {"scene .", 2, ".: is a folder"},
     {"scene binary.toml", 2, "binary.toml:1: not TOML"},
     {"scene half.toml", 2, "half.toml:2: not TOML"},

@@ -76,6 +76,20 @@ float distance(const std::vector<float>& a, std::size_t i, const std::vector<flo
 
 using Shape = std::vector<hsize_t>;
 
+TEST(Commands, AnExampleSceneHasAName) {
+  const Folder folder;
+  const std::string by_path = pelage(folder, "scene '" PELAGE_SOURCE_DIR "/examples/wet-curls.toml'").out;
+  EXPECT_NE(by_path.find("[fur]"), std::string::npos);
+  for (const char* name : {"wet-curls", "wet-curls.toml"})
+    EXPECT_EQ(pelage(folder, std::string("scene ") + name).out, by_path) << name;
+  const Outcome turned = pelage(folder, "scene wet-curls --model mine.obj --up z");
+  EXPECT_NE(turned.out.find("/mine.obj\""), std::string::npos) << turned.err;
+  EXPECT_NE(turned.out.find("up = \"z\""), std::string::npos) << turned.err;
+  folder.write("wet-curls", "fur.layers = 7\n");
+  EXPECT_NE(pelage(folder, "scene wet-curls").out.find("layers = 7"), std::string::npos)
+      << "a file of the user comes before an example";
+}
+
 TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   const Folder folder;
   const Outcome outcome = pelage(

@@ -118,6 +118,11 @@ TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
       << report.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/tables/all-phases.csv"));
   EXPECT_EQ(pelage(folder, "compare first second").code, 0);
+  EXPECT_EQ(pelage(folder, "compare first second --phase transform").code, 0);
+  const Outcome phase = pelage(folder, "compare first second --phase bake");
+  EXPECT_EQ(phase.code, 2);
+  EXPECT_NE(phase.err.find("no row has times of the phase 'bake'; the phases are "), std::string::npos)
+      << phase.err;
   std::filesystem::create_directory(folder.path() / "both");
   for (const char* one : {"first", "second"})
     std::filesystem::rename(folder.path() / one, folder.path() / "both" / one);
@@ -210,7 +215,10 @@ TEST_F(Results, NumbersAreNamedAsTheyAreWritten) {
 }
 
 TEST_F(Results, MeshFilesOfOneNameAreToldApartAndLongNamesRefused) {
-  for (const char* place : {"x", "y"}) std::filesystem::create_directory(folder.path() / place);
+  for (const std::string place : {"x", "y"}) {
+    std::filesystem::create_directory(folder.path() / place);
+    folder.write(place + "/m.obj", "a mesh; --dry-run does not read it");
+  }
   std::string text = experiment("0.1");
   text.replace(text.find("[\"torus-24x12\"]"), 15, "[\"x/m.obj\", \"y/m.obj\"]");
   folder.write("own.toml", text);

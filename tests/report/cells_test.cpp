@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harness/error.hpp"
 #include "tests/report/rows.hpp"
 
 namespace pelage {
@@ -38,6 +39,22 @@ TEST(Cells, ProcessesOfOneCaseAreOneCell) {
   // The times of the two processes differ by a factor of two. The 95% interval must contain the times of
   // both.
   EXPECT_GT(torus.interval_ms.high / torus.interval_ms.low, 1.9);
+}
+
+TEST(Cells, AnyPhaseCanTakeThePlaceOfTheFrame) {
+  std::vector<FoundRow> rows = {table1_rows()[0], table1_rows()[1]};
+  rows[0].row.samples["raster"] = {{4, 5, 6}, {}};  // event times
+  rows[1].row.samples["raster"] = {{}, {7, 8, 9}};  // only wall times
+  rows[0].row.samples["simulate"] = {{1, 1, 1}, {}};
+  std::vector<Cell> cells = cells_of(rows), simulation = cells;
+  use_phase(cells, rows, "raster");
+  EXPECT_EQ(cells[0].median_ms, 5);
+  EXPECT_EQ(cells[0].timings.processes, (std::vector<std::vector<double>>{{4, 5, 6}}));
+  EXPECT_EQ(cells[1].median_ms, 8);
+  use_phase(simulation, rows, "simulate");
+  EXPECT_EQ(simulation[0].median_ms, 1);
+  EXPECT_EQ(simulation[1].median_ms, 0) << "a cell without the phase has no time";
+  EXPECT_THROW(use_phase(cells, rows, "bake"), InputError);
 }
 
 TEST(Cells, RowsWithOtherIdentitiesAreNotCombined) {
