@@ -10,6 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/measure/difference.hpp"
+#include "harness/table/table.hpp"
 
 namespace pelage {
 namespace {
@@ -121,9 +122,11 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
     for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
       std::string name = common_name(a[i], by);
       if (common_name(b[j], by) != name) continue;
-      pairs.push_back(pair_of(a[i], b[j], std::move(name), by));
-      differences.push_back(timed(a[i]) && timed(b[j])
-                                ? std::optional(difference_of(a[i].timings, b[j].timings))
+      const bool swapped = one_set && natural_less(value_of(b[j], by), value_of(a[i], by));
+      const Cell &first = swapped ? b[j] : a[i], &second = swapped ? a[i] : b[j];
+      pairs.push_back(pair_of(first, second, std::move(name), by));
+      differences.push_back(timed(first) && timed(second)
+                                ? std::optional(difference_of(first.timings, second.timings))
                                 : std::nullopt);
     }
   if (pairs.empty())

@@ -44,8 +44,9 @@ struct CompareLimits {
 /// Pairs every cell of `a` with each cell of `b` that has the same properties. Only the property that `by`
 /// names may differ. The verdicts are computed by decide() (harness/measure/difference.hpp). If `one_set` is
 /// true, `a` and `b` are the same set. Of the pairs (x, y) and (y, x) of two cells, only one is then
-/// returned. Throws InputError if there is no pair, or if a set contains two cells that differ only in their
-/// identity (hashes of the inputs).
+/// returned: the one whose first cell has the smaller value of `by` (natural_less()). Throws InputError if
+/// there is no pair, or if a set contains two cells that differ only in their identity (hashes of the
+/// inputs).
 std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
                                 const CompareBy& by, const CompareLimits& limits);
 

@@ -52,6 +52,21 @@ TEST(Compare, DecidesFromSeveralProcesses) {
   expect_all(compared(a, slower, 0.5), Verdict::same);
 }
 
+TEST(Compare, WithinOneSetTheSmallerValueComesFirst) {
+  std::vector<Cell> cells = processes(3);
+  std::reverse(cells.begin(), cells.end());
+  for (const bool reversed : {true, false}) {
+    if (!reversed) std::reverse(cells.begin(), cells.end());
+    const std::vector<Pair> pairs = compare_cells(cells, cells, true, CompareBy("axes.layers"), {});
+    ASSERT_EQ(pairs.size(), 16u);
+    for (const Pair& p : pairs) {
+      EXPECT_EQ(p.a, "16") << p.name;
+      EXPECT_EQ(p.b, "64") << p.name;
+      EXPECT_NEAR(p.change, 3, 1e-9) << p.name;
+    }
+  }
+}
+
 TEST(Compare, DoesNotCallOverlappingTimesTheSame) {
   expect_all(compared(processes(5), processes(5, 1.004), 0), Verdict::undecided);
   expect_all(compared(processes(5), processes(5, 1.05), 0.05), Verdict::undecided);
