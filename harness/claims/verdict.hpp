@@ -39,8 +39,9 @@ Decision decide(const std::vector<Estimate>& estimates, const Region& region);
 /// therefore more time and memory.
 inline constexpr std::size_t most_effects = 200;
 
-/// Returns the number of bootstrap draws for `effects` separate decisions. The intervals of Holm's method
-/// become wider with more decisions, and their limits then need more draws.
+/// Returns the number of bootstrap draws for `effects` separate decisions. With more decisions,
+/// Holm's method uses wider intervals. The limits of a wide interval are rare values, so they need more
+/// draws.
 int draws_for(std::size_t effects);
 
 /// Returns the distance of the value from the nearest limit of the region: positive if the value is inside

@@ -70,8 +70,8 @@ void print_notes(const std::vector<Pair>& pairs) {
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
     fmt::print(stderr,
                "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
-               "deviation), because "
-               "fewer than {} processes measured a case; run the experiments with --repeat 5\n",
+               "deviation), because fewer than {} processes measured a case; run the experiments with "
+               "--repeat 5\n",
                assumed, pairs.size(), 100 * assumed_spread, fewest_processes);
   if (const auto contended = count([](const Pair& p) { return p.contended; }))
     fmt::print(

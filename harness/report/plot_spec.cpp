@@ -115,7 +115,7 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     if (plot.x.empty()) plot.x = column_of(table, "model") >= 0 ? "model" : "variant";
     keys = words;
     keys.insert(keys.end(), rest.begin(), rest.end());
-    // If there are too many series, the keys with the fewest values give panels instead.
+    // Too many series make a plot unreadable. The keys with the fewest values then define panels.
     while (view.panels.empty() && view.series.empty() && keys.size() > 1 &&
            combinations(table, keys) > most_series) {
       const auto fewest = std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
