@@ -29,7 +29,7 @@ missing() {
   done
 }
 
-# Runs apt as root without questions. It waits up to 600 s for another apt process.
+# Runs apt-get as root without questions. apt-get waits up to 600 s until another apt process ends.
 as_root() { if ((EUID == 0)); then "$@"; else sudo "$@"; fi; }
 run_apt() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=600 "$@" >>"$log" 2>&1 ||
@@ -120,8 +120,8 @@ table1() {
   say "timing Table 1 into $folder"
   local status=0
   "$binary" run silva2010-table1 "${preset[@]}" "${output[@]}" "$@" || status=$?
-  # Status 1 means that a case has no time; the report then gives the reason. Any other error ends
-  # this script.
+  # `pelage run` exits with status 1 if a case has no time; the report then gives the reason. Any other error
+  # ends this script.
   if ((status == 130 || status == 143)); then
     say "interrupted; to continue: ./bootstrap.sh table1 --resume $folder"
   fi

@@ -49,7 +49,8 @@ struct Bench {
   }
 };
 
-/// Returns the milliseconds and the bytes of a kernel in one frame, summed over the kernel's launches.
+/// Returns the time of a kernel in one frame and the size of its buffers, both summed over the kernel's
+/// launches.
 KernelTime of_kernel(const FrameTiming& timing, const std::string& kernel) {
   KernelTime sum{kernel, "", 0, 0};
   for (const KernelTime& k : timing.kernels) {
@@ -120,10 +121,9 @@ Scene scene_of(const Options& options) {
   return scene;
 }
 
-/// Registers one benchmark per kernel. The number of iterations is computed from the time of a pilot frame.
-/// Without this number, Google Benchmark would increase the number of iterations until the sum of the
-/// reported times is long enough. With a device timer that reports times of 0, Google Benchmark would never
-/// stop.
+/// Registers one benchmark per kernel with a fixed number of iterations, which is computed from the time of a
+/// pilot frame. Otherwise Google Benchmark would increase the number of iterations until the sum of the
+/// reported times is long enough. If the device timer reports times of 0, Google Benchmark would never stop.
 void register_all(Bench& bench, const Options& options, bool timer) {
   const FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {

@@ -30,8 +30,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # dpkg-shlibdeps (Debian's package dpkg-dev) adds the packages of the linked libraries to the dependencies.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# pelage starts without these packages. They provide an OpenCL device, OpenGL for the baseline, the plots, pandas and
-# some models. If pelage needs a missing package, it prints a message.
+# The packages below are recommended only, because pelage starts without them. They provide an OpenCL device, OpenGL for
+# the OpenGL baseline, the plots of reports, pandas for the Python package, and some models. If pelage needs one of
+# these packages and does not find it, pelage prints a message.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
        libjs-chart.js python3-matplotlib python3-pandas glmark2-data libcgal-demo)
 include(CPack)

@@ -29,7 +29,7 @@ inline void require_place(const std::filesystem::path& path) {
     throw InputError(path.string() + ": cannot be written, because it is a folder");
 }
 
-/// Copies the bytes of `from` to the device, pipe or socket `to`. Throws InputError if they cannot be
+/// Copies the bytes of `from` to the device, pipe or socket `to`. Throws InputError if the bytes cannot be
 /// written.
 inline void copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::ifstream source(from, std::ios::binary);
@@ -39,13 +39,13 @@ inline void copy_bytes(const std::filesystem::path& from, const std::filesystem:
   if (!target) throw InputError(to.string() + ": cannot be written: " + std::strerror(errno));
 }
 
-/// Calls write(temporary path), then renames the written file to `path`. The temporary file is in the same
-/// folder and has the same extension, because some libraries choose the format by the extension. If `path` is
-/// a symbolic link, the function replaces the file that the link points to. If `path` exists and is not a
-/// regular file, for example a device or a pipe, the temporary file is in the system's temporary folder, and
-/// the function copies its bytes to `path`. If `write` throws, the temporary file is removed and `path` is
-/// unchanged. Throws InputError if the folder does not exist, if `path` is a folder or a symbolic link that
-/// leads back to itself, or if renaming or copying fails.
+/// Calls write(temporary path), then renames the temporary file to `path`. The temporary file is in the
+/// folder of `path`. It has the extension of `path`, because some libraries derive the file format
+/// from the extension. If `path` is a symbolic link, the function writes the file that the link points to. If
+/// `path` exists and is not a regular file, for example a device or a pipe, the temporary file is in the
+/// system's temporary folder. The function then copies its bytes to `path`. If `write` throws, the temporary
+/// file is removed and `path` is unchanged. Throws InputError if the folder of `path` does not exist, if
+/// `path` is a folder or a symbolic link that leads back to itself, or if renaming or copying fails.
 template <class Write>
 void write_atomically(const std::filesystem::path& path, Write&& write) {
   namespace fs = std::filesystem;

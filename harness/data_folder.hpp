@@ -10,9 +10,9 @@ namespace pelage {
 
 /// Returns the folders in which pelage searches for its data, in the order of the search. $PELAGE_DATA is the
 /// first folder if this variable is set. The next folder is the data folder of the installation or, if the
-/// program is in a build folder, the source tree `source`. `shared` is the relative path from the folder of
-/// the program (PREFIX/bin) to the data (PREFIX/share/pelage), so that an installation may be moved to
-/// another prefix. An installed program does not read the source tree.
+/// program is in a build folder, the source tree `source`. `shared` is the path of the data
+/// (PREFIX/share/pelage) relative to the folder of the program (PREFIX/bin). It is relative, so that users
+/// may move an installation to another prefix. An installed program does not read the source tree.
 inline std::vector<std::filesystem::path> data_folders(const std::filesystem::path& source,
                                                        const std::filesystem::path& shared) {
   std::vector<std::filesystem::path> folders;

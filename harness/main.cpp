@@ -73,6 +73,9 @@ int run(const Chosen& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Each line of stdout is written at once, also into a pipe. In `pelage report ... 2>&1 | less`, a message
+  // on stderr therefore never interrupts a line of stdout.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   CLI::App app("An OpenCL research benchmark harness for real-time layered fur", "pelage");
   app.set_version_flag("--version", version, "Print the version and how to cite it");
   std::string kernels;

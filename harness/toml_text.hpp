@@ -11,14 +11,15 @@
 
 namespace pelage {
 
-inline constexpr int most_key_parts = 32;    ///< limit of the parts of one dotted key or of one table name
-inline constexpr int most_table_depth = 64;  ///< limit of the parts of a key plus all keys that enclose it
+inline constexpr int most_key_parts = 32;    ///< greatest number of parts of a dotted key or a table name
+inline constexpr int most_table_depth = 64;  ///< greatest sum of the parts of a key and of the enclosing keys
 
 namespace detail {
 
 /// Returns the offset of the first character after the string whose opening quote is at `start`. If the
-/// closing quote is missing, the string ends at the end of its line or, if it begins with three quotes, at
-/// the end of the text.
+/// closing quotes of a string that begins with three quotes are missing, the string ends at the end of the
+/// text. If the closing quote of a string that begins with one quote is missing, the string ends at the end
+/// of its line.
 inline std::size_t behind_string(std::string_view text, std::size_t start) {
   const char quote = text[start];
   const bool three = text.substr(start, 3) == std::string(3, quote);
@@ -40,11 +41,13 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
 
 }  // namespace detail
 
-/// Throws InputError in three cases:
+/// Throws InputError in four cases:
 /// - a dotted key or the name of a table has more than most_key_parts parts;
 /// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
 ///   parts;
-/// - a character outside quotes and comments is not ASCII.
+/// - a character outside quotes and comments is not ASCII;
+/// - an opening quote follows a character that cannot precede a string, such as the 0 in `key = 0"text"`.
+///   toml++ would read the string as a part of the number, which is undefined behaviour in toml++.
 /// The message begins with `name`, the name of the file or option that contains the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
   int line = 1, parts = 1, around = 0;
@@ -59,9 +62,14 @@ inline void check_toml_text(std::string_view text, const std::string& name) {
       refuse("and the keys that enclose it have ", around + parts, most_table_depth);
   };
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  char before = '\n';  // the last character that is no space, tab or carriage return
   for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size();) {
     const char c = text[i];
     if (c == '"' || c == '\'') {
+      if (std::string_view("\n=,[{.").find(before) == std::string_view::npos)
+        throw InputError(name + ":" + std::to_string(line) +
+                         ": not TOML: a string must not follow another value without a comma");
+      before = c;
       const std::size_t end = detail::behind_string(text, i);
       for (; i < end; ++i) line += text[i] == '\n';
       continue;
@@ -75,6 +83,7 @@ inline void check_toml_text(std::string_view text, const std::string& name) {
           name + ":" + std::to_string(line) +
           ": not TOML: a character outside quotes is not ASCII; write names with such characters "
           "in quotes");
+    if (c != ' ' && c != '\t' && c != '\r') before = c;
     if (c == '.') ++parts;
     if (c == '{' || c == '[') {
       end_key();

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the table of verdicts in docs/claims.md from the recorded rows of results/.
+"""Writes the table in docs/claims.md that gives the verdict on each claim, from the recorded rows of results/.
 
 Two HTML comments of the document enclose the table. Run the script after new rows were recorded, or after
-experiments/claims.toml changed. The test cli.Claims fails if the table does not follow from the rows.
+experiments/claims.toml changed. The test cli.Claims fails if the table differs from the verdicts on these rows.
 
 Usage: scripts/claims_table.py [PELAGE]
 PELAGE is the path of the program pelage; the default is build/release/pelage.

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Compares the frame times of two builds of pelage: an old and a new checkout, both built in build/release.
 
-In every round and for every cell (a model and a number of layers of silva2010-table1), three processes draw frames in
-turns of 0.15 s: old, new and old again. The second old process is a control: its frame times should equal those of the
-first old process. The order of the processes changes from round to round. scripts/turns.cpp makes them take turns.
+A cell is a model and a number of layers in the experiment silva2010-table1. Every round measures every cell. Two
+processes of the old build and one process of the new build draw the frames of a cell in turns of 0.15 s. The second
+process of the old build is a control: its frame times should equal those of the first process. The order of the
+processes changes from round to round. scripts/turns.cpp makes the processes take turns.
 
   scripts/compare_builds.py OLD NEW -o FOLDER             20 rounds of 6 cells, about 20 minutes
   scripts/compare_builds.py OLD NEW -o FOLDER --rounds 0  prints the ratios of the rounds that FOLDER contains
 
-Each printed ratio is the median over the rounds, with its 95% interval by order statistics. The ratio of a round is
-(median frame time of the new build) / (geometric mean of the median frame times of both old processes).
+The ratio of a round is (median frame time of the new build) / (geometric mean of the median frame times of both old
+processes). The script prints the median of the ratios of all rounds, and a 95% confidence interval of this median.
 """
 import argparse
 import json
@@ -72,8 +73,9 @@ def frame_ms(folder):
 
 
 def rank_of_interval(n):
-    """Returns the largest r for which the r-th smallest and the r-th largest of n values enclose the median with a
-    probability of at least 95%; 1 if there is no such r."""
+    """Returns the rank r of a confidence interval for the median of a distribution. The interval reaches from the r-th
+    smallest to the r-th largest of n samples of the distribution. r is the largest rank at which the interval contains
+    the median with a probability of at least 95%, or 1 if there is no such rank."""
     below, rank = 0.0, 1
     for r in range(1, n // 2 + 1):
         below += math.comb(n, r - 1) / 2**n

@@ -16,9 +16,9 @@ looks="straight wavy large-curls small-curls dry wet grass"
 for layers in 64 16; do
   for look in $looks; do
     set_few=
-    # With 16 layers each fragment samples the fur four times within its layer. The offset from one layer to the next
-    # would still be too large for wide curls and strongly bent blades, so these options make the curls narrower and the
-    # blades straighter.
+    # With 16 layers, each fragment takes four samples between its layer and the layer below. If curls are
+    # wide or blades are strongly bent, a strand moves too far sideways from one layer to the next, even with four
+    # samples. Further options therefore make the curls narrower and the blades straighter.
     [ "$layers" = 16 ] && set_few="--set fur.substeps=4"
     [ "$layers $look" = "16 grass" ] && set_few="$set_few --set fur.sweep=0.25 --set fur.bend=12"
     [ "$layers $look" = "16 large-curls" ] && set_few="$set_few --set curl.radius=0.032 --set curl.turns=1.1"

@@ -2,7 +2,7 @@
 # Runs pelage's checks and timings on a machine with a GPU, and stores the results in one folder with their provenance.
 # Usage: scripts/gpu_check.sh FOLDER [DEVICE [PRESET]]. DEVICE is a value of --device (default: the first GPU).
 # PRESET is the value of --preset (default: quick). The variable PELAGE can name another binary. The script installs
-# nothing and changes no device settings. If a step fails, the others still run. The last line names all failed steps.
+# nothing and changes no device settings. If a step fails, the next steps still run. The last line names failed steps.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit
 if (($# < 1 || $# > 3)); then

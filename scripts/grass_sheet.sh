@@ -22,7 +22,7 @@ pelage=${PELAGE:-build/release/pelage}
 pictures=$(mktemp -d)
 trap 'rm -rf "$pictures"' EXIT
 
-# Draws examples/SCENE.toml as PICTURE.png: draw PICTURE SCENE [options of pelage render]
+# Draws the scene examples/SCENE.toml to the file PICTURE.png. Usage: draw PICTURE SCENE [options of pelage render]
 draw() {
   picture=$1 scene=$2
   shift 2

@@ -9,10 +9,11 @@ text by `replacement`. Then the tests of the executable `target` that match the 
 `why` describes the effect of the mistake. A mutant with the key `equivalent` is not run; the key gives the reason why
 no test can detect the mutant.
 
-The named tests must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when a
-test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while it runs. Afterwards
-build again, because the test programs may still contain the last mutant. The exit status is 0 if all mutants are
-detected, 1 if some are not detected or cannot be run, and 2 for an error in the data or the command line.
+The tests of a mutant must pass without the mutant. Mutants of kernels need no build, because kernels are compiled when
+a test runs. The program restores every file at the end, also after Ctrl-C. Do not commit while the program runs. When
+it has ended, build pelage again, because the test programs may still contain the last mutant. The exit status is 0 if
+all mutants are detected, 1 if some mutants are not detected or cannot be run, and 2 for an error in the data file or in
+the command line.
 """
 import argparse
 import contextlib
@@ -90,7 +91,7 @@ def planted(file, begin, end, replacement, built):
 
 
 def build(folder, jobs, target):
-    """Builds the target. Returns an empty text, or the end of the output if the build fails."""
+    """Builds the target. If the build fails, returns the end of its output, otherwise ""."""
     run = subprocess.run(["cmake", "--build", folder, "--parallel", str(jobs), "--target", target],
                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return "" if run.returncode == 0 else run.stdout[-2000:]

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Counts the code lines in harness/ and bench/ that refer to a mapping, pipeline, solver, topology or shading model.
 
-Each mapping, pipeline, solver, topology and shading model is an item. All items of one kind (for example, all mappings)
-are a family. A line refers to an item if the line contains the item's name as a string, or if it contains the item's
-C++ enumerator, class or factory function. The script does not count lines in the files that implement the item. It also
-does not count lines in the files that contain the table of all items of the family.
+A mapping is a way to distribute the work of the fur pipeline over work-items (docs/code.md). Each mapping, pipeline,
+solver, topology and shading model is an item. All items of one kind (for example, all mappings) are a family. A line
+refers to an item if the line contains the item's name as a string, or if it contains the item's C++ enumerator, class
+or factory function. The script does not count lines in the files that implement the item. It also does not count lines
+in the files that contain the table of all items of the family.
 
 The exit status is 1 if the script counts more than two lines for an item. The option -v prints the lines.
 """
@@ -20,7 +21,8 @@ MOST = 2
 # - a dictionary, whose keys are the names of the items. The value of a name is a pair. Its first element is a pattern
 #   that matches the enumerator, the class or the factory function of the item. Its second element is the list of the
 #   files that implement the item;
-# - a pattern, or None. Lines that match this pattern use the name of an item with another meaning and are not counted.
+# - a pattern, or None. In lines that match this pattern, the name of an item has another meaning. These lines are
+#   not counted.
 FAMILIES = {
     "mapping": (["harness/shells/opencl/mappings.cpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
@@ -65,7 +67,7 @@ FAMILIES = {
 
 
 def main():
-    # The file system and not git, because a source archive has no repository
+    # Searches the file system instead of asking git, because a source archive has no git repository
     files = sorted(str(path.relative_to(ROOT)) for folder in ("harness", "bench") for path in (ROOT / folder).rglob("*.?pp"))
     lines = [(f, n, line) for f in files
              for n, line in enumerate((ROOT / f).read_text().split("\n"), 1)

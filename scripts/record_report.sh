@@ -45,8 +45,8 @@ for folder in "$@"; do
   done
 done
 for folder in "$@"; do
-  # Several folders RESULTS may contain rows of the same experiment and device. Each .jsonl
-  # file becomes a separate file in results/.
+  # Two folders RESULTS may contain .jsonl files of the same name, with rows of the same experiment and device. The
+  # script gives the copies in results/ different names, so that it overwrites no file.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
     place=results/$(basename "$(dirname "$rows")")
     mkdir -p "$place"

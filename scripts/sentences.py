@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Lists the sentences of pelage's documents, comments and messages, or draws a random sample for readers who judge them.
+"""Lists the sentences of pelage's documents, comments and messages, or draws a sample for readers who judge them.
 
-A sentence of the sample is printed with its file, its line, its paragraph and its surroundings. The surroundings of a
-comment or a message are the lines around it. The surroundings of a paragraph of a document are the headings and the
-lines before it. The surroundings of a table cell are the head and the row of the table.
+A sentence of the sample is printed with its file, its line, its paragraph, the beginning of the file and its
+surroundings. The beginning of a source file is its first comment, and the beginning of a document is its first
+paragraph; they name the subject and define symbols. The surroundings of a comment or a message are the lines around it. The
+surroundings of a paragraph of a document are the headings and the lines before it. The surroundings of a table cell are
+the head and the row of the table.
 
   scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
   scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
@@ -44,8 +46,8 @@ def tracked(prefixes):
 
 
 def paragraphs_of_lines(name, kind, lines):
-    """Yields paragraphs. `lines` contains pairs of a line number and a text. A paragraph ends at an empty text. It
-    also ends if the next line number is neither the same as the last one nor the following number."""
+    """Yields paragraphs. `lines` contains pairs of a line number and a text. A paragraph ends at an empty text.
+    It also ends where a line number is skipped."""
     start, words, last = None, [], None
     for number, text in [*lines, (None, "")]:
         if words and (not text.strip() or (last is not None and number not in (last, last + 1))):
@@ -82,8 +84,8 @@ C_TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n]
 
 
 def c_like(name, text):
-    """Yields the paragraphs of whole-line comments, one paragraph per end-of-line comment, and one paragraph per string
-    literal of harness/."""
+    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment. For files of harness/,
+    also yields one paragraph per string literal."""
     own_lines, behind_code, messages = [], [], []
     end_of_last = -1
     for match in C_TOKEN.finditer(text):
@@ -157,7 +159,7 @@ def paragraphs(prefixes):
 
 
 def sentences_of(paragraph):
-    """Yields the sentences with at least FEWEST_WORDS words, which excludes formulas and paths."""
+    """Yields the sentences with at least FEWEST_WORDS words. This minimum excludes formulas and paths."""
     for part in re.split(r'(?<=[.?!;])["\')]*\s+(?=[A-Z`"(\[])', paragraph.text):
         part = part.strip(" ;")
         if not re.sub(r"`[^`]*`|[\s,|.;:()-]|\band\b", "", part) or part.startswith(("namespace ", "NOLINT")):
@@ -167,12 +169,38 @@ def sentences_of(paragraph):
             yield part
 
 
+def beginning_of(path):
+    """Returns the first comment of a source file, or the title and the first paragraph of a document."""
+    lines = (ROOT / path).read_text().split("\n")
+    if lines and lines[0].startswith("#!"):
+        del lines[0]
+    if path.endswith((".md", ".1")):
+        ends = [i for i, line in enumerate(lines) if not line.strip() and i > 0 and not lines[i - 1].startswith("#")]
+        return [line for line in lines[:ends[0] if ends else 1] if line.strip()]
+    count = 0
+    while count < len(lines) and re.match(r"//|# |#$", lines[count]):
+        count += 1
+    return lines[:count]
+
+
+def headings_above(lines):
+    """Returns the nearest heading of each level above the end of `lines`, from the outermost to the innermost."""
+    headings, level = [], 7
+    for line in reversed(lines):
+        match = re.match(r"(#{1,6}) ", line)
+        depth = len(match[1]) if match else {".SH": 1, ".SS": 2}.get(line[:3], 7)
+        if depth < level:
+            headings.insert(0, line)
+            level = depth
+    return headings
+
+
 def place_of(paragraph):
-    """Returns what a reader sees around the paragraph: headings of a document, or the lines around a comment or message."""
+    """Returns the lines that a reader sees around the paragraph. See the docstring of this file."""
     lines = (ROOT / paragraph.path).read_text().split("\n")
     at = paragraph.line - 1
     if paragraph.kind == "document":
-        headings = [line for line in lines[:at] if line.startswith(("# ", "## ", "### ", ".SH", ".SS"))][-2:]
+        headings = headings_above(lines[:at])
         first = at
         while lines[first].startswith("| ") and first > 0 and lines[first - 1].startswith("| "):
             first -= 1
@@ -203,6 +231,11 @@ def main():
         print(f"{i}. {p.path}:{p.line} ({p.kind})\n   sentence: {sentence}")
         if sentence != p.text:
             print(f"   paragraph: {p.text}")
+        beginning = beginning_of(p.path)
+        if p.line > len(beginning):
+            print("   beginning of the file:")
+            for line in beginning:
+                print(f"     {line}")
         print("   place:")
         for line in place_of(p):
             print(f"     {line}")

@@ -2,14 +2,16 @@
 // into every program with LD_PRELOAD. The speed of a shared machine changes within seconds. A turn lasts only
 // about 0.15 s, so each change of the speed affects all programs.
 //
-// The programs share one mapped file. A program may draw while it has the turn. It passes the turn on between
-// two frames, outside the timed interval. pelage stops the timing of a frame when clFinish() returns. It then
-// calls clGetEventProfilingInfo(). The version of this function below passes the turn on if the turn has
-// lasted at least TURN_SECONDS. After the last frame, a program reads its picture back. It then waits until
-// all programs have drawn their frames, because the check of the picture uses all cores.
+// The programs share one mapped file. A program may draw only while it has the turn. It passes the turn on
+// between two frames, outside the timed interval. pelage stops the timing of a frame when clFinish() returns.
+// After that, pelage calls clGetEventProfilingInfo(). This file replaces clGetEventProfilingInfo() by a
+// version that passes the turn on if the turn has lasted at least TURN_SECONDS. After the last frame, a
+// program calls clEnqueueReadBuffer() to read its picture back. This file also replaces
+// clEnqueueReadBuffer(): the new version first waits until all programs have drawn their frames, because
+// pelage then checks the picture, and this check uses all cores.
 //
-// Environment: TURN_FILE: the shared file, at least 64 bytes of 0. TURN_ID: number of this program, from 0.
-// TURN_COUNT: number of programs. TURN_SECONDS: shortest duration of a turn.
+// Environment: TURN_FILE: path of the shared file, which has at least 64 bytes, all 0. TURN_ID: number of
+// this program, from 0. TURN_COUNT: number of programs. TURN_SECONDS: shortest duration of a turn.
 #define CL_TARGET_OPENCL_VERSION 120
 #include <CL/cl.h>
 #include <dlfcn.h>
@@ -104,7 +106,8 @@ Function* next_definition(Function*, const char* name) {
 
 }  // namespace
 
-// Each function below replaces the function of the OpenCL loader with the same name, and calls it.
+// Each function below replaces the function of the same name in the OpenCL loader, and calls the replaced
+// function.
 
 extern "C" cl_int clFinish(cl_command_queue queue) {
   static auto* const original = next_definition(&clFinish, "clFinish");

@@ -1,6 +1,6 @@
-// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). The host puts the
-// constants, shaders/layers.glsl and shaders/light.glsl before this file. shell.vert gives the titles of the papers S
-// and W.
+// Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). S = Silva et al.
+// 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
+// The host puts the constants, shaders/layers.glsl and shaders/light.glsl before this file.
 in vec2 uv;
 in vec3 normal, rise;
 #ifdef WET_MODEL
@@ -26,7 +26,7 @@ layout(location = 0) out vec4 colour;
 
 vec2 fur_texel(vec2 p, float level) {
 #ifdef TWO_LEVELS
-  // The shader filters between mip levels itself, because drivers may round the weight of a level.
+  // The shader itself blends two mip levels, because drivers may round the weights of the two levels.
   float fine = clamp(level, 0.0, float(FUR_LEVELS - 1));
   float base = floor(fine);
   return mix(textureLod(fur, FUR_AT(p), base).rg, textureLod(fur, FUR_AT(p), base + 1.0).rg, fine - base);
@@ -49,7 +49,8 @@ float power(float x, float exponent) {
 #endif
 }
 
-// S Eq. 6 and W Eq. 3: adds the diffuse and specular light of one source to `sum`. t, nu, e and light are unit vectors.
+// S Eq. 6 and W Eq. 3: adds the diffuse and specular light of one source to `sum`. The unit vectors are t along
+// the strand, nu along the surface normal, e from the eye to the surface, and light to the light source.
 void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float exponent, inout vec2 sum) {
   float n_l = dot(nu, light), t_l = dot(t, light), t_e = dot(t, e);
   float sine_l = sqrt(max(0.0, 1.0 - t_l * t_l)), sine_e = sqrt(max(0.0, 1.0 - t_e * t_e));
@@ -65,9 +66,9 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
 void main() {
   vec2 at = uv;
   float rho = 0.0;
-  vec2 pull = vec2(0.0);  // shift of the texture position by the clump, divided by f(h) = look.x
+  vec2 pull = vec2(0.0);  // shift of the texture position by the clump, divided by look.x = f(h) (docs/frame.md)
 #ifdef CLUMPS
-  // S Eq. 5 and S Algorithm 2. At a dry texel rho is 0, so the shift is 0 too.
+  // Computes S Eq. 5 and S Algorithm 2. rho is the wetness in the mask at uv. If rho is 0 (dry), the shift is 0.
   vec4 here = textureLod(mask, uv, 0.0);
   vec2 from = uv - here.xy;
   rho = here.w;
@@ -86,8 +87,8 @@ void main() {
 #endif
 
   vec3 nu = unit(normal), e = view();
-  // level is log2 of a pixel's footprint on the surface in texels of mip level 0, plus fur.lod_bias. LEVEL contains the
-  // bias and log2 of the footprint's constant factors. gl_FragCoord.w is 1/w.
+  // `level` is log2 of the size of a pixel's footprint on the surface, in texels of mip level 0, plus fur.lod_bias.
+  // LEVEL is the part of this sum that is constant in a picture. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
   if (texel.r == 0.0) discard;

@@ -1,5 +1,5 @@
-// Computes the lighting of docs/frame.md, section 6. The shaders of the fur layers (models of the papers S and W) and
-// of the base surface use these functions.
+// Computes the lighting of docs/frame.md, section 6. The shaders of the fur layers and of the base surface use these
+// functions. W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
 vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zero vector stays zero
 
 // Returns the unit vector from the eye to the surface. RAY is the view ray through the origin of window coordinates.
@@ -14,7 +14,7 @@ vec3 lit_normal(vec3 nu, vec3 e) {
   return nu;
 }
 
-// Returns max(0, (n.l + .4) / 1.4), light that wraps around the surface.
+// Returns max(0, (n.l + 0.4) / 1.4), the diffuse light of "wrap lighting", which is positive also for some n.l < 0.
 float wrapped(float n_dot_l) { return max(0.0, (n_dot_l + 0.4) / 1.4); }
 
 // Returns the diffuse light of one light source (C_d of W Eq. 2), divided by its intensity and by the colour K.

@@ -1,13 +1,13 @@
 // Transforms a vertex of a layer or of the base surface (S section 4, "vertex shader"; docs/frame.md, sections 3 and
 // 4). S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time
 // Rendering of Wet Fur. harness/shells/opengl/program.cpp puts the constants and shaders/layers.glsl before this file.
-layout(location = 0) in vec3 position;  // R
+layout(location = 0) in vec3 position;  // in R, the radius of the mesh's bounding sphere
 layout(location = 1) in vec2 surface_uv;
 layout(location = 2) in vec3 a;         // A: vector from the strand's root to p0, the tip of the upright strand
 layout(location = 3) in vec3 b;         // B: vector from the strand's root to its tip p
-layout(location = 4) in vec3 curl_u;    // first axis of the curl: (1 - rho) K_alpha u of S Eq. 4, in R
-layout(location = 5) in vec3 curl_v;    // second axis of the curl: (1 - rho) K_alpha v
-layout(location = 6) in vec3 dx_du;     // dX/du, in mesh radii per unit of u
+layout(location = 4) in vec3 curl_u;    // first axis of the curl, in R: (1 - rho) K_alpha u of S Eq. 4
+layout(location = 5) in vec3 curl_v;    // second axis of the curl, in R: (1 - rho) K_alpha v
+layout(location = 6) in vec3 dx_du;     // dX/du, the derivative of the surface point X, in R per unit of u
 layout(location = 7) in vec3 dx_dv;
 
 out vec2 uv;

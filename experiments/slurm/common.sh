@@ -15,8 +15,8 @@ record() {
     fail "$results: contains a run; without further arguments this script submits its unfinished shards again"
   program=$(command -v "${PELAGE:-pelage}") || fail "${PELAGE:-pelage}: no such program; set PELAGE to the binary"
   program=$(realpath "$program")
-  # The dry run finds mistakes in the arguments before any shard starts. It opens an OpenCL device. A login node may
-  # have no device (exit code 3), which is not an error.
+  # The dry run finds mistakes in the arguments before any shard starts. The dry run opens an OpenCL device. A login
+  # node may have no OpenCL device. The dry run then exits with code 3, which is not an error here.
   local code=0 message
   message=$("$program" run "$@" --shard "0/$shards" --dry-run 2>&1 >/dev/null) || code=$?
   ((code == 0 || code == 3)) || { echo "$message" >&2; exit "$code"; }
@@ -45,8 +45,8 @@ unfinished() {
     fi
   done
   if ((${#found[@]} > 0)); then
-    # If rows are missing, `pelage merge` exits with code 4. It prints one line for each unfinished shard, with the
-    # experiment, the device and a text such as "shard 2/4: 5 of 8 cases".
+    # If rows are missing, `pelage merge` exits with code 4. The command prints one line for each unfinished shard, with
+    # the experiment, the device and a text such as "shard 2/4: 5 of 8 cases".
     lines=$("$program" merge --dry-run "$results/merged" "${found[@]}" 2>"$results/merge.log") || code=$?
     ((code == 0 || code == 4)) || { cat "$results/merge.log" >&2; return "$code"; }
     mapfile -t -O "${#numbers[@]}" numbers < <(sed -n "s|.*\tshard \([0-9]*\)/$shards: .*|\1|p" <<<"$lines")

@@ -4,8 +4,8 @@
 #   hosts.sh RESULTS HOSTS                                             run lost and failed shards again
 # HOSTS is a file with one ssh host per line; the line ":" stands for this machine, without ssh. RESULTS, pelage and
 # this folder must have the same paths on all hosts. If the hosts have equal hardware, give all of them one name with
-# --host NAME. Otherwise the report shows the rows of each host in a separate table. A shard is a part of the cases of
-# an experiment.
+# --host NAME. Without a common name, the report shows the rows of each host in a separate table. A shard is a part of
+# the cases of an experiment.
 set -euo pipefail
 scripts=$(dirname "$(realpath "$0")")
 # shellcheck source-path=SCRIPTDIR source=common.sh

@@ -16,7 +16,8 @@
 #SBATCH --requeue
 #SBATCH --open-mode=append
 # On nodes with GPUs remove one # in the next line, or set SBATCH_GPUS_PER_TASK=1. Each shard then sees one GPU. To run
-# several shards on a node with several GPUs, replace --exclusive above by --cpus-per-task=N, with N = cores / GPUs.
+# several shards on a node with several GPUs, replace --exclusive above by --cpus-per-task=N, where N is the number of
+# the node's cores divided by the number of its GPUs.
 ##SBATCH --gpus-per-task=1
 set -euo pipefail
 
@@ -28,8 +29,8 @@ program=${words[0]} folder=${words[1]} shards=${words[2]} arguments=("${words[@]
 
 # All nodes of a partition get the same host name in the results. Their rows are then in one table, and a task that
 # Slurm requeues on another node continues the same journal (file of result rows). If the nodes of a partition differ,
-# choose equal nodes with SBATCH_CONSTRAINT. `pelage run` refuses to continue a journal with another driver. `pelage
-# merge` refuses to merge rows from different CPUs.
+# choose equal nodes with SBATCH_CONSTRAINT. `pelage run` refuses to continue a journal if the node has another driver
+# than the journal's rows. `pelage merge` refuses to merge rows from different CPUs.
 host=()
 if [[ -n ${SLURM_JOB_PARTITION:-} && " ${arguments[*]} " != *" --host"[\ =]* ]]; then
   host=(--host "${SLURM_CLUSTER_NAME:-slurm}-$SLURM_JOB_PARTITION")

@@ -3,9 +3,9 @@
 #   submit.sh RESULTS SHARDS EXPERIMENT [options of pelage run]   start a run
 #   submit.sh RESULTS                                             submit lost and failed shards again
 # RESULTS must be on a file system that all nodes share. Shard i writes into RESULTS/shard-i, and its log is
-# RESULTS/logs/JOB_i.log. Environment variables: PELAGE (the binary), and those of sbatch, such as
-# SBATCH_PARTITION, SBATCH_TIMELIMIT, SBATCH_CONSTRAINT and SBATCH_GPUS_PER_TASK. shard.sh contains --exclusive and the
-# other default options of sbatch.
+# RESULTS/logs/JOB_i.log. The environment variable PELAGE names the pelage program. sbatch reads its own variables, such
+# as SBATCH_PARTITION, SBATCH_TIMELIMIT, SBATCH_CONSTRAINT and SBATCH_GPUS_PER_TASK. shard.sh contains --exclusive and
+# the other default options of sbatch.
 set -euo pipefail
 scripts=$(dirname "$(realpath "$0")")
 # shellcheck source-path=SCRIPTDIR source=common.sh

@@ -51,7 +51,7 @@ std::optional<int> number(std::string_view text) {
 }
 
 // Returns the devices that match "PLATFORM:INDEX", or an empty optional if `wanted` does not have this form.
-// PLATFORM is an index, a part of the platform's name, or the OpenCL loader's short name of the platform.
+// PLATFORM is the platform's index, a part of its name, or the short name that the OpenCL loader gives it.
 std::optional<std::vector<std::size_t>> by_platform(const std::vector<DeviceInfo>& all,
                                                     std::string_view wanted) {
   const auto colon = wanted.rfind(':');

@@ -64,8 +64,9 @@ T device_value(cl_device_id device, cl_device_info key) {
   return value;
 }
 
-// Sixteen lanes per work-item are faster only on CPU devices of PoCL. The other tested compilers generate
-// slow code for them.
+// Returns the number of lanes, which are the vector elements that a work-item computes at once. Sixteen lanes
+// are faster than one lane only on CPU devices of PoCL. The other tested compilers generate slow code for
+// sixteen lanes.
 int lanes_of(const DeviceInfo& info) {
   if (const char* forced = std::getenv("PELAGE_LANES"); forced != nullptr && *forced != '\0') {
     const std::string_view value = forced;
@@ -103,7 +104,7 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id device) {
 std::vector<cl_platform_id> platform_ids() {
   announce_drivers();
   cl_uint count = 0;
-  // Without platforms the loader returns the error -1001 (no platform found) instead of the count 0.
+  // If there is no platform, the loader returns the error -1001 (no platform found) instead of the count 0.
   const cl_int code = clGetPlatformIDs(0, nullptr, &count);
   if (code == -1001 || count == 0) return {};
   check(code, "clGetPlatformIDs");
@@ -114,7 +115,8 @@ std::vector<cl_platform_id> platform_ids() {
 
 std::vector<cl_device_id> device_ids(cl_platform_id platform) {
   cl_uint count = 0;
-  // If this call fails, the platform counts as one without devices, and the other platforms remain usable.
+  // If this call fails, the function returns no devices of this platform, and the other platforms remain
+  // usable.
   if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &count) != CL_SUCCESS || count == 0) return {};
   std::vector<cl_device_id> ids(count);
   if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, count, ids.data(), nullptr) != CL_SUCCESS) return {};

@@ -19,9 +19,9 @@ struct DeviceInfo {
   unsigned compute_units = 0;
   std::uint64_t global_memory = 0, local_memory = 0, max_allocation = 0;
   std::size_t max_work_group = 0;
-  std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no real event timer
+  std::uint64_t timer_resolution_ns = 0;  ///< CL_DEVICE_PROFILING_TIMER_RESOLUTION; 0: no event timer
   bool fp64 = false;
-  int lanes = 1;  ///< lanes per work-item: 16 if this is faster (CPU devices of PoCL), else 1
+  int lanes = 1;  ///< vector elements per work-item: 16 if this is faster (CPU devices of PoCL), else 1
 
   std::string spec() const;  ///< platform index and device index, such as "0:0", as --device accepts them
 };
@@ -57,11 +57,13 @@ std::vector<PlatformInfo> platforms();
 /// devices are skipped.
 std::vector<Device> devices();
 
-/// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" (where PLATFORM is part of the
-/// platform's name, or its index), or part of a device's name. If no device's name contains `wanted`,
-/// the device of the platform whose name contains `wanted` is returned. If `wanted` is empty, $PELAGE_DEVICE
-/// replaces it; if this is also empty, the result is the first GPU, else the first CPU. Throws InputError
-/// with the candidates if no device or several devices match, and NoDeviceError if there are no devices.
+/// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" or a part of a device's name.
+/// PLATFORM is the index of the platform, a part of its name, or the loader's short name of the platform. If
+/// no device's name contains `wanted`, the function returns the device of the platform whose name contains
+/// `wanted` or whose short name is `wanted`. If `wanted` is empty, the environment variable $PELAGE_DEVICE
+/// replaces it. If this variable is empty too, the function returns the first GPU. If there is no GPU, it
+/// returns the first CPU. If there is no CPU either, it returns the first device. Throws InputError with the
+/// candidates if no device or several devices match, and NoDeviceError if there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -109,9 +109,9 @@ void announce_drivers() {
     for (fs::directory_iterator entry(vendors, failed), end; !failed && entry != end; entry.increment(failed))
       fs::copy_file(entry->path(), folder / entry->path().filename(), failed);
     std::ofstream(folder / "nvidia.icd") << fs::absolute(*library).string() << '\n';
-    // OPENCL_VENDOR_PATH contains the path of a folder. The OpenCL loader reads the variable and the folder
-    // only during its first call, so the folder is deleted after this call. Child processes inherit the
-    // variable. The code restores its old value, so that child processes do not search the deleted folder.
+    // The OpenCL loader searches the folder in OPENCL_VENDOR_PATH for driver entries (*.icd), but only during
+    // its first call. The code therefore deletes the folder after this call. It also restores the variable's
+    // old value, because child processes inherit the variable and would search the deleted folder.
     const std::string before = text_of("OPENCL_VENDOR_PATH");
     ::setenv("OPENCL_VENDOR_PATH", folder.c_str(), 1);
     cl_uint count = 0;

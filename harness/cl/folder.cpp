@@ -11,7 +11,7 @@ namespace pelage::cl {
 namespace fs = std::filesystem;
 namespace {
 
-// The folder given by --kernels, for the whole process; empty without the option.
+// Returns the folder that the option --kernels names, as an absolute path. It is empty without the option.
 fs::path& chosen() {
   static fs::path folder;
   return folder;

@@ -12,8 +12,8 @@ namespace pelage::cl {
 /// variables is set.
 std::filesystem::path kernel_cache();
 
-/// Smallest free disk space in bytes with which the folder is used. The compiled kernels of one experiment
-/// take a few MiB.
+/// pelage lets PoCL use the folder kernel_cache() only if its disk has at least this much free space, in
+/// bytes. The compiled kernels of one experiment take a few MiB.
 inline constexpr std::uintmax_t least_kernel_space = std::uintmax_t(16) << 20;
 
 /// Returns a description of the fault if the folder is not writable or its disk has less free space than
@@ -24,8 +24,8 @@ std::string kernel_cache_fault(const std::filesystem::path& folder);
 /// message on stderr. The temporary folder is deleted when the program ends.
 void need_kernel_cache();
 
-/// Installs handlers for SIGABRT and SIGBUS, which PoCL causes if a file in the folder kernel_cache() is
-/// damaged. A handler prints a line on stderr that advises the user to delete this folder. Then the signal
+/// Installs handlers for SIGABRT and SIGBUS. PoCL causes these signals if a file in the folder kernel_cache()
+/// is damaged. A handler prints a line on stderr that advises the user to delete this folder. Then the signal
 /// ends the process.
 void explain_aborts();
 

@@ -17,8 +17,8 @@ double seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Returns the least time of `times` runs. A run before them is not timed; it includes compilation and the
-// first access to memory.
+// Runs `work` once without timing it, because the first run includes compilation and the first access to
+// memory. Then runs `work` `times` times, and returns the least time in seconds.
 double best_seconds(int times, const std::function<void()>& work) {
   work();
   double best = seconds(work);
@@ -28,8 +28,8 @@ double best_seconds(int times, const std::function<void()>& work) {
 
 double triad(const Queue& queue, const Program& program, std::size_t lanes) {
   const DeviceInfo& info = queue.device().info();
-  // 256 MiB per array are several times the largest cache of current devices. The arrays are smaller if
-  // memory is short.
+  // An array of 256 MiB is larger than the caches of most current devices. The arrays are smaller if memory
+  // is short.
   std::size_t floats = std::size_t{64} << 20;
   while (floats > 4096 &&
          (floats * sizeof(float) > info.max_allocation || 12 * floats > info.global_memory / 4))

@@ -36,8 +36,9 @@ std::string build_log(cl_program program, cl_device_id device) {
   return log;
 }
 
-// Drivers split build options at spaces, and PoCL does not parse quotes. If the folder's name contains a
-// space, the option therefore names a symbolic link to the folder. The link exists until the build ends.
+// Drivers split build options at spaces, and PoCL does not parse quotes. If the path of the kernel folder
+// contains a space, the option -I therefore names a symbolic link to the folder. The link exists until the
+// build ends.
 class IncludePath {
  public:
   explicit IncludePath(const fs::path& folder) : path_(folder) {
@@ -119,8 +120,8 @@ Program::Program(const Device& device, const fs::path& file, const std::string& 
   program_ = clCreateProgramWithSource(device.context(), 1, &text, &length, &code);
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
-  // PoCL uses LLVM, which replaces the signal handlers when it is loaded and when it compiles. Therefore the
-  // handlers are installed again before and after the compilation.
+  // PoCL uses LLVM, which replaces the signal handlers when it is loaded and when it compiles.
+  // explain_aborts() therefore installs pelage's handlers again before and after the compilation.
   explain_aborts();
   code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
   explain_aborts();

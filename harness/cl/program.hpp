@@ -1,5 +1,5 @@
-// Programs built from the files of kernels/, kernels with typed arguments, and events that report the time of
-// a launch.
+// Classes for OpenCL programs, kernels and events. A program is built from files in kernels/. A kernel has
+// typed arguments. An event reports the time of a launch.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -57,7 +57,7 @@ class Program {
   bool by_pocl_ = false;
 };
 
-/// Returns 16 hex digits: the hash of the source files of all these programs.
+/// Returns 16 hex digits: the hash of the source files of all programs in `programs`.
 std::string hash_of(const std::vector<const Program*>& programs);
 
 /// Returns a map from each program's file to the hash of the program's source files, as they were when the
@@ -72,12 +72,12 @@ class Event {
   ~Event();
   Event(Event&& other) noexcept;
   Event& operator=(Event&& other) noexcept;
-  /// Returns the duration of the command in ms, once the command has finished. The result is empty if the
-  /// device's timer is unusable (its resolution is 0, or the end of the command is not after its start).
+  /// Waits for the end of the command and returns its duration in ms. The result is empty if the device's
+  /// timer is unusable (its resolution is 0, or the end of the command is not after its start).
   std::optional<double> milliseconds(const Device& device) const;
   cl_event get() const { return event_; }
   const std::string& kernel() const { return kernel_; }  ///< name of the kernel that was launched
-  std::size_t bytes() const { return bytes_; }           ///< bytes of the launch's buffers, each counted once
+  std::size_t bytes() const { return bytes_; }  ///< sum of the sizes of the kernel's buffer arguments
 
  private:
   cl_event event_ = nullptr;

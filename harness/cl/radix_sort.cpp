@@ -9,7 +9,8 @@
 namespace pelage::cl {
 namespace {
 
-// Constants with which the kernels are built (kernels/common/prefix_sum.clh, radix_sort.cl).
+// Constants of the kernels in kernels/common/prefix_sum.clh and kernels/common/radix_sort.cl. The constructor
+// passes all of them except sort_items as build options. sort_items is the work-group size of the sort.
 constexpr std::size_t scan_items = 64, scan_block = scan_items * 16;
 constexpr std::size_t sort_items = 64, sort_run = 32;
 constexpr int sort_bits = 4;
@@ -41,7 +42,8 @@ std::int32_t RadixSort::scan(const Queue& queue, const Buffer<std::int32_t>& val
                              std::vector<Event>* events, bool read_sum) {
   // Level 0 contains the values. The first loop computes the prefix sums within each block of a level, and
   // stores the sums of the blocks as the next level. It ends at a level that has one block. The second loop
-  // returns to level 0. In each level it adds to every entry the sum of all blocks before the entry's block.
+  // visits the levels in reverse order, down to level 0. In each level it adds to every entry the sum of all
+  // blocks before the entry's block.
   std::vector<std::size_t> length{count};
   std::size_t level = 0;
   do {

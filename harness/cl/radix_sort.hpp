@@ -1,4 +1,5 @@
-// Prefix sums and a stable radix sort on a device: kernels/common/prefix_sum.clh and radix_sort.cl.
+// Computes prefix sums and a stable radix sort on a device. The kernels are in the files prefix_sum.clh and
+// radix_sort.cl in kernels/common/.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,9 +8,9 @@
 
 namespace pelage::cl {
 
-/// Computes exclusive prefix sums in place, and sorts pairs by their keys (a stable sort). Lengths and sums
-/// are below 2^31. A call enqueues several kernel launches. If `events` is not null, the call appends the
-/// events of these launches to it.
+/// Computes exclusive prefix sums in place, and sorts pairs by their keys (a stable sort). Lengths are below
+/// 2^31. A sum of 2^31 or more becomes 2^31 - 1. A call enqueues several kernel launches. If `events` is not
+/// null, the call appends the events of these launches to it.
 class RadixSort {
  public:
   explicit RadixSort(const Device& device);
@@ -27,14 +28,14 @@ class RadixSort {
  private:
   Program program_;
   Kernel blocks_, add_, count_, move_;
-  // sums_[0] contains the sums of the blocks of values; sums_[i] contains the sums of the blocks of
-  // sums_[i - 1].
+  // scan() divides the values into blocks. sums_[0] contains the sum of each block. sums_[i] contains the sum
+  // of each block of sums_[i - 1].
   std::vector<Buffer<std::int32_t>> sums_;
   Buffer<std::int32_t> digits_, other_key_, other_value_;
 };
 
-/// Replaces `buffer` if it has fewer than `count` values. The new buffer has room for a quarter more than
-/// `count` values, because the lists of the next frame have about the same length. The contents are lost.
+/// Replaces `buffer` if it has fewer than `count` values. The new buffer has room for 1.25 * `count` values,
+/// so that a later call with a slightly larger `count` needs no new buffer. The contents are lost.
 void grow(const Queue& queue, Buffer<std::int32_t>& buffer, std::size_t count);
 
 }  // namespace pelage::cl

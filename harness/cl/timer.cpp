@@ -44,7 +44,7 @@ TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batc
     const Stamps& s = batch[i];
     if (s.ended <= s.started) return fake("the end time of a command is not after its start time");
     if (s.queued > s.submitted || s.submitted > s.started)
-      return fake("a command starts before it is queued");
+      return fake("the times of a command are not in the order queued, submitted, started");
     if (i > 0 && s.started < batch[i - 1].ended)
       return fake("a command of an in-order queue overlaps the command before it");
   }
@@ -61,8 +61,8 @@ TimerCheck check_timer(const Queue& queue) {
   constexpr std::size_t items = 1 << 14;
   const Buffer<float> out(queue.device(), items);
 
-  // The number of rounds is doubled until one launch takes 20 ms. The cost of a launch is negligible in this
-  // time, and the test remains short.
+  // The loop below doubles the number of rounds in the kernel until one launch takes at least 20 ms. Compared
+  // with this time, the overhead of a launch is negligible, and the test remains short.
   const auto run = [&](int rounds) {
     const auto start = std::chrono::steady_clock::now();
     load.with(rounds, 0.5f, out).enqueue(queue, items);

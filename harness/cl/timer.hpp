@@ -1,5 +1,5 @@
-// Tests whether a device's event timer is real. The timestamps of a fake timer count calls of the driver
-// instead of time.
+// Tests whether a device's event timer is real, which means that its timestamps measure time. A fake timer
+// counts the calls to the driver, and reports these counts as timestamps.
 #pragma once
 #include <span>
 #include <string>
@@ -21,15 +21,15 @@ struct TimerCheck {
 };
 
 /// Tests the timestamps of a batch of commands in an in-order queue. The batch kept the device busy for
-/// `wall_ms`. A real timer meets three conditions: its resolution is above 0; the timestamps of each command
-/// and of successive commands are in order; and the sum of the event times is between half the wall time and
-/// the whole wall time (plus 2% for the drift between the clocks).
+/// `wall_ms`. A real timer meets three conditions. Its resolution is above 0. The timestamps of each command
+/// and of successive commands are in order. The sum of the event times is at least half the wall time, and at
+/// most 2% longer than the wall time. These 2% permit a drift between the two clocks.
 TimerCheck judge_timer(std::uint64_t resolution_ns, std::span<const Stamps> batch, double wall_ms);
 
-/// Runs a batch of commands of about 0.2 s on the queue's device, and tests its timestamps by judge_timer().
-/// Other processes may delay a batch, so a real timer may fail the test. The function therefore tests up to
-/// three batches, until a batch passes. A timer that does not measure time fails in
-/// every batch.
+/// Runs a batch of five commands, each of at least 20 ms, on the queue's device, and tests its
+/// timestamps by judge_timer(). Other processes may delay a batch, so a real timer may fail the test. The
+/// function therefore tests up to three batches, until a batch passes. A timer that does not measure time
+/// fails in every batch.
 TimerCheck check_timer(const Queue& queue);
 
 }  // namespace pelage::cl

@@ -41,7 +41,8 @@ std::string missing(const Claim& claim, const Row& row, const std::string& phase
   return {};
 }
 
-/// Returns the cells to which the row belongs, still without rows: one cell, or one per phase of the claim.
+/// Returns the cells (struct Cell) to which the row belongs: one cell, or one cell per phase if the claim has
+/// `phases`. The returned cells do not contain the row yet.
 std::vector<Cell> empty_cells(const Claim& claim, const Row& row) {
   Cell cell{row.case_name, row.axes, "frame", {}};
   cell.axes.try_emplace("variant", row.variant);
@@ -80,7 +81,7 @@ Cells cells_of(const Claim& claim, const std::vector<const Row*>& rows) {
         result.cells.push_back(std::move(cell));
         usable.push_back(true);
       }
-      // As in the tables of the report, a case is left out if any of its rows is unusable.
+      // A cell is left out if any of its rows is unusable. The tables of pelage report follow the same rule.
       const std::size_t at = place->second;
       if (!usable[at]) continue;
       if (const std::string why = missing(claim, *row, result.cells[at].phase); !why.empty()) {

@@ -1,4 +1,6 @@
-// Selects the cases that decide a claim, with the rows of results that measured them.
+// Selects the cases that decide a claim, and the rows of results of these cases. The cases of an experiment
+// differ in the values of parameters, which are called axes. A row contains the measurements of one case in
+// one process.
 #pragma once
 #include <map>
 #include <string>
@@ -24,10 +26,11 @@ struct Cell {
 
 struct Cells {
   std::vector<Cell> cells;
-  /// Names of the selected cases that are not used because one of their rows has no usable quantity, each
-  /// with the reason.
+  /// Names of the selected cases that are not used. The reason follows each name in round brackets. A case
+  /// is not used if any of its rows lacks the values from which the claim's quantity is computed.
   std::vector<std::string> left_out;
-  /// Number of rows that were timed while other processes used the CPU (harness/measure/cpu_use.hpp).
+  /// Number of rows that were timed while other processes used more than most_other_share of the CPU time
+  /// (harness/measure/cpu_use.hpp).
   std::size_t contended = 0;
 };
 

@@ -9,22 +9,29 @@ std::string quantity_of(const Claim& claim) {
   std::string text;
   switch (claim.quantity) {
     case Quantity::frame_time:
-      text = claim.phases.empty() ? "frame time" : "frame time in turns";
+      text = "frame time";
       break;
     case Quantity::frame_rate:
-      text = claim.phases.empty() ? "frame rate" : "frame rate in turns";
+      text = "frame rate";
       break;
     case Quantity::phase_time:
-      text = fmt::format("time of {}", claim.phase);
+      text = fmt::format("time of the phase {}", claim.phase);
       break;
     case Quantity::phase_share:
-      text = fmt::format("share of {} in the frame time", claim.phase);
+      text = fmt::format("fraction of the frame time that the phase {} takes", claim.phase);
       break;
     case Quantity::metric:
       text = claim.metric;
       break;
   }
-  return claim.per.empty() ? text : fmt::format("{} per {}", text, claim.per);
+  return claim.per.empty() ? text : fmt::format("{} divided by {}", text, claim.per);
+}
+
+/// Returns the text of a ratio, for instance "frame rate with layers = 64, divided by the value with layers =
+/// 16".
+std::string ratio_of(const Claim& claim, const std::string& quantity) {
+  return fmt::format("{} with {} = {}, divided by the value with {} = {}", quantity, claim.axis, claim.of,
+                     claim.axis, claim.to);
 }
 
 std::string effect_of(const Claim& claim) {
@@ -34,19 +41,20 @@ std::string effect_of(const Claim& claim) {
     case Effect::level:
       break;
     case Effect::ratio:
-      return fmt::format("{}, {} {} : {}", quantity, claim.axis, claim.of, claim.to);
+      return ratio_of(claim, quantity);
     case Effect::ratio_by_phase:
-      return fmt::format("frame time by the change of {}, {} {} : {}", claim.phase, claim.axis, claim.of,
-                         claim.to);
+      return fmt::format("{}, if only the time of the phase {} differed", ratio_of(claim, "frame time"),
+                         claim.phase);
     case Effect::elasticity:
-      return fmt::format("elasticity of {} in {}", quantity, against);
+      return fmt::format("elasticity of the {} with respect to {}", quantity, against);
     case Effect::linearity:
-      return fmt::format("{}, slope in upper {} : slope in lower {}", quantity, against, against);
+      return fmt::format("slope of the {} above the middle value of {}, divided by the slope below it",
+                         quantity, against);
     case Effect::ratio_trend:
-      return fmt::format("slope of log({}, {} {} : {}) in log({})", quantity, claim.axis, claim.of, claim.to,
-                         claim.along.empty() ? claim.across : claim.along);
+      return fmt::format("slope of the logarithm of the ratio ({}) against the logarithm of {}",
+                         ratio_of(claim, quantity), claim.along.empty() ? claim.across : claim.along);
     case Effect::share_of_cases:
-      return fmt::format("share of cases with {} of at least {:g}", quantity, claim.threshold);
+      return fmt::format("fraction of the cases with a {} of at least {:g}", quantity, claim.threshold);
   }
   return quantity;
 }
@@ -54,15 +62,15 @@ std::string effect_of(const Claim& claim) {
 const char* combination_of(const Claim& claim) {
   switch (claim.combine) {
     case Combine::every:
-      return "every case";
+      return "each case";
     case Combine::geometric_mean:
-      return "geometric mean";
+      return "geometric mean over the cases";
     case Combine::mean:
-      return "mean";
+      return "mean over the cases";
     case Combine::median:
       break;
   }
-  return "median";
+  return "median over the cases";
 }
 
 }  // namespace
@@ -81,8 +89,9 @@ bool Region::outside(double from, double to) const {
 
 std::string description_of(const Claim& claim) {
   if (!claim.untestable.empty()) return {};
-  if (claim.effect == Effect::share_of_cases) return effect_of(claim);
-  return fmt::format("{}, {}", effect_of(claim), combination_of(claim));
+  const std::string alternately = claim.phases.empty() ? "" : "; one process drew the cases alternately";
+  if (claim.effect == Effect::share_of_cases) return effect_of(claim) + alternately;
+  return fmt::format("{}; {}{}", effect_of(claim), combination_of(claim), alternately);
 }
 
 }  // namespace pelage::claims

@@ -1,5 +1,7 @@
-// A claim is a statement of a paper or a user that rows of results can confirm or refute. docs/claims.md
-// describes the file format, the kinds of effects and the verdicts.
+// A claim is a statement of a paper or of a user. Rows of results can confirm or refute the statement. A row
+// contains the measurements of one case in one process. A case has one value of each axis, and an axis is a
+// parameter that varies over the cases of an experiment. The file docs/claims.md describes the file format,
+// the kinds of effects and the verdicts.
 #pragma once
 #include <filesystem>
 #include <map>
@@ -9,13 +11,13 @@
 
 namespace pelage::claims {
 
-/// The number that a claim takes from each measured case.
+/// The quantity of a case that a claim evaluates.
 enum class Quantity {
   frame_time,   ///< median wall time of a frame, ms
   frame_rate,   ///< 1000 / frame_time, frames per second
   phase_time,   ///< median time of a phase, ms: wall time, or event time if the phase has no wall time
   phase_share,  ///< phase_time / frame_time, 0 to 1
-  metric        ///< a metric of the rows, in its own unit
+  metric        ///< a metric of the row, in the unit of this metric
 };
 
 /// The number that is computed from the quantities of one or more cases and compared with the limits of the
@@ -25,15 +27,15 @@ enum class Effect {
   ratio,           ///< quantity at the axis value `of`, divided by the quantity at `to`
   ratio_by_phase,  ///< 1 + (phase time of `of` - phase time of `to`) / frame time of `to`
   elasticity,      ///< slope of the logarithm of the quantity against the logarithm of the axis value
-  linearity,       ///< slope above the middle axis value, divided by the slope below it
-  ratio_trend,     ///< slope of the logarithm of `ratio` against the logarithm of another axis value
+  linearity,       ///< slope of the quantity above the middle axis value / slope below this value
+  ratio_trend,     ///< slope of log(`ratio`) against log(value of the axis Claim::across)
   share_of_cases   ///< share of the cases whose quantity is at least `threshold`, 0 to 1
 };
 
 /// How the effects of several cases decide the claim.
 enum class Combine {
-  every,           ///< the relation must hold for the effect of every case
-  geometric_mean,  ///< the relation must hold for the geometric mean of the effects
+  every,           ///< every effect must be inside Claim::region
+  geometric_mean,  ///< the geometric mean of the effects must be inside Claim::region
   mean,
   median
 };
@@ -51,8 +53,8 @@ struct Region {
 struct Claim {
   std::string id;         ///< unique in the file of claims
   std::string statement;  ///< the claim as a sentence
-  std::string reading;    ///< how the relation expresses the statement; may be empty
-  std::string paper;      ///< key of the paper in CITATION and references.bib; may be empty
+  std::string reading;    ///< explains how `relation` tests the statement; may be empty
+  std::string paper;      ///< key of the paper in the references.bib of a report; may be empty
   std::string section;    ///< section, figure or table of the paper; may be empty
   bool absolute = false;  ///< true if the claim depends on the speed of the hardware
   /// The reason why no rows can decide the claim. If it is not empty, all members below keep their defaults.
@@ -62,37 +64,41 @@ struct Claim {
   std::string hardware;
 
   std::vector<std::string> experiments;
-  std::map<std::string, std::vector<std::string>> where;  ///< axis -> values; other cases are ignored
-  bool overridden = false;  ///< also uses rows measured with --set, --axis or --model
+  std::map<std::string, std::vector<std::string>> where;  ///< axis -> values of the used cases
+  bool overridden = false;  ///< true: rows measured with --set, --axis or --model are also used
   Quantity quantity = Quantity::frame_time;
   std::string phase;   ///< for phase_time, phase_share and ratio_by_phase
   std::string metric;  ///< for Quantity::metric
   std::string per;     ///< metric by which the quantity is divided; may be empty
-  /// Phase -> value of `axis`, for rows in which one process timed several variants alternately. If it is not
-  /// empty, each phase of a row is a separate case, whose quantity is computed from the times of the phase.
+  /// Phase -> value of `axis`. A claim has this map if one process timed several variants alternately, and
+  /// each row has the times of these variants as separate phases. If the map is not empty, each phase of a
+  /// row is a separate case, whose quantity is computed from the times of the phase.
   std::map<std::string, std::string> phases;
   Effect effect = Effect::level;
   std::string axis, of, to;
-  std::string along;   ///< metric that replaces the axis values; may be empty
-  std::string across;  ///< for ratio_trend: the second axis, along which the ratio changes
+  std::string along;   ///< metric against which slopes are computed instead of the axis; may be empty
+  std::string across;  ///< for ratio_trend: the axis against which the slope of the ratio is computed
   double threshold = 0;
   Combine combine = Combine::every;
   std::string relation;  ///< the relation with its limits, as text: "at most 0.5"
   Region region;
-  std::size_t cases = 1;      ///< with fewer effects, the claim is untestable
-  double process_spread = 0;  ///< as in ClaimFile, or the claim's own value
+  std::size_t cases = 1;      ///< least number of effects; with fewer, the claim is untestable
+  std::size_t values = 0;     ///< smallest number of axis values from which a slope or trend is computed
+  double process_spread = 0;  ///< the claim's own value, or else ClaimFile::process_spread
 };
 
 struct ClaimFile {
   std::filesystem::path file;
   /// Assumed relative standard deviation of times between processes. It applies to cases that fewer than
-  /// `separate_processes` processes measured, because too few processes do not show this spread.
+  /// `separate_processes` processes measured, because so few processes do not suffice to measure the
+  /// deviation.
   double process_spread = 0.07;
   int separate_processes = 3;
   std::vector<Claim> claims;  ///< in the order of the file
 };
 
-/// Returns a description of the effect, for instance "frame rate, layers 64 : 16, geometric mean".
+/// Returns a description of the effect, for instance "frame rate with layers = 64, divided by the value with
+/// layers = 16; each case".
 std::string description_of(const Claim& claim);
 
 }  // namespace pelage::claims

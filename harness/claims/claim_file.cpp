@@ -75,7 +75,10 @@ void read_effect(Table table, Claim& claim) {
           "of", fmt::format("the effect needs of = ... and to = ..., two values of the axis {}", claim.axis));
   }
   if (claim.effect == Effect::ratio_trend) claim.across = table.required_text("across");
-  if (slopes || claim.effect == Effect::ratio_trend) claim.along = table.text("along");
+  if (slopes || claim.effect == Effect::ratio_trend) {
+    claim.along = table.text("along");
+    claim.values = std::size_t(table.number("values", claim.effect == Effect::elasticity ? 2 : 3, 2, 1e6));
+  }
   if (claim.effect == Effect::share_of_cases)
     claim.threshold = table.required_number("threshold", "the effect share-of-cases");
   read_quantity(table, claim);
@@ -104,7 +107,7 @@ void read_relation(Table table, Claim& claim) {
     const double value = table.number("about").value_or(0),
                  tolerance = table.required_number("tolerance", "the relation about");
     if (tolerance < 0 || tolerance >= 1)
-      table.refuse("tolerance", "tolerance must be a fraction of the number, from 0 to less than 1");
+      table.refuse("tolerance", "tolerance must be a fraction of the number `about`, from 0 to less than 1");
     region.low = value - tolerance * std::abs(value);
     region.high = value + tolerance * std::abs(value);
     claim.relation = fmt::format("{:.4g} +-{:g}%", value, 100 * tolerance);
@@ -122,7 +125,8 @@ void read_relation(Table table, Claim& claim) {
   table.finish();
 }
 
-/// Reads `relation = "decreasing"` or `relation = "increasing"`: the slope must be below or above 0.
+/// Reads `relation = "decreasing"`, which requires a slope below 0, or `relation = "increasing"`, which
+/// requires a slope above 0.
 void read_direction(const std::string& direction, const Table& table, Claim& claim) {
   if (direction != "decreasing" && direction != "increasing")
     table.refuse("relation",

@@ -10,9 +10,8 @@ namespace pelage::claims {
 /// line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 
-/// Returns the path of the shipped claims.toml. The function searches the folder experiments/ in
-/// $PELAGE_DATA, then in the installation or, for a program in a build folder, in the source tree. Throws
-/// InputError if there is no such file.
+/// Returns the path of the shipped file experiments/claims.toml. Takes it from the first folder of
+/// data_folders() that contains it. Throws InputError if no folder contains it.
 std::filesystem::path shipped_claims();
 
 }  // namespace pelage::claims

@@ -125,8 +125,8 @@ std::map<std::string, std::vector<std::string>> Table::lists(std::string_view ke
 
 void Table::add_lists(std::string_view key, const toml::table& from, const std::string& prefix,
                       std::map<std::string, std::vector<std::string>>& into) const {
-  // TOML parses `dynamics.solver = ...` as a nested table `dynamics`. This function joins the names of the
-  // tables to the name of the axis, "dynamics.solver".
+  // TOML parses `dynamics.solver = ...` as a nested table `dynamics`. This function joins the nested
+  // keys with dots, which gives the name of the axis, "dynamics.solver".
   for (const auto& [name, node] : from) {
     const std::string full = prefix + std::string(name.str());
     if (const toml::table* deeper = node.as_table())

@@ -1,4 +1,5 @@
-// Reads the keys of a TOML table in a file of claims.
+// Reads the keys of a TOML table in a file of claims. An axis is a parameter that varies over the cases of an
+// experiment.
 #pragma once
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,8 +41,9 @@ class Table {
   std::vector<double> numbers(std::string_view key);
   bool flag(std::string_view key);  ///< false if the key is absent
 
-  /// Returns an axis value: a string, or a whole number as text. A decimal number must be a string, because
-  /// it is compared as text with the axis values in rows, which have the digits of the experiment file.
+  /// Returns an axis value: a string, or a whole number as text. The axis values of claims and of
+  /// rows are compared as text, and rows contain the text of the experiment file. A decimal number must
+  /// therefore be a string with the same digits as in the experiment file.
   std::string axis_value(std::string_view key);
   std::vector<std::string> list(std::string_view key);  ///< axis values; a single value becomes a list of one
   std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< axis -> values

@@ -91,8 +91,8 @@ Value Drawing::drawn() {
       metrics_.push_back((process.metric + noise) * (measured_metric_ ? by : 1) / process.per);
       continue;
     }
-    // If the phase has one sample per frame, the draw takes the phase time and the frame time of the same
-    // frame.
+    // If the phase has one sample per frame, the bootstrap draw takes the phase time and the frame time of
+    // the same frame.
     const bool together = process.phase_times.size() == process.times.size();
     for (std::size_t s = 0; s < process.times.size(); ++s) {
       const std::size_t sample = random_() % process.times.size();
@@ -110,8 +110,8 @@ bool PaperDrawing::possible(const Claim& claim, const Cell& cell) {
   if (claim.quantity != Quantity::frame_rate && claim.quantity != Quantity::frame_time) return false;
   const auto& metrics = cell.processes.front()->metrics;
   const auto found = metrics.find("paper_fps");
-  // A published rate such as "< 1" is only an upper bound. It suffices only for the share of cases above a
-  // threshold.
+  // A published rate such as "< 1" is only an upper bound. Only the effect share_of_cases accepts such a
+  // bound.
   return found != metrics.end() && found->second.value > 0 &&
          (found->second.relation != "<" || claim.effect == Effect::share_of_cases);
 }

@@ -1,3 +1,4 @@
+// An axis is a parameter that varies over the cases of an experiment. A cell is one case on one device.
 #include "harness/claims/effects.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +29,8 @@ std::optional<double> number_of(const std::string& text) {
   return a;
 }
 
-/// Returns the cell's axis value as a number, or the metric `along` that replaces it. Returns nothing if
-/// there is no such number above 0.
+/// Returns the cell's axis value as a number. If the claim has a metric `along`, returns the value of this
+/// metric instead. Returns nothing if the cell has no such number or if the number is not above 0.
 std::optional<double> position_of(const Claim& claim, const std::string& axis, const Cell& cell) {
   std::optional<double> x;
   if (!claim.along.empty()) {
@@ -62,7 +63,8 @@ std::vector<std::string> telling_axes(const std::vector<Cell>& cells, const std:
   return names;
 }
 
-/// Returns groups of cells. The cells of a group differ only in the axes `used`.
+/// Divides the cells into groups. The cells of a group have equal values of all axes that are not in
+/// `used`.
 std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std::string>& used) {
   std::vector<Group> groups;
   std::map<Axes, std::size_t> known;
@@ -74,8 +76,9 @@ std::vector<Group> groups_of(const std::vector<Cell>& cells, const std::set<std:
   return groups;
 }
 
-/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If one of them is
-/// missing, or if several cells have the same value, returns nothing and adds the reason to `left_out`.
+/// Returns the two cells of the group whose values of the claim's axis are `of` and `to`. If a value belongs
+/// to no cell or to several cells, the function returns nothing and adds the reason to `left_out`. It adds no
+/// reason if neither value belongs to a cell.
 std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, const std::vector<Cell>& cells,
                                                            const Group& group,
                                                            std::vector<std::string>& left_out) {
@@ -87,8 +90,9 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
   }
   if (of.size() == 1 && to.size() == 1) return std::pair(of.front(), to.front());
   if (of.size() > 1 || to.size() > 1)
-    left_out.push_back(fmt::format("{} (several cases differ only in their names; name one experiment)",
-                                   cells[group.front()].name));
+    left_out.push_back(
+        fmt::format("{} (several cases differ only in their names, so the claim cannot select one)",
+                    cells[group.front()].name));
   else if (of.size() == 1 || to.size() == 1)
     left_out.push_back(fmt::format("{} (there is no matching case with {} {})",
                                    cells[of.empty() ? to.front() : of.front()].name, claim.axis,
@@ -96,8 +100,9 @@ std::optional<std::pair<std::size_t, std::size_t>> pair_of(const Claim& claim, c
   return {};
 }
 
-/// Sorts part.x, and accordingly part.cells, which has `width` cells for each value of x. Returns false if
-/// two values of x are equal or if there are fewer than `least` values.
+/// Sorts part.x in increasing order. For each value of x, part.cells has `width` consecutive cells; the
+/// function moves these cells together with their value. Returns false if two values of x are equal or if
+/// there are fewer than `least` values.
 bool sort_by_x(Part& part, std::size_t least, std::size_t width) {
   std::vector<std::size_t> order(part.x.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -125,12 +130,11 @@ void add_slope(const Claim& claim, const std::vector<Cell>& cells, const Group& 
     part.cells.push_back(i);
     part.x.push_back(*x);
   }
-  const std::size_t least = claim.effect == Effect::linearity ? 3 : 2;
-  if (sort_by_x(part, least, 1))
+  if (sort_by_x(part, claim.values, 1))
     parts.push_back(std::move(part));
   else
     left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
-                                   cells[group.front()].name, least, claim.axis));
+                                   cells[group.front()].name, claim.values, claim.axis));
 }
 
 void add_trend(const Claim& claim, const std::vector<Cell>& cells, const Group& group, Part part,
@@ -149,11 +153,11 @@ void add_trend(const Claim& claim, const std::vector<Cell>& cells, const Group& 
     part.cells.insert(part.cells.end(), {pair->first, pair->second});
     part.x.push_back(*x);
   }
-  if (sort_by_x(part, 3, 2))
+  if (sort_by_x(part, claim.values, 2))
     parts.push_back(std::move(part));
   else
-    left_out.push_back(fmt::format("{} (the effect needs 3 different values of {})",
-                                   cells[group.front()].name, claim.across));
+    left_out.push_back(fmt::format("{} (the effect needs {} different values of {})",
+                                   cells[group.front()].name, claim.values, claim.across));
 }
 
 /// Returns the slope of the least-squares line through (ln x, y).

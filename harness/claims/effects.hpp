@@ -1,4 +1,5 @@
-// Divides the cells of a claim into groups, and computes one effect from each group.
+// Divides the cells of a claim into groups, and computes one effect from each group. A cell is one case on
+// one device. An axis is a parameter that varies over the cases of an experiment.
 #pragma once
 #include <string>
 #include <vector>
@@ -13,16 +14,20 @@ namespace pelage::claims {
 struct Part {
   /// The values of the axes that distinguish this part from the others, such as "lion 64"; may be empty.
   std::string name;
-  /// Indices of the cells, whose number depends on the effect. level: one cell; ratio and ratio_by_phase:
-  /// `of` and `to`; elasticity and linearity: the cells in increasing order of the axis; ratio_trend: `of`
-  /// and `to` for each value of the axis `across`; share_of_cases: all cells.
+  /// Indices of the cells that the effect uses:
+  /// - level: one cell;
+  /// - ratio and ratio_by_phase: the cell at the axis value Claim::of, then the cell at Claim::to;
+  /// - elasticity and linearity: the cells in increasing order of the axis value;
+  /// - ratio_trend: the cells at Claim::of and at Claim::to, for each value of the axis Claim::across;
+  /// - share_of_cases: all cells.
   std::vector<std::size_t> cells;
   /// For slopes, the axis values as numbers: one per cell, or for ratio_trend one per pair of cells.
   std::vector<double> x;
 };
 
-/// Returns the parts of the claim. Adds the names of cells that belong to no part, such as a cell without the
-/// other cell of its ratio, to `left_out`, with the reason.
+/// Returns the parts of the claim. If an effect cannot be computed, for instance because the second cell of a
+/// ratio is missing, adds the name of a cell and the reason to `left_out`. An effect that needs the axis
+/// values `of` and `to` ignores the cells with other values of this axis.
 std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
                            std::vector<std::string>& left_out);
 

@@ -54,8 +54,8 @@ std::vector<Estimate> estimates_of(const ClaimFile& file, const Claim& claim, co
   return estimates_of(claim, parts, drawings, draws_of(claim, parts));
 }
 
-/// Adds the effect computed from the paper's published frame rates, if the paper publishes them for enough
-/// cases.
+/// Adds the effect computed from published frame rates (the metric paper_fps of the rows), if enough cases
+/// have a published frame rate.
 void add_paper(Judged& judged, const std::vector<Cell>& cells) {
   const Claim& claim = judged.claim;
   std::vector<Cell> given;

@@ -1,4 +1,4 @@
-// Decides claims from rows of results.
+// Decides claims from rows of results. A row contains the measurements of one case in one process.
 #pragma once
 #include <optional>
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace pelage::claims {
 
-/// A claim with its verdict on one device and host.
+/// A claim with its verdict on one device and host. With Combine::every, each part of the claim (effects.hpp)
+/// has an effect. Decision::decisive (verdict.hpp) selects the decisive part.
 struct Judged {
   Claim claim;
   std::string device, host;  ///< "" if there are no rows
@@ -23,8 +24,8 @@ struct Judged {
   double least = 0, most = 0;   ///< smallest and largest effect
   std::string decisive;         ///< for Combine::every with several effects: name of the decisive part
   std::size_t processes = 0;    ///< smallest number of separate processes that measured a case
-  /// The same effect, computed from the numbers that the paper publishes. Its interval follows from the
-  /// rounding of these numbers.
+  /// The effect computed from published frame rates (the metric paper_fps of the rows). `paper_interval`
+  /// follows from the rounding of the published numbers.
   std::optional<double> paper_value;
   Interval paper_interval;
   /// Notes about the rows: the cases that are left out, with the reason, and the number of rows that were

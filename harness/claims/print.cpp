@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the number with three significant digits. Numbers within 0.02 of 1 get four decimals, because
-/// ratios near 1 need them. Numbers of at least 100 are rounded to whole numbers.
+/// Returns the number with three significant digits. Numbers between 0.98 and 1.02, except 1 itself, get four
+/// decimals, because ratios near 1 need them. Numbers of at least 100 are rounded to whole numbers.
 std::string number_text(double value) {
   if (std::abs(value - 1) < 0.02 && value != 1) return fmt::format("{:.4f}", value);
   return std::abs(value) >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.3g}", value);
@@ -25,9 +25,12 @@ std::string interval_text(double value, const Interval& interval) {
                      number_text(interval.high));
 }
 
+/// Returns the paper and the section, for instance "silva2010-wet-fur, section 5, Table 1".
 std::string source_of(const Claim& claim) {
-  if (claim.paper.empty()) return claim.section;
-  return claim.section.empty() ? claim.paper : fmt::format("{}, {}", claim.paper, claim.section);
+  const bool number = !claim.section.empty() && claim.section[0] >= '0' && claim.section[0] <= '9';
+  const std::string section = number ? "section " + claim.section : claim.section;
+  if (claim.paper.empty() || section.empty()) return claim.paper + section;
+  return fmt::format("{}, {}", claim.paper, section);
 }
 
 std::string kind_of(const Claim& claim) {

@@ -15,15 +15,16 @@ std::string text_of(const std::vector<Judged>& judged);
 /// and `pelage report` write this table as CSV.
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);
 
-/// Returns a Markdown table for documents. Numbers have three significant digits, or four decimals if they
-/// are within 0.02 of 1. Numbers of at least 100 are rounded to whole numbers.
+/// Returns a Markdown table for documents. Numbers have three significant digits. Numbers between 0.98 and
+/// 1.02, except 1 itself, have four decimals. Numbers of at least 100 are rounded to whole numbers.
 std::string markdown_of(const std::vector<Judged>& judged);
 
 /// Returns a list of claims with the fields of table_of(); numbers are JSON numbers, and values that are
 /// absent are null.
 nlohmann::ordered_json json_of(const std::vector<Judged>& judged);
 
-/// Returns the effect as text, for instance "0.309 [0.298, 0.321]"; "" if there is none.
+/// Returns the effect and its interval as text, for instance "0.309 [0.298, 0.321]". Returns "" if the effect
+/// was not computed.
 std::string effect_text(const Judged& judged);
 
 }  // namespace pelage::claims

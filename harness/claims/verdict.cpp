@@ -10,7 +10,8 @@ namespace {
 
 constexpr double significance = 0.05;
 
-/// Returns the quantile of sorted values, interpolated as in harness/measure/statistics.hpp.
+/// Returns the q-quantile of sorted values, with the interpolation of quantile()
+/// (harness/measure/statistics.hpp).
 double quantile_of_sorted(const std::vector<double>& values, double q) {
   const double position = q * double(values.size() - 1);
   const auto below = std::size_t(position);
@@ -20,7 +21,9 @@ double quantile_of_sorted(const std::vector<double>& values, double q) {
 
 struct Sorted {
   std::vector<double> draws;  // in increasing order
-  double p = 1;  // two-sided bootstrap p-value of "the true effect is on the other side of the limit"
+  // Two-sided bootstrap p-value. The null hypothesis contradicts the measurement: if the measured effect is
+  // inside the region, the null hypothesis says that the true effect is outside, and vice versa.
+  double p = 1;
 };
 
 Sorted sorted_of(const Estimate& estimate, const Region& region) {

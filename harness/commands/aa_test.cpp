@@ -1,5 +1,6 @@
 // pelage aa-test: counts how often the statistical test of pelage compare gives a wrong verdict or no verdict
-// on this machine.
+// on this machine. A comparison has two sides. Both sides draw the same scene, and their numbers of frames
+// are equal or differ by a known amount.
 #include "harness/commands/aa_test.hpp"
 
 #include <fmt/format.h>
@@ -43,8 +44,8 @@ Size size_from_text(const std::string& text) {
   return size;
 }
 
-/// Returns the scene of the experiment kExperiment with the model and layers in `options` and this picture
-/// size.
+/// Returns the first scene of `experiment`, with the model and the number of layers of `options` and with a
+/// picture of the size `size`.
 Scene scene_with(const Experiment& experiment, const AaOptions& options, Size size) {
   Overrides overrides;
   overrides.model = options.model;
@@ -104,7 +105,7 @@ int aa_test(AaOptions options) {
   const int more = int(std::lround(options.frames * (1 + work)));
   if (more == options.frames)
     throw InputError(
-        fmt::format("--work '{}' is less than half a frame of --frames {}", options.work, options.frames));
+        fmt::format("--work '{}' adds less than half a frame to --frames {}", options.work, options.frames));
   Progress progress(std::size_t(options.equal + options.slower));
   const Scene scene = scene_with(experiment, options, size);
   const auto mesh = load_scene_mesh(scene, [&](const std::string& text) { progress.note("  " + text); });
@@ -121,8 +122,8 @@ int aa_test(AaOptions options) {
   };
   std::vector<Trial> equal, slower;
   const CpuWatch watch;
-  // Trials with equal sides and trials with more frames alternate, so that a busy period of the machine
-  // affects both kinds.
+  // Trials in which both sides draw equally many frames alternate with trials in which one side draws more
+  // frames. A busy period of the machine therefore affects both kinds of trials.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
     const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
       progress.start(name);
@@ -166,8 +167,8 @@ void add_aa_test(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<AaOptions>();
   CLI::App* command = app.add_subcommand(
       "aa-test",
-      "Count wrong verdicts of pelage compare on this machine, for equal work and for a known amount of more "
-      "work");
+      "Count wrong verdicts of pelage compare on this machine, for equal work and for a known amount of "
+      "additional work");
   const auto count = [&](const char* name, int& value, const char* help, int least) {
     command->add_option(name, value, help)
         ->type_name("N")

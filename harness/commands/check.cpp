@@ -196,8 +196,9 @@ void add_check(CLI::App& app, Chosen& chosen) {
       "in wind, and a mesh of 5 million triangles");
   command->add_flag(
       "--hashes", options->hashes,
-      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping, and of "
-      "the masses for every topology and solver. Two revisions with equal hashes compute equal results");
+      "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping of pixels "
+      "to work-items, and of the masses for every topology and solver. Two revisions with equal hashes "
+      "compute equal results");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 

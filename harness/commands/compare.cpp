@@ -42,8 +42,10 @@ nlohmann::ordered_json to_json(const Pair& p) {
           {"paired", p.paired},
           {"assumed_spread", p.assumed},
           {"detectable", p.detectable},
+          {"processes_needed", p.needed},
           {"contended", p.contended},
-          {"verdict", to_text(p.verdict)}};
+          {"verdict", to_text(p.verdict)},
+          {"reason", p.reason}};
 }
 
 void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
@@ -53,20 +55,27 @@ void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
     fmt::print("{}\n", list.dump(2));
     return;
   }
+  fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} case\n", "A, ms", "B, ms", "change", "interval", "verdict");
   for (const Pair& p : pairs) {
     const bool both = p.a_ms > 0 && p.b_ms > 0;
-    fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} {}{}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
+    fmt::print("{:>10} {:>10} {:>8}  {:<18} {:9} {}{}{}{}\n", milliseconds(p.a_ms), milliseconds(p.b_ms),
                both ? percent(p.change) : "-",
                both ? fmt::format("[{}, {}]", percent(p.interval.low), percent(p.interval.high)) : "",
                to_text(p.verdict), p.name, options.by.empty() ? "" : fmt::format("  ({} -> {})", p.a, p.b),
-               p.contended ? "  (contended)" : "");
+               p.contended ? "  (contended)" : "", p.reason.empty() ? "" : fmt::format("  ({})", p.reason));
   }
 }
 
-/// Prints notes about assumed variances, about busy machines, and about the smallest change that the test can
-/// detect.
+/// Prints notes below the table: which comparisons are paired, which assume a variance because too few
+/// processes measured a case, which used times from a loaded machine, and which slowdown and which number of
+/// processes would decide the undecided cases.
 void print_notes(const std::vector<Pair>& pairs) {
   const auto count = [&](auto which) { return std::count_if(pairs.begin(), pairs.end(), which); };
+  if (const auto paired = count([](const Pair& p) { return p.paired; }))
+    fmt::print(
+        stderr,
+        "pelage: paired t-test for {} of {} comparisons, because the processes of A and B took turns\n",
+        paired, pairs.size());
   if (const auto assumed = count([](const Pair& p) { return p.assumed; }))
     fmt::print(stderr,
                "pelage: {} of {} comparisons assume that the medians of processes vary by {:.0f}% (standard "
@@ -77,16 +86,33 @@ void print_notes(const std::vector<Pair>& pairs) {
     fmt::print(
         stderr,
         "pelage: {} of {} comparisons contain rows that were timed while other processes used more than "
-        "{:.0f}% of the machine's CPU time\n",
+        "{:.0f}% of the machine's CPU time; these verdicts are about the loaded machine\n",
         contended, pairs.size(), 100 * most_other_share);
   double most = 0;
-  for (const Pair& p : pairs)
-    if (p.verdict == Verdict::undecided) most = std::max(most, p.detectable);
+  std::size_t needed = 0, undecided = 0, more = 0;
+  for (const Pair& p : pairs) {
+    if (p.verdict != Verdict::undecided) continue;
+    most = std::max(most, p.detectable);
+    if (p.assumed) continue;
+    ++undecided;
+    needed = std::max(needed, p.needed);
+    more += p.needed == 0;
+  }
   if (most > 0)
     fmt::print(stderr,
                "pelage: in the worst undecided case, the test finds a slowdown with a probability of 90% "
                "only if the time increases by {} or more\n",
                percent(most));
+  if (undecided > more)
+    fmt::print(stderr,
+               "pelage: if the measured changes are the true ones, about {} processes per side (--repeat {}) "
+               "would decide {} of the {} undecided cases\n",
+               needed, needed, undecided - more, undecided);
+  if (more > 0)
+    fmt::print(stderr,
+               "pelage: {} changes are so close to the threshold that even 1000 processes per side would not "
+               "decide; use another --threshold\n",
+               more);
 }
 
 std::vector<Cell> timed_cells(const std::string& folder, const std::string& phase) {

@@ -1,5 +1,5 @@
-// pelage completion: prints a script with which a shell completes pelage's command line. The script is
-// generated from the same option declarations as --help, so both always agree.
+// pelage completion: prints a script with which a shell completes pelage's command line. The script and
+// --help are generated from the same option declarations, so their options always agree.
 #include "harness/commands/completion.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ using Words = std::vector<std::string>;
 /// The words that the shell offers as the value of an option or of a positional argument.
 struct Values {
   Words words;
-  bool keys = false;  ///< the words are keys that end with '='; the shell then appends no space
+  bool keys = false;  ///< true: each word is a key that ends with '='; the shell appends no space
 };
 
 Words experiment_names() {
@@ -97,7 +97,7 @@ std::string value_cases(const CLI::App& app, const std::string& name) {
   std::string text;
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_positional() || option->get_items_expected_max() == 0)
-      continue;  // a positional argument or a flag
+      continue;  // skip positional arguments and flags
     Words patterns;
     for (const std::string& one : option->get_snames())
       patterns.push_back(fmt::format("{}' -{}'", name, one));

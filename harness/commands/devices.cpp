@@ -1,4 +1,5 @@
-// pelage devices: lists platforms and devices; with --measure, also their measured speed.
+// pelage devices: lists OpenCL platforms and devices. With --measure, it also measures the speed of the
+// devices.
 #include "harness/commands/devices.hpp"
 
 #include <fmt/format.h>
@@ -81,8 +82,9 @@ void print(const cl::Device& device, const std::optional<cl::DeviceSpeed>& speed
           : fmt::format("unreliable, only wall-clock times are usable: {}", speed->timer.reason));
   fmt::print("     bandwidth {:.1f} GB/s (triad)\n", speed->triad_gb_s);
   fmt::print("     peak      {:.1f} GFLOP/s (fma, single precision)\n", speed->fma_gflop_s);
-  fmt::print("     launch    {:.1f} us for a single kernel, {:.1f} us per kernel of 200 enqueued together\n",
-             speed->launch_us, speed->queued_launch_us);
+  fmt::print(
+      "     launch    {:.1f} us for a single kernel, {:.1f} us per kernel if 200 are enqueued together\n",
+      speed->launch_us, speed->queued_launch_us);
 }
 
 int list_devices(const DevicesOptions& options) {

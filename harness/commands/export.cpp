@@ -21,8 +21,8 @@ struct ExportOptions {
   bool raw = false;
 };
 
-/// Prints which rows and lines of the journals are not in the CSV: at most ten of them, and the number of the
-/// others.
+/// Prints which rows and lines of the journals are not in the CSV. Prints at most ten of these rows and
+/// lines, and then the number of the remaining ones.
 void note_left_out(const std::vector<LeftOut>& list) {
   constexpr std::size_t most = 10;
   for (std::size_t i = 0; i < std::min(list.size(), most); ++i)

@@ -38,8 +38,8 @@ std::vector<std::string> expected_cases(const MergeOptions& options, const Exper
   return names;
 }
 
-/// Returns the overrides (values of --set, --axis and --model) that `pelage run` would record in rows with
-/// the options `options.expected`.
+/// Returns the overrides (values of --set, --axis and --model) that `pelage run` with the options
+/// `options.expected` would record in its rows.
 std::map<std::string, std::string> expected_overrides(const MergeOptions& options,
                                                       const Experiment& experiment) {
   return cases_of(experiment, preset_of(experiment, options.expected.preset), options.expected.overrides())

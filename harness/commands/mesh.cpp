@@ -63,8 +63,8 @@ void line(Picture& picture, glm::vec2 a, glm::vec2 b, glm::vec4 colour) {
 
 // Draws the UV map. Each chart has a pale colour. Seams of the UV map and borders of the mesh are black. A
 // face is darker than its chart's colour if its share of the UV area is smaller than its share of the surface
-// area; otherwise it is lighter. Flipped faces (negative UV area) are red. A red cross marks each of them,
-// because a face can be smaller than a pixel.
+// area; otherwise it is lighter. Flipped faces (negative UV area) are red. A red cross marks each flipped
+// face, because a face can be smaller than a pixel.
 Picture draw_atlas(const Mesh& mesh, int side) {
   Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), glm::vec4(1))};
   const std::vector<std::uint32_t> chart = charts(mesh);
@@ -83,7 +83,8 @@ Picture draw_atlas(const Mesh& mesh, int side) {
                          0.9f + 0.1f * std::cos(hue + 2.1f));
     fill(picture, mesh, t, glm::vec4(light * tint, 1));
   }
-  // Directed edges whose opposite edge does not exist. They are the UV seams and the borders of the mesh.
+  // After the loop below, the set contains the directed edges whose opposite edge does not exist. These edges
+  // are the UV seams and the borders of the mesh.
   std::set<std::pair<std::uint32_t, std::uint32_t>> once;
   for (const glm::uvec3& t : mesh.triangle)
     for (int k = 0; k < 3; ++k)

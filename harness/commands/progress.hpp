@@ -18,11 +18,11 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void start(const std::string& name);     ///< starts the item of work `name`
-  void note(const std::string& line);      ///< prints a line above the bar
-  void finish(const std::string& result);  ///< ends the current item of work; prints a line with `result` if
-                                           ///< stderr is no terminal
-  void skip(std::size_t pieces);           ///< counts items that an earlier run finished
+  void start(const std::string& name);  ///< starts the item of work `name`
+  void note(const std::string& line);   ///< prints a line above the bar
+  /// Ends the current item of work. If stderr is not a terminal, also prints a line with `result`.
+  void finish(const std::string& result);
+  void skip(std::size_t pieces);  ///< counts `pieces` items as finished; an earlier run finished them
 
  private:
   void draw() const;

@@ -22,8 +22,8 @@ int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
   const Scene scene = resolve_scene(options.scene);
-  // The device is opened before the mesh is prepared. The preparation may take minutes, and an invalid device
-  // name must fail at once.
+  // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
+  // name only after the preparation, which may take minutes.
   const DrawPicture draw = open_renderer(options.renderer);
   const auto input = prepare(scene, load_scene_mesh(scene));
   const FrameOutput output = draw(input);

@@ -54,7 +54,8 @@ DrawPicture open_opengl(const RendererOptions& given) {
 constexpr Renderer table[] = {
     {"shells", "OpenCL", false, false, open_shells},
     {"reference", "naive implementation in double precision on the host", true, false, open_reference},
-    {"opengl", "the paper's own pipeline in OpenGL, with one pass per layer", false, true, open_opengl},
+    {"opengl", "the pipeline of Silva et al. (2010) in OpenGL, with one pass per layer", false, true,
+     open_opengl},
 };
 
 /// Returns the name of the first pipeline for which `property` is true.

@@ -25,8 +25,8 @@ struct Renderer {
   std::string_view what;  ///< description of the pipeline in --help, one line
   bool rounds;            ///< true: the pipeline accepts the option --reference-bits
   bool has_variants;      ///< true: the pipeline accepts the option --opengl
-  /// Reads the options and opens the device. Throws InputError or DeviceError. It runs before the preparation
-  /// of the mesh, which may take minutes, so that errors are reported at once.
+  /// Reads the options and opens the device. Throws InputError or DeviceError. `pelage render` calls this
+  /// function before it prepares the mesh, which may take minutes, so that errors are reported at once.
   DrawPicture (*open)(const RendererOptions&);
 };
 

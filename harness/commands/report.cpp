@@ -18,9 +18,19 @@ struct ReportOptions {
   std::string output;
 };
 
+/// Prints the testable claims and their verdicts, and the number of the untestable claims.
+void print_claims(std::vector<claims::Judged> claims) {
+  const std::size_t untestable = std::erase_if(
+      claims, [](const claims::Judged& one) { return one.verdict == claims::Verdict::untestable; });
+  if (!claims.empty()) fmt::print("{}", claims::text_of(claims));
+  if (untestable > 0)
+    fmt::print("{} {}claims are untestable with these rows; tables/claims.csv gives the reasons\n",
+               untestable, claims.empty() ? "" : "further ");
+}
+
 void print(const Report& written) {
   for (const Section& section : written.sections) fmt::print("{}\n", text_of(section.table));
-  if (!written.claims.empty()) fmt::print("{}", claims::text_of(written.claims));
+  print_claims(written.claims);
   fmt::print("{}", written.scaling);
   for (const std::string& note : written.notes) fmt::print(stderr, "pelage: {}\n", note);
   for (const Cell& cell : written.cells)

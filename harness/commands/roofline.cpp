@@ -1,4 +1,5 @@
-// pelage roofline: prints the time, bytes and operations of every kernel of a frame.
+// pelage roofline: prints a line for every kernel of a frame. The line contains the kernel's time, the size
+// of the kernel's buffers in bytes, and the rate of the kernel's floating-point operations.
 #include "harness/commands/roofline.hpp"
 
 #include <fmt/format.h>
@@ -122,7 +123,7 @@ int roofline(const RooflineOptions& options) {
             draw_plot(folder / "roofline.py", folder / "roofline.csv", folder / "roofline");
         !problem.empty())
       fmt::print(stderr, "pelage: {}\n", problem);
-    fmt::print(stderr, "pelage: {}/roofline.csv, .py, .svg, .pdf\n", options.output);
+    fmt::print(stderr, "pelage: wrote the files roofline.* to {}\n", options.output);
   }
   return frames.size() == cases.size() ? 0 : 1;
 }

@@ -136,9 +136,10 @@ void dry_run(const RunOptions& options, const std::vector<Sweep>& sweeps,
 }
 
 /// Throws InputError if `resume` is false and the journal already contains a row of one of the plan's cases.
-/// If `resume` is true, throws InputError in three cases: a row was recorded with another preset, a row was
-/// recorded with another division of the cases among shards, or the inputs of a case changed after its row
-/// was recorded.
+/// If `resume` is true, throws InputError under each of these conditions:
+/// - a row was recorded with another preset;
+/// - a row was recorded with another division of the cases among shards;
+/// - the inputs of a case changed after its row was recorded.
 void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) {
   const auto present = std::count_if(plan.cases.begin(), plan.cases.end(),
                                      [&](const Case& c) { return journal.holds(planned_key(plan, c)); });
@@ -152,8 +153,8 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
       throw InputError(
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
-    // If a run of merged shards is resumed without --shard, `deal` is empty. Its rows may then come from any
-    // shard.
+    // `deal` is empty without --shard, for instance if the user resumes a run whose shards were merged. The
+    // journal's rows may then come from any shard.
     const std::string dealt = row.provenance.value("shard_deal", ""),
                       deal = plan.provenance.value("shard_deal", "");
     if (resume && !dealt.empty() && !deal.empty() && dealt != deal)
@@ -206,7 +207,7 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
     if (!options.anonymous) plan.provenance["node"] = plan.provenance["host"];
     plan.provenance["host"] = options.host;
   }
-  // From these entries pelage merge computes which shards and cases are missing.
+  // pelage merge reads the following entries to find out which shards and cases are missing.
   if (!options.shard.empty()) {
     plan.provenance["shard"] =
         fmt::format("{}/{}", options.shard_or_all().index, options.shard_or_all().count);
@@ -282,6 +283,8 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   for (const Sweep& sweep : sweeps) {
     for (const cl::Device& device : devices) {
       const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - from).count();
+      if (sweeps.size() * devices.size() > 1)
+        fmt::print(stderr, "pelage: {} on {}\n", sweep.experiment.name, file_stem_of(device, devices));
       const RunSummary one = run_sweep(options, sweep, device, file_stem_of(device, devices),
                                        devices.size() > 1, folder, options.budget_s - spent, seed, tuning);
       all.ok += one.ok;
@@ -302,9 +305,9 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   return all.not_ok > 0 || all.disturbed ? 1 : 0;
 }
 
-/// Throws InputError if the results of --balance are in the folder of this run or contain this folder. These
-/// results would grow during the run, and shards that start at different times would divide the cases
-/// differently.
+/// Throws InputError if the path of --balance is the folder of this run, is inside it or contains it. The
+/// results of --balance would then grow during the run, and shards that start at different times would divide
+/// the cases differently.
 void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   if (options.balance.empty()) return;
   const fs::path earlier = fs::weakly_canonical(fs::absolute(options.balance)),

@@ -110,8 +110,8 @@ void declare(CLI::App& command, RunOptions& options) {
   command
       .add_option(
           "--balance", options.balance,
-          "With --shard: divide the cases so that all shards take about the same time, by the times in "
-          "these earlier results")
+          "With --shard: use the times in these earlier results to divide the cases into shards that take "
+          "about the same time")
       ->type_name("RESULTS");
   command.add_option("--repeat", options.repeat, "Run all cases in each of N new processes")
       ->type_name("N")
@@ -153,14 +153,15 @@ void declare(CLI::App& command, RunOptions& options) {
       ->type_name("N");
   command
       .add_option("--host", options.host,
-                  "Name of the host in the rows (default: the name of this machine). Give equal nodes of a "
-                  "cluster one name, so that the rows of all nodes are in one table")
+                  "Name of the host in the rows (default: the name of this machine). If nodes of a cluster "
+                  "have equal hardware, give all of them the same name, so that their rows are in one table")
       ->type_name("NAME");
   command
-      .add_option("--quiet-machine", options.quiet_machine,
-                  "Before each case, measure for one second whether other processes use more than 10% of the "
-                  "machine's CPU time: warn prints a warning; require waits up to a minute and then ends the "
-                  "run with code 1")
+      .add_option(
+          "--quiet-machine", options.quiet_machine,
+          "Before each case, measure for one second whether other processes use more than 10% of the "
+          "machine's CPU time. If they do, warn prints a warning, and require waits until they use less; "
+          "if they still use more after a minute, require ends the run with code 1")
       ->check(CLI::IsMember({"warn", "require"}))
       ->type_name("warn|require");
   command.add_flag("--anonymous", options.anonymous, "Write neither the host's name nor paths into the rows");

@@ -17,15 +17,17 @@ struct RunOptions {
               resume, balance, host, quiet_machine;
   double budget_s = std::numeric_limits<double>::infinity();
   int repeat = 1;
-  int repeat_index = -1;  ///< index of this process among those of --repeat, from 0; -1: started by the user
+  /// Index of this process among the processes that --repeat starts, from 0; -1 if the user started this
+  /// process.
+  int repeat_index = -1;
   std::optional<std::uint64_t> order_seed;
   bool dry_run = false, anonymous = false;
   std::vector<std::string> argv;  ///< command line of this process, beginning with the program's name
 
   Overrides overrides() const;  ///< throws InputError for a malformed key=value
   Shard shard_or_all() const;
-  std::filesystem::path folder()
-      const;  ///< the folder of --resume or -o, else a new folder named after the time and the host
+  std::filesystem::path folder() const;  ///< value of --resume or -o; otherwise the path of a new folder,
+                                         ///< named after the time and the host
 };
 
 /// Declares all options of pelage run.

@@ -10,7 +10,7 @@ namespace pelage {
 void add_scene(CLI::App& app, Chosen& chosen) {
   auto options = std::make_shared<SceneOptions>();
   CLI::App* command = app.add_subcommand(
-      "scene", "Print a resolved scene: every key with its meaning, unit, range and default");
+      "scene", "Print a scene with all overrides: value, meaning, unit, range and default of each key");
   add_scene_options(*command, *options, false);
   command->callback([options, &chosen] {
     chosen = [options] {

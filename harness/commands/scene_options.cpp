@@ -11,6 +11,7 @@
 #include "harness/data_folder.hpp"
 #include "harness/error.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/mesh/soup.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -31,15 +32,18 @@ void set_size(Scene& scene, const std::string& size) {
   if (!digits(width) || !digits(height)) {
     throw InputError(fmt::format("--size {}: give width x height in pixels, for instance 800x600", size));
   }
-  // std::stoi removes leading zeros, which TOML does not allow.
+  // TOML does not allow leading zeros; std::stoi removes them.
   apply_set(scene, fmt::format("image.width={}", std::stoi(width)), "--size");
   apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
 }
 
 /// Returns the path of the scene file. A text without a '/' that is not a file is the name of an example
-/// scene, with or without ".toml". Throws InputError with the names of all examples if there is no such
-/// example.
+/// scene, with or without ".toml". Throws InputError if the text names a mesh file. Also throws InputError if
+/// there is no example with this name; the message then lists all examples.
 fs::path scene_file(const std::string& name_or_file) {
+  if (has_mesh_ending(name_or_file))
+    throw InputError(fmt::format(
+        "{0}: is a mesh file; give a scene and the mesh, for instance wet-curls --model {0}", name_or_file));
   std::error_code error;
   if (fs::exists(name_or_file, error) || error || name_or_file.find('/') != std::string::npos)
     return name_or_file;

@@ -12,7 +12,7 @@ namespace pelage {
 
 struct SceneOptions {
   std::string file;   ///< scene file, or name of an example; empty: the default scene
-  std::string model;  ///< name or file; empty: the model of the scene file
+  std::string model;  ///< name of a model, or mesh file; empty: the model of the scene file
   std::string up;     ///< value for the scene key mesh.up; empty: the value in the scene file
   std::string size;   ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
   std::vector<std::string> set;  ///< overrides, key=value

@@ -31,7 +31,7 @@ struct TopologyCommand {
   float length = 0.15f;
 };
 
-// Numbers of masses and springs that a paper prints for a model. The keys are names of topologies.
+// Maps the name of a topology to the numbers of masses and springs that a paper prints for a model.
 using Published = decltype(Model::published);
 
 Published published_of(const std::string& model) {

@@ -1,4 +1,5 @@
-// pelage tune: finds the fastest values of the kernels' tuning axes on a device.
+// pelage tune: finds the fastest values of the kernels' tuning axes on a device. A tuning axis is a parameter
+// of a kernel that affects only its speed, such as the width of a tile.
 #include "harness/commands/tune.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// These cases have few large triangles (torus), many small triangles (bunny) and many layers (torus-64).
+// Default value of --filter. It selects three cases: one with few large triangles (torus-16), one with many
+// layers (torus-64) and one with many small triangles (bunny-16).
 constexpr const char* default_scenes = "^(torus-16|torus-64|bunny-16)-800x600$";
 
 struct TuneOptions {

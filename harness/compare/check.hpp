@@ -1,4 +1,4 @@
-// The result of a check.
+// The result of a check. A check compares one quantity of a measured frame with a trusted result.
 #pragma once
 #include <string>
 

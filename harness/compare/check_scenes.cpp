@@ -50,9 +50,9 @@ std::vector<CheckScene> check_scenes(bool full) {
   for (const char* model : {"torus", "pear", "hippo", "cow", "horse", "bunny", "elephant", "lion"})
     for (const int layers : {16, 64})
       for (const Look& look : {curly, wet, windy}) scenes.push_back(make_scene(model, layers, look));
-  // A mesh larger than those of the papers: 5.0 million triangles, most of them smaller than a pixel. One of
-  // its strands deviates from the reference by 1.02e-3 of the strand's length, which is more than
-  // tolerance::worst_tip, so only the picture is compared.
+  // This mesh is larger than every mesh in the papers that pelage reproduces. It has 5.0 million triangles,
+  // most of them smaller than a pixel. One of its strands deviates from the reference by 1.02e-3 of the
+  // strand's length. This is more than tolerance::worst_tip, so only the picture is compared.
   CheckScene beyond = make_scene("torus-1663x1504", 16, all_at_once);
   beyond.scene.image.width = 160;
   beyond.scene.image.height = 120;

@@ -1,4 +1,5 @@
-// Scenes for `pelage check`, which compares a device with the reference.
+// Scenes for `pelage check`, which compares the frames of a device with those of the double-precision
+// reference.
 #pragma once
 #include <string>
 #include <vector>
@@ -10,13 +11,13 @@ namespace pelage {
 struct CheckScene {
   std::string name;  ///< such as "torus, 16 layers, curly"
   Scene scene;
-  bool motion = true;  ///< whether strand tips and wetness masks are compared too
+  bool motion = true;  ///< true: compare pictures, strand tips and masks; false: only pictures
 };
 
-/// If `full` is false, returns four scenes: a torus with curly, with wet and with windy fur, and a bunny with
-/// all three effects at once. If `full` is true, returns 49 other scenes. 48 of them are the eight models of
-/// Silva's Table 1, each with 16 and with 64 layers, and with curly, with wet and with windy fur. The last
-/// scene is a torus of 5.0 million triangles with all three effects.
+/// If `full` is false, returns four scenes: one torus with curly fur, one with wet fur and one with windy
+/// fur, and a bunny with all three effects at once. If `full` is true, returns 49 other scenes. 48 of them
+/// combine each of the eight models of Silva's Table 1 with 16 or 64 layers and with curly, wet or windy fur.
+/// The last scene is a torus of 5.0 million triangles with all three effects.
 std::vector<CheckScene> check_scenes(bool full);
 
 }  // namespace pelage

@@ -29,8 +29,8 @@ struct FrameOutput {
 /// InputError if the scene selects adaptive time steps (dynamics.tolerance above 0).
 FrameOutput reference_motion(const FrameInput& input, int frames);
 
-/// Computes the results of reference_motion and the image. If `eight_bit` is set, the image is rounded to 8
-/// bits after every layer.
+/// Computes the results of reference_motion() and, in addition, the image. If `eight_bit` is set, the image
+/// is rounded to 8 bits after every layer.
 FrameOutput reference_output(const FrameInput& input, int frames, bool eight_bit);
 
 }  // namespace pelage

@@ -1,16 +1,16 @@
-// Compares two states of a mass-spring topology.
+// Compares the positions of the masses in two states of a mass-spring topology.
 #pragma once
 #include "harness/compare/check.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
 
-/// Distances between the top masses of two states, as fractions of the fur's length.
+/// Distances between the positions of a stick's top mass in two states, as fractions of the fur's length.
 struct Spread {
   double rms = 0, percentile_99 = 0, worst = 0;
 };
 /// Compares the positions `a` and `b` of the top masses, one per stick. `length` is the fur's length in the
-/// same unit. A distance counts as 1e9 if it is not finite or if it is above 1e9. Throws
+/// unit of the positions. A distance counts as 1e9 if it is not finite or if it is above 1e9. Throws
 /// std::invalid_argument if the sizes differ or are 0.
 Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b, double length);
 

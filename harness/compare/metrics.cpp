@@ -49,8 +49,8 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
                                  a.width, a.height, b.width, b.height));
   const std::vector<char> chosen = selected(a, windows);
   Agreement result;
-  // Sums of squared differences: `squares` over all pixels, `kept` over the pixels with no channel that
-  // differs by more than tolerance::flip.
+  // `squares` is the sum of the squared differences over the compared fur pixels. `kept` is the same sum
+  // without the pixels in which a channel differs by more than tolerance::flip.
   double squares = 0, kept = 0;
   std::vector<double> differences;
   for (int y = 0; y < a.height; ++y)
@@ -98,9 +98,9 @@ std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int s
   std::vector<Window> cells;
   for (int y = 0; y < picture.height; y += side)
     for (int x = 0; x < picture.width; x += side) {
-      // A cell is a candidate for a window. The cells of the last row and the last column are moved inwards,
-      // so that they are inside the picture and have the full size. A picture with a width or height below
-      // `side` has one cell in this direction, which has the picture's size.
+      // The cells of the last row and the last column are moved inwards, so that they are inside the picture
+      // and have the full size. If the picture's width is below `side`, the cells have the picture's width.
+      // If the picture's height is below `side`, the cells have the picture's height.
       const Window cell{std::max(0, std::min(x, picture.width - side)),
                         std::max(0, std::min(y, picture.height - side)), std::min(side, picture.width),
                         std::min(side, picture.height)};

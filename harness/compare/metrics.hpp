@@ -9,8 +9,8 @@
 namespace pelage {
 
 /// Differences between two pictures over the fur pixels. A fur pixel has an alpha above 0 in at least one of
-/// the pictures. Background pixels are excluded, because they are equal in any case and would improve the
-/// values.
+/// the two pictures. The values exclude background pixels, because these are always equal and would improve
+/// the values.
 struct Agreement {
   double psnr = 0;  ///< PSNR of red, green and blue in dB with peak 1; 200 if the pictures are equal
   double psnr_without_flips = 0;  ///< PSNR without the pixels counted in `flips`; 0 if no pixel remains
@@ -39,9 +39,9 @@ Agreement compare(const Picture& a, const Picture& b, const std::vector<Window>&
 bool within(const Agreement& agreement);
 
 /// Returns `count` different windows of side x side pixels, or fewer if there are fewer candidates.
-/// Candidates are the cells of a grid over the picture that contain a fur pixel, and the cells adjacent to
-/// them. The adjacent cells reveal fur that is missing at the silhouette. `seed` determines the choice.
-/// Windows are sorted by row, then by column.
+/// The cells of a grid over the picture are candidates if they contain a fur pixel or are adjacent to a cell
+/// that contains a fur pixel. The adjacent cells reveal fur that is missing at the silhouette. `seed`
+/// determines the choice. Windows are sorted by row, then by column.
 std::vector<Window> fur_windows(const Picture& picture, std::size_t count, int side, std::uint32_t seed);
 
 }  // namespace pelage

@@ -10,17 +10,17 @@
 namespace pelage {
 
 /// Returns four checks of the difference between two pictures: the number of fur pixels (at least one), the
-/// PSNR, the 99.9th percentile of the pixel differences, and the share of flipped pixels. within() tests the
-/// same conditions.
+/// PSNR, the 99.9th percentile of the pixel differences, and the share of flipped pixels (see
+/// tolerance::flip). within() tests the same conditions.
 std::vector<Check> picture_checks(const std::string& against, const Agreement& agreement);
 
 /// Returns the checks of the OpenGL baseline's picture: the number of fur pixels (at least one), and psnr (at
 /// least tolerance::other_filter_psnr).
 std::vector<Check> other_filter_checks(const std::string& against, const Agreement& agreement);
 
-/// Returns the checks of two pictures that different mappings drew on one device: no pixel is covered in only
-/// one of them, and no channel differs by more than tolerance::mapping_difference. Throws InputError if the
-/// sizes differ.
+/// Returns the checks of two pictures that different mappings drew on one device: the same
+/// pixels must be covered in both pictures, and no channel may differ by more than
+/// tolerance::mapping_difference. Throws InputError if the sizes differ.
 std::vector<Check> mapping_checks(const std::string& against, const Picture& ours, const Picture& other);
 
 }  // namespace pelage

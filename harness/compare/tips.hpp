@@ -1,4 +1,5 @@
-// Compares the tips of Silva's strands with the reference's tips.
+// Compares the tips of Silva's strands with the reference's tips. The unit of length is R, the radius of the
+// mesh's bounding sphere.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>

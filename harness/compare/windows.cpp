@@ -27,10 +27,11 @@ WindowCheck check_against_reference(const FrameInput& input, int frames, const P
   if (options.windows.empty()) return {{windows}, {}, {}, windows};
   const Agreement sample = compare(timed, reference::render(input, options), options.windows);
   // Because of rounding, the device and the reference may read different texels of the wetness mask for a
-  // pixel. Such a pixel is called flipped; its channels differ by about 0.2. A single flipped pixel lowers
-  // the PSNR over all pixels of the 64 windows below tolerance::picture_psnr. The PSNR over the whole picture
-  // stays above this limit. Therefore, if the comparison of the windows fails, the whole picture is compared,
-  // and this comparison decides.
+  // pixel. Such a pixel is called flipped. Channel values range from 0 to 1, and each channel of a flipped
+  // pixel differs between the two pictures by about 0.2. One flipped pixel lowers the PSNR over the 64
+  // windows below the limit tolerance::picture_psnr, but the PSNR over the whole picture stays above this
+  // limit. Therefore, if the comparison of the windows fails, the whole picture is compared, and this
+  // comparison decides.
   Agreement all = sample;
   if (!within(sample)) {
     options.windows.clear();

@@ -1,4 +1,5 @@
-// Compares windows of a timed picture with the double-precision reference.
+// Checks a timed picture: compares windows (squares of pixels) of this picture with the same windows of the
+// double-precision reference's picture.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,10 +17,11 @@ namespace pelage {
 inline constexpr std::size_t kCheckWindows = 64;
 inline constexpr int kCheckSide = 16;
 
-/// Name of the check that enough windows (squares of the picture that are compared) contain fur.
+/// Value of Check::metric in the check that counts the windows. The number of windows must be at least
+/// kCheckWindows.
 inline constexpr const char* windows_metric = "windows";
 
-/// Returns advice for the user if too few windows contain fur.
+/// Returns the advice that the user gets if the check finds fewer than kCheckWindows windows.
 std::string window_advice();
 
 /// Comparison of the timed picture with the double-precision reference in kCheckWindows windows. If the
@@ -32,7 +34,7 @@ struct WindowCheck {
 };
 /// Compares `timed`, the picture of the pipeline after `frames` frames, with the reference. `seed` selects
 /// the windows. For a mass-spring topology, `sticks` contains the offset of each stick's top mass from the
-/// stick's base in the timed frame, in R. For Silva's strands, `sticks` is empty.
+/// stick's base in the timed frame, in R (the mesh radius). For Silva's strands, `sticks` is empty.
 WindowCheck check_against_reference(const FrameInput& input, int frames, const Picture& timed,
                                     std::uint32_t seed, const std::vector<glm::vec3>& sticks = {});
 

@@ -42,9 +42,9 @@ std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
 
 /// Writes the camera as a view matrix and a projection matrix, for use by other programs.
 void write_matrices(Hdf5File& file, const Camera& camera) {
-  // The first three rows of the view matrix are the directions right, down and forward. Rows 0 and 1 of the
-  // projection matrix give w times the offset from the picture's centre in pixels. Row 3 gives w, the view
-  // depth.
+  // The first three rows of the view matrix are the directions right, down and forward. Let w be the view
+  // depth of a point. Rows 0 and 1 of the projection matrix give w times the point's offset in pixels from
+  // the picture's centre. Row 3 gives w.
   const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.ray));
   const glm::dvec3 right = glm::normalize(glm::dvec3(camera.ray_dx));
   const glm::dvec3 down = glm::normalize(glm::dvec3(camera.ray_dy));
@@ -73,7 +73,7 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
              "unit normals n of the triangles");
   file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
-             "vectors from the roots to the rest positions of the tips; their length is L0");
+             "vectors from the roots to the rest positions of the tips; their length is fur.length");
   file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
              "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",
@@ -107,9 +107,9 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
   file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
   file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
-             "derivative of the surface position by u");
+             "derivative of the surface position with respect to u");
   file.write("tangent/b", {vertices, 3}, flat<float>(input.tangents.b), "R/UV",
-             "derivative of the surface position by v");
+             "derivative of the surface position with respect to v");
   file.write("curl/u", {points, 3}, flat<float>(input.curl.u), "1",
              "first axis of the curl at each surface point, unit length");
   file.write("curl/v", {points, 3}, flat<float>(input.curl.v), "1",

@@ -24,8 +24,8 @@ void write_textures(Hdf5File& file, const FrameInput& input);
 void write_camera(Hdf5File& file, const Camera& camera);
 
 /// Writes the displacement of each vertex in each layer: its position in the layer minus its position on the
-/// mesh. The double-precision reference computes the displacements
-/// from the scene's strands, or from `output.tips` if a mass-spring topology moves the fur.
+/// mesh. The double-precision reference computes the displacements from the scene's strands, or from
+/// `output.tips` if a mass-spring topology moves the fur.
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 
 }  // namespace pelage::dump

@@ -12,8 +12,8 @@ namespace pelage {
 /// writing fails, no partial file remains. Throws InputError if the file cannot be written.
 void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output);
 
-/// Throws InputError if `path` does not end in .h5 or .hdf5, or if its folder does not exist. Call it before
-/// the frame is computed.
+/// Throws InputError if `path` does not end in .h5 or .hdf5, or if its folder does not exist. Call this
+/// function before the frame is computed, so that a bad path is reported early.
 void check_dump_path(const std::filesystem::path& path);
 
 }  // namespace pelage

@@ -1,3 +1,4 @@
+// Checks the axes of an experiment. An axis is a quantity that varies over the experiment's cases.
 #include "harness/experiment/axes.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 namespace pelage {
 namespace {
 
-/// Maps each value of an axis to the scene keys in its table.
+/// Maps each value of an axis to the settings (scene keys and their values) in the table [AXIS.VALUE].
 using Tables = std::map<std::string, std::vector<Setting>>;
 
 const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
@@ -23,7 +24,7 @@ const Tables& tables_of(const Experiment& experiment, const std::string& axis) {
   return found == experiment.at.end() ? none : found->second;
 }
 
-/// Returns the scene keys that the values of the axis set directly. Keys in tables of the axis are not
+/// Returns the scene keys that the values of the axis set directly. Keys in the tables [AXIS.VALUE] are not
 /// included.
 std::vector<std::string> varied_by(const std::string& axis) {
   if (axis == "layers") return {"fur.layers"};
@@ -48,14 +49,14 @@ std::set<std::string> values_in_file(const Experiment& experiment, const std::st
   return values;
 }
 
-/// Checks an axis whose values are names of tables. This is the axis "reading" or an axis whose name the
-/// author of the experiment file chose.
+/// Checks `axis`, whose values are names of tables. Its key is "reading" (an interpretation of a paper's
+/// text) or a name that the author of the experiment file chose.
 void check_named(const Experiment& experiment, const Axis& axis) {
   if (tables_of(experiment, axis.key).empty()) {
     const std::string needed = fmt::format(
         "the file needs a table [{0}.VALUE] with scene keys for at least one value of the axis", axis.key);
     if (axis.key == "reading") throw InputError(fmt::format("{}: axis reading: {}", experiment.name, needed));
-    try {  // throws; the message of apply_set() suggests the scene key with the most similar name
+    try {  // apply_set() throws, because the key is unknown; its message suggests the most similar key
       Scene scene;
       apply_set(scene, axis.key + "=0", fmt::format("{}: axis {}", experiment.name, axis.key));
     } catch (const InputError& error) {

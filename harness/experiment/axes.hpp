@@ -11,7 +11,8 @@ namespace pelage {
 /// Returns whether `key` is the name of a scene key, such as "fur.length".
 bool is_scene_key(const std::string& key);
 
-/// Returns the same text for values of an axis that are equal as numbers: "0.1" for "0.1" and for "0.10".
+/// Returns the same text for all values of an axis that are equal as numbers. For instance, returns "0.1" for
+/// "0.1" and for "0.10".
 std::string canonical(const std::string& value);
 
 /// Returns whether the table [axis.value] of the experiment file contains the scene key `key`.
@@ -20,13 +21,13 @@ bool table_sets(const Experiment& experiment, const std::string& axis, const std
 
 /// Checks `axes`: the axes of the experiment after `preset` and `overrides` have replaced or added axes.
 /// Throws InputError
-/// - if the key of an axis is unknown: it is no built-in axis (such as "layers"), no scene key, and the
-///   experiment file has no table [KEY.VALUE] for it;
-/// - if the values of an axis are names of tables, and a value does not occur in the file. It is probably
-///   misspelled on the command line. A value that occurs in the file needs no table; it then sets no scene
-///   keys;
+/// - if the key of an axis is unknown: it is neither a built-in axis (such as "layers") nor a scene key, and
+///   the experiment file has no table [KEY.VALUE] with this key;
+/// - if the values of an axis are names of tables, and a value does not occur in the experiment file, because
+///   such a value is probably misspelled on the command line;
 /// - if a table sets a scene key that another axis of the file varies;
 /// - if --set sets a scene key that an axis varies.
+/// A value that the experiment file lists for an axis may have no table. Such a value sets no scene keys.
 void check_axes(const Experiment& experiment, const Preset& preset, const Overrides& overrides,
                 const std::vector<Axis>& axes);
 

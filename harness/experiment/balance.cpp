@@ -1,3 +1,5 @@
+// Divides the cases of a run among shards, using the times in rows. A row is the recorded result of a case.
+// Its provenance is a JSON object that stores how and where the case ran.
 #include "harness/experiment/balance.hpp"
 
 #include <algorithm>

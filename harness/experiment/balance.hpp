@@ -10,9 +10,10 @@
 
 namespace pelage {
 
-/// Returns the wall time in seconds of a case: the time of preparing the scene, of sampling and of the
-/// checks. Rows of older versions do not record the sampling time. For these rows the function adds up the
-/// times of all frames. Returns no value if the row has the status error or skipped, because the case did not
+/// Returns the wall time of the case in seconds. `row` is the recorded result of this case. The wall time is
+/// the sum of the times for preparing the scene, for sampling and for the checks. Rows that older versions of
+/// pelage wrote lack the sampling time. For these rows the function uses the sum of the row's wall times
+/// instead. Returns no value if the status of the row is `error` or `skipped`, because the case did not
 /// finish.
 std::optional<double> case_seconds(const Row& row);
 
@@ -23,10 +24,10 @@ std::vector<std::optional<double>> earlier_seconds(const std::string& experiment
                                                    const std::vector<FoundRow>& rows);
 
 /// Returns for each case the index of its shard, from 0 to `count` - 1. The function assigns the cases in the
-/// order of decreasing time. Each case goes to the shard with the smallest sum of times so far. If times are
-/// equal, the case with the smaller index comes first. If sums are equal, the shard with the smaller index
-/// gets the case. For a case without a time the function uses the mean of the known times. If no time is
-/// known, case i goes to shard i modulo `count`.
+/// order of decreasing time. Each case goes to the shard with the smallest sum of times so far. If two cases
+/// have equal times, the case with the smaller index comes first. If two shards have equal sums, the shard
+/// with the smaller index gets the case. For a case without a time the function uses the mean of the known
+/// times. If no time is known, case i goes to shard i modulo `count`.
 std::vector<int> deal(const std::vector<std::optional<double>>& seconds, int count);
 
 /// Returns a hash of the names of all cases and of their shard indices, as 16 hex digits. All shards of one

@@ -1,3 +1,4 @@
+// Makes the cases of an experiment from its axes. An axis is a quantity that varies over the cases.
 #include "harness/experiment/experiment.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump();
 }
 
-/// Returns the scene keys that this value of the axis sets, each with its value as TOML text.
+/// Returns the scene keys that the value `value` of the axis `axis` sets, and their values as TOML text.
 std::vector<Setting> settings_of(const std::string& axis, const std::string& value) {
   if (axis == "model") return {{"model", quoted(value)}};
   if (axis == "layers") return {{"fur.layers", value}};
@@ -95,8 +96,8 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (const auto tables = experiment.at.find(key); tables != experiment.at.end())
       if (const auto found = tables->second.find(value); found != tables->second.end())
         for (const Setting& setting : found->second) set(setting);
-    // The name of a case omits the value of the axis "reading" or "variant" if it is the first value of that
-    // axis in the experiment file.
+    // If the axis is "reading" or "variant", and its value in this case is the axis's first value in the
+    // experiment file, the name of the case omits this value.
     const auto own = std::find_if(experiment.axes.begin(), experiment.axes.end(),
                                   [&k = key](const Axis& a) { return a.key == k; });
     const bool silent = (key == "reading" || key == "variant") && own != experiment.axes.end() &&
@@ -104,9 +105,9 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
     if (!silent) result.name += (result.name.empty() ? "" : "-") + fit_for_a_name(axes[i], value);
   }
   if (result.name.empty()) result.name = experiment.name;  // if the only axes are "reading" and "variant"
-  // These settings come last, so that they override the tables of all axes: the scene must have the values
-  // that the name of the case states. The only exception is the model. A table [model.NAME] may set the model
-  // to a mesh file, which then has the name NAME.
+  // The values of the axes override the scene keys in the tables [AXIS.VALUE], because the scene must have
+  // the values that the name of the case states. The only exception is the model. If a table [model.NAME]
+  // sets the model to a mesh file, the scene uses this file, and the name of the case contains NAME.
   for (const auto& [key, value] : result.axes)
     for (const Setting& setting : settings_of(key, value))
       if (setting.first != "model" || !table_sets(experiment, "model", value, "model")) set(setting);
@@ -242,8 +243,8 @@ Shard shard_from_text(const std::string& text) {
 }
 
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed) {
-  // This is the Fisher-Yates shuffle. The order of std::shuffle depends on the standard library, but a
-  // recorded seed must give the same order everywhere.
+  // This is the Fisher-Yates shuffle. std::shuffle is not used, because its order depends on the standard
+  // library. A recorded seed must give the same order everywhere.
   std::mt19937_64 random(seed);
   for (std::size_t i = cases.size(); i > 1; --i) std::swap(cases[i - 1], cases[random() % i]);
   return cases;

@@ -18,10 +18,14 @@ namespace pelage {
 using Setting = std::pair<std::string, std::string>;
 
 /// A quantity that varies over the cases of an experiment. The key is one of the built-in keys, a scene key,
-/// or a name that the author of the experiment file chose. The built-in keys are "model", "layers"
-/// (fur.layers), "size" (image.width x image.height), "reading" (an interpretation of the paper's text) and
-/// "variant" (a pipeline with its options). The values of "reading", of "variant" and of an axis with a
-/// chosen name are names of tables in the experiment file.
+/// or a name that the author of the experiment file chose. The built-in keys are
+/// - "model";
+/// - "layers": the scene key fur.layers;
+/// - "size": image.width x image.height;
+/// - "reading": an interpretation of the text of the paper that the experiment reproduces;
+/// - "variant": a pipeline with its options.
+/// The values of "reading", of "variant" and of an axis with a chosen name are names of tables in the
+/// experiment file.
 struct Axis {
   std::string key;
   std::vector<std::string> values;  ///< as written in the file or on the command line: "0.10" stays "0.10"
@@ -40,7 +44,8 @@ struct SamplingLimits {
 
 struct Preset {
   SamplingLimits limits;
-  /// Each axis replaces the experiment's axis with the same key. If there is no such axis, it is added.
+  /// Each axis replaces the experiment's axis with the same key. If the experiment has no axis with this key,
+  /// the preset's axis is added.
   std::vector<Axis> axes;
 };
 
@@ -51,10 +56,9 @@ struct Published {
 };
 
 /// `default_pipeline` is the pipeline of a variant without the key `pipeline`. `default_variant` is the
-/// variant of a case without the axis "variant". When such a case runs on a device, its variant is renamed to
-/// "shells/MAPPING", where MAPPING is the mapping of pixels to work-items. On CPUs the default mapping is
-/// "tile". A report table that compares times with a paper's times does not print the name of the variant if
-/// the variant is `default_variant`.
+/// variant of a case without the axis "variant". When such a case runs on a device, pelage renames its
+/// variant to "shells/MAPPING". MAPPING is the mapping of pixels to work-items. On CPUs the default mapping
+/// is "tile". The subtitles of a report's tables do not mention `default_variant`.
 inline constexpr std::string_view default_pipeline = "shells", default_variant = "shells/tile";
 
 /// Besides scene keys, the table of a variant in an experiment file may contain these three keys.
@@ -67,7 +71,7 @@ struct Experiment {
   Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
   std::vector<Setting> scene;        ///< scene keys that apply to all cases; they override those of `base`
   std::vector<Axis> axes;            ///< in the order of the file; the last axis varies fastest
-  /// For each axis key and each value of the axis, the scene keys that all cases with this value use.
+  /// Axis key -> value of the axis -> the scene keys that apply to all cases with this value.
   std::map<std::string, std::map<std::string, std::vector<Setting>>> at;
   /// Name of a variant -> its values of the keys `pipeline`, `mapping` and `opengl`.
   std::map<std::string, std::map<std::string, std::string>> variants;
@@ -86,10 +90,11 @@ struct Case {
   std::map<std::string, std::string> axes;
   std::map<std::string, std::string> overrides;  ///< values of the options --set, --axis and --model
   std::map<std::string, std::string> settings;   ///< scene keys of the experiment file, values as in TOML
-  /// Values of the axes that are scene keys, followed by those of --set. They override `settings`.
+  /// The scene keys that are axes, with their values in this case, followed by the scene keys of --set. They
+  /// override `settings`.
   std::vector<Setting> set;
-  std::optional<Metric> published;  ///< value that the paper publishes; empty if `overrides` is not empty
-  std::map<std::string, double> require;  ///< metric -> required minimum; empty if `overrides` is not empty
+  std::optional<Metric> published;  ///< value from the experiment's paper; absent if there are overrides
+  std::map<std::string, double> require;  ///< metric -> required minimum; no entries if there are overrides
 };
 
 /// The command-line options --set, --axis and --model, which change an experiment.
@@ -99,23 +104,23 @@ struct Overrides {
   std::string model;
 };
 
-/// Reads a number in the form in which a paper prints it: "267" (a rounded number, which represents 266.5 to
-/// 267.5),
-/// "< 1" (an upper bound), "~ 30" (an approximate value) or "20..30" (a range). Throws InputError for other
-/// texts.
+/// Reads a number in the form in which a paper prints it: "267" (rounded; the exact number is between 266.5
+/// and 267.5), "< 1" (an upper bound), "~ 30" (an approximate value) or "20..30" (a range). Throws InputError
+/// for other texts.
 Metric published_figure(const std::string& text, const std::string& unit);
 
-/// Reads an experiment file. Throws InputError, whose message names the file, the line, the key and the
-/// permitted values.
+/// Reads an experiment file. Throws InputError if the file is not valid. The message names the file, the
+/// line, the key and the permitted values.
 Experiment read_experiment(const std::filesystem::path& file);
 
-/// Returns the file of an experiment, given by its name in `pelage list` or by a path that ends in .toml.
-/// Throws InputError, with the known names, if there is no such file.
+/// Returns the path of an experiment file. The argument is a name that `pelage list` shows, or a path that
+/// ends in .toml. Throws InputError if there is no such file. If the argument is a name, the message lists
+/// the known names.
 std::filesystem::path experiment_file(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
 
-/// Returns the preset `name`. Throws InputError, with the names of the experiment's presets, if it does not
-/// exist.
+/// Returns the preset `name`. If the experiment has no preset with this name, throws InputError with the
+/// names of its presets.
 const Preset& preset_of(const Experiment& experiment, const std::string& name);
 
 /// Largest number of cases of an experiment. This limit bounds the memory of the list of cases.
@@ -144,8 +149,9 @@ struct Shard {
 };
 /// Reads "i/n" with 0 <= i < n. Throws InputError for other texts.
 Shard shard_from_text(const std::string& text);
-/// Returns the cases in a random order that depends only on `seed`. If the machine's speed changes
-/// slowly during the run, this change then affects all values of an axis by about the same amount.
+/// Returns the cases in a random order that depends only on `seed`. In this order, the cases with each value
+/// of an axis are spread over the whole run. A slow change of the machine's speed therefore affects all
+/// values of the axis about equally.
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed);
 
 }  // namespace pelage

@@ -1,4 +1,4 @@
-// Reads experiment files (experiments/*.toml).
+// Reads experiment files (experiments/*.toml). An axis is a quantity that varies over an experiment's cases.
 #include <fmt/format.h>
 #include <re2/re2.h>
 #include <toml++/toml.h>
@@ -35,8 +35,8 @@ const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper",
                                                   "hardware", "axes",   "scene", "published",
                                                   "require",  "preset", "report"};
 
-/// Columns of exported CSV files and data frames. Each axis becomes a column too, so it must not have one of
-/// these names.
+/// Columns of exported CSV files and data frames. Each axis becomes a column too, so an axis must not have
+/// one of these names.
 const std::set<std::string, std::less<>> columns{"case",       "clock",   "contended", "converged", "device",
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
@@ -55,13 +55,23 @@ std::string literal(const toml::node& node) {
     const std::string digits = fmt::format("{}", *number);
     return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
   }
+  // This code does not use toml++'s formatter of arrays. For numbers below 0.1, that formatter converts a
+  // negative logarithm to an unsigned integer, which is undefined behaviour.
+  if (const auto* array = node.as_array()) {
+    std::string text;
+    for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
+    return "[" + text + "]";
+  }
+  if (const auto* table = node.as_table()) {
+    std::string text;
+    for (const auto& [key, entry] : *table)
+      text +=
+          (text.empty() ? "" : ", ") + literal(toml::value(std::string(key.str()))) + " = " + literal(entry);
+    return "{" + text + "}";
+  }
   std::ostringstream text;
   node.visit([&text](const auto& value) {
-    using Node = std::decay_t<decltype(value)>;
-    if constexpr (toml::is_table<Node>)
-      text << toml::toml_formatter{value, toml::format_flags::none};
-    else
-      text << value;
+    if constexpr (toml::is_value<decltype(value)>) text << value;
   });
   return text.str();
 }
@@ -81,8 +91,8 @@ std::string as_written(const toml::node& node, const Source& source) {
   if (start + at.end.column > source.text.size() + 1) return plain(node);
   const std::string written =
       source.text.substr(start + at.begin.column - 1, at.end.column - at.begin.column);
-  // toml++ counts columns in characters, but `text` is indexed in bytes. After a character of several bytes
-  // in the same line, `written` is therefore not the number. The following test detects this.
+  // toml++ counts columns in characters, but `text` is indexed in bytes. If a character of several bytes
+  // precedes the number in its line, `written` is therefore not the number. The following test detects this.
   double number = 0;
   const auto [end, code] = std::from_chars(written.data(), written.data() + written.size(), number);
   const bool whole = code == std::errc{} && end == written.data() + written.size();
@@ -90,15 +100,22 @@ std::string as_written(const toml::node& node, const Source& source) {
 }
 
 /// Appends the table's settings with dotted keys, so that [fur] length = 1 and fur.length = 1 give the same
-/// setting.
-void flatten(const toml::table& table, const std::string& prefix, std::vector<Setting>& into) {
+/// setting. Throws InputError if a key is not a scene key, or if its value is not permitted. Skips the keys
+/// for which `other` returns true.
+void flatten(const fs::path& file, const toml::table& table, const std::string& prefix,
+             bool (*other)(std::string_view), std::vector<Setting>& into) {
   for (const auto& [key, node] : table) {
     const std::string name =
         prefix.empty() ? std::string(key.str()) : fmt::format("{}.{}", prefix, key.str());
-    if (const auto* inner = node.as_table())
-      flatten(*inner, name, into);
-    else
-      into.emplace_back(name, literal(node));
+    if (other(name)) continue;
+    if (const auto* inner = node.as_table()) {
+      flatten(file, *inner, name, other, into);
+      continue;
+    }
+    into.emplace_back(name, literal(node));
+    Scene scratch;
+    apply_set(scratch, fmt::format("{}={}", name, into.back().second),
+              fmt::format("{}:{}", file.string(), node.source().begin.line));
   }
 }
 
@@ -232,21 +249,21 @@ void read_tables_of_axis(const fs::path& file, const std::string& axis, const to
       if (axis == "variant" && says_how(key.str()))
         into.variants[std::string(value.str())][std::string(key.str())] = plain(inner);
     }
-    flatten(*settings, {}, list);
-    if (axis == "variant") std::erase_if(list, [](const Setting& s) { return says_how(s.first); });
+    const auto none = [](std::string_view) { return false; };
+    flatten(file, *settings, {}, axis == "variant" ? says_how : none, list);
   }
 }
 
 /// Reads the table [scene]: the key `file`, which names a scene file, and the scene keys that override values
 /// of the scene file.
 void read_scene_table(const fs::path& file, const toml::table& table, Experiment& into) {
-  flatten(table, {}, into.scene);
+  flatten(
+      file, table, {}, [](std::string_view key) { return key == "file"; }, into.scene);
   const toml::node* node = table.get("file");
   if (!node) return;
   const auto name = node->value_exact<std::string>();
   if (!name || name->empty())
     refuse(file, node, "scene.file must be the path of a scene file, relative to the folder of this file");
-  std::erase_if(into.scene, [](const Setting& setting) { return setting.first == "file"; });
   into.scene_file = (file.parent_path() / *name).lexically_normal();
   try {
     into.base = read_scene(into.scene_file);
@@ -256,8 +273,8 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
 }
 
 /// Reads the tables of an axis whose name the author of the file chose. Throws InputError if no axis has the
-/// name `axis`. Also throws InputError if one table does not belong to a value of the axis and one value has
-/// no table, because one of the two names is then probably misspelled.
+/// name `axis`. Also throws InputError if a table's name is not among the axis's values and, in addition,
+/// some value of the axis has no table. The name of the table or this value is then probably misspelled.
 void read_tables_of_own_axis(const fs::path& file, const std::string& axis, const toml::node& node,
                              Experiment& into) {
   std::set<std::string> values;
@@ -295,8 +312,8 @@ Metric published_figure(const std::string& text, const std::string& unit) {
   const std::string number = R"(([0-9]+(?:\.[0-9]+)?))";
   double value = 0, greatest = 0;
   if (RE2::FullMatch(text, number, &value)) {
-    // A printed number represents all values that round to it: +-0.5 for a whole number, else +- half a unit
-    // of the last digit.
+    // A printed number represents all values that round to it. These values differ from the number by at
+    // most half a unit of its last digit. For a whole number, half a unit is 0.5.
     const std::size_t point = text.find('.');
     const double half =
         point == std::string::npos ? 0.5 : 0.5 * std::pow(10.0, -double(text.size() - point - 1));
@@ -345,7 +362,7 @@ Experiment read_experiment(const fs::path& file) {
 
   for (const auto& [key, node] : table) {
     if (texts.contains(key.str())) continue;
-    if (!reserved.contains(key.str()) && !tabled.contains(key.str())) continue;  // see below
+    if (!reserved.contains(key.str()) && !tabled.contains(key.str())) continue;  // read after this loop
     const auto* inner = node.as_table();
     if (!inner) refuse(file, &node, fmt::format("{} must be a table", key.str()));
     if (key == "scene") {
@@ -368,8 +385,8 @@ Experiment read_experiment(const fs::path& file) {
       read_tables_of_axis(file, std::string(key.str()), *inner, result);
     }
   }
-  // These tables are read last, because their names must be names of axes, and the presets, which may contain
-  // axes, must be read first.
+  // The name of each remaining table must be the name of an axis. These tables are read last, because the
+  // presets may add axes.
   for (const auto& [key, node] : table)
     if (!reserved.contains(key.str()) && !tabled.contains(key.str()))
       read_tables_of_own_axis(file, std::string(key.str()), node, result);

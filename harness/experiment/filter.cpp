@@ -11,8 +11,8 @@ Filter::Filter(const std::string& expression) {
   re2::RE2::Options options;
   options.set_log_errors(false);
   const auto pattern = std::make_shared<const re2::RE2>(expression, options);
-  // RE2's error message repeats the wrong part of the expression. Both texts may be very long, so they are
-  // shortened.
+  // The expression may be very long, and RE2's error message quotes the invalid part of it. Both texts are
+  // therefore shortened.
   const auto shortened = [](const std::string& text) {
     return text.size() > 80 ? text.substr(0, 80) + "..." : text;
   };

@@ -1,5 +1,5 @@
-// Reads the rows of journals, and also lists the parts of the journals that contribute no row, such as copies
-// and incomplete lines.
+// Reads the rows of journals. A journal is a file of results, and each of its rows is the result of one case.
+// Also lists the parts of the journals that contribute no row, such as copies of rows and incomplete lines.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace pelage {
 /// The rows of a journal, and the parts of the file that contribute no row.
 struct JournalContents {
   std::vector<Row> rows;      ///< as read_journal() returns them
-  std::vector<Row> replaced;  ///< rows with the status error whose case has a later row in the same journal
+  std::vector<Row> replaced;  ///< rows with the status error; later rows of this journal replace them
   std::size_t torn = 0;       ///< length of the last line in bytes if the line is incomplete, otherwise 0
 };
 
@@ -32,10 +32,11 @@ struct Results {
   std::vector<LeftOut> left_out;
 };
 
-/// Returns the rows that read_results() returns, and a list of everything else in the journals: copies of
-/// rows, rows with the status error that later rows replace, incomplete last lines, and journals without a
-/// row. Throws the same exceptions as read_results(). Both functions also throw InputError if rows of
-/// different measurements have equal frame times, because one row is then a changed copy of the other.
+/// Returns the rows that read_results() returns. Also returns a list of everything else in the journals:
+/// copies of rows, rows that have the status error and are replaced by later rows, incomplete last lines, and
+/// journals without a row. Throws the same exceptions as read_results(). Both read_all_results() and
+/// read_results() also throw InputError if two rows of different measurements have equal frame times. One of
+/// these rows must then be a changed copy of the other row, because measured times are never all equal.
 Results read_all_results(const std::vector<std::string>& places);
 
 }  // namespace pelage

@@ -1,3 +1,4 @@
+// Refuses rows whose fields contradict each other. A row is the recorded result of a case.
 #include "harness/journal/contradiction.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +21,8 @@ using Times = std::vector<double>;
 /// drift.
 constexpr double most_event_share = 1.1;
 
-/// Tolerances for CPU time: a factor and a summand in ms. CPU time is measured over a slightly longer
-/// interval than wall time.
+/// The largest permitted CPU time is most_cpu_share * (number of CPUs) * (wall time) + cpu_margin_ms. CPU
+/// time is measured over a slightly longer interval than wall time.
 constexpr double most_cpu_share = 1.5, cpu_margin_ms = 20;
 
 /// The smallest number of samples for which a 95% interval of the median exists (see median_interval()).
@@ -54,8 +55,8 @@ std::optional<double> number(const Row& row, const char* key) {
   return found->get<double>();
 }
 
-/// The weakest limit that any version of pelage has used for a check of a picture. `at_least` states whether
-/// the checked value must be at least or at most the limit.
+/// The weakest limit that any version of pelage has used for a check of a picture. If `at_least` is true, the
+/// checked value must be at least the limit, otherwise at most the limit.
 struct WeakestLimit {
   const char* metric;
   double limit;
@@ -65,16 +66,16 @@ constexpr std::array<WeakestLimit, 3> kWeakest{{{"psnr", tolerance::other_filter
                                                 {"p99.9", tolerance::flip, false},
                                                 {"flips", tolerance::flip_share, false}}};
 
-/// Throws InputError if a check of a picture has a weaker limit than every version of pelage used, or
+/// Throws InputError if the limit of a picture's check is weaker than the limit in kWeakest, or if the check
 /// compares in the other direction ("at most" instead of "at least").
 void refuse_weakened(const Check& check) {
   for (const WeakestLimit& weakest : kWeakest) {
     if (check.metric != weakest.metric || check.against == "experiment") continue;
     if (check.at_least != weakest.at_least ||
         (check.at_least ? check.limit < weakest.limit : check.limit > weakest.limit))
-      throw InputError(
-          fmt::format("the row's check {} against {} has the limit {} {}, which is weaker than pelage's",
-                      check.metric, check.against, check.at_least ? ">=" : "<=", check.limit));
+      throw InputError(fmt::format(
+          "the row's check {} against {} has the limit {} {}, which is weaker than pelage's limit",
+          check.metric, check.against, check.at_least ? ">=" : "<=", check.limit));
   }
 }
 
@@ -96,7 +97,7 @@ void refuse_list(const std::string& name, const Times& times, std::size_t frames
 }
 
 /// Throws InputError if the event times of a frame's phases do not add up to the frame's event time, or if
-/// the frames' event times are longer than their wall times.
+/// the frames' median event time exceeds most_event_share times their median wall time.
 void refuse_events(const Row& row, const PhaseSamples& frame) {
   Times sums(frame.event_ms.size(), 0);
   for (const auto& [phase, times] : row.samples) {
@@ -152,7 +153,8 @@ double ratio_of(const Times& a, const Times& b) {
   return median_of(std::move(ratios));
 }
 
-/// Computes from the times the metrics that depend on them. Throws InputError if a recorded metric differs.
+/// Computes the metrics that depend on the row's times. Throws InputError if a recorded metric differs from
+/// the computed metric.
 void refuse_metrics(const Row& row) {
   const Times& frame = row.samples.at("frame").wall_ms;
   const auto refuse = [](const std::string& name, double recorded, double computed) {
@@ -164,8 +166,8 @@ void refuse_metrics(const Row& row) {
     const double computed = covered->second.value / (median_of(frame) / 1000);
     if (!equal(rate->second.value, computed)) refuse("fragments_per_s", rate->second.value, computed);
   }
-  // For the phases "half" and "quarter", which draw fewer layers, the ratio is frame time / phase time. For
-  // baselines it is phase time / frame time.
+  // For the phases "half" and "quarter", which draw fewer layers, the metric PHASE_ratio is frame time /
+  // phase time. For the phases of baselines, the metric is phase time / frame time.
   for (const auto& [phase, times] : row.samples) {
     const auto ratio = row.metrics.find(phase + "_ratio");
     if (phase == "frame" || times.wall_ms.empty() || ratio == row.metrics.end()) continue;
@@ -179,13 +181,13 @@ bool is_hash(const std::string& text) {
   return text.size() == 16 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Throws InputError if a part of the row's identity differs from `hash`, which was computed from the field
-/// `field` of the row. If `hash` is empty, the row does not have this field.
+/// Throws InputError if the hash of the part `part` in the row's identity differs from `hash`. The caller
+/// computes `hash` from the field `field` of the row. If `hash` is empty, the row does not have this field.
 void refuse_part(const Row& row, const std::string& part, const std::string& hash, const char* field) {
   const auto found = row.identity.find(part);
   if (found == row.identity.end() || hash.empty() || found->second == hash) return;
-  throw InputError(fmt::format("the identity has the {} {}, but {} of the row gives {}", part, found->second,
-                               field, hash));
+  throw InputError(fmt::format("the part {} of the identity has the hash {}, but {} of the row gives {}",
+                               part, found->second, field, hash));
 }
 
 void refuse_identity(const Row& row) {
@@ -211,7 +213,7 @@ void refuse_names(const Row& row) {
   const std::optional<double> seed = number(row, "check_seed");
   if (seed && row.schema > 1 && *seed != double(check_seed(row.case_name)))
     throw InputError(
-        fmt::format("the seed of the row's check is not that of a case with the name {}", row.case_name));
+        fmt::format("the seed of the row's check is not the seed of a case with the name {}", row.case_name));
 }
 
 }  // namespace

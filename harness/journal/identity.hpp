@@ -1,6 +1,6 @@
-// The identity of a row: hashes of everything that determines what the row measured. Rows with equal
-// identities repeat the same measurement and may be combined. Rows with different identities come from
-// different measurements, even if their cases have the same name.
+// The identity of a row (the recorded result of a case): hashes of everything that determines what the row
+// measured. Rows with equal identities repeat the same measurement and may be combined. Rows with different
+// identities come from different measurements, even if their cases have the same name.
 #pragma once
 #include <map>
 #include <string>
@@ -14,14 +14,15 @@ namespace pelage {
 /// "scene", "mesh", "variant", "tuning", "sampling", "device" and "build". There is also one part "kernel
 /// FILE" for each OpenCL program that the case ran; its hash covers FILE and all files that FILE includes.
 /// Rows of the OpenGL baseline also have the parts "shaders" and "renderer". The hash of the scene covers the
-/// contents of the texture files and of the mesh file that the scene names. Rows of schema 1 have no parts.
+/// contents of the texture files and of the mesh file that the scene names. Rows in the old format (schema 1)
+/// have no parts.
 using Identity = std::map<std::string, std::string>;
 
 /// Prefix of the names of the parts for OpenCL programs, and name of the part for the OpenGL baseline's
 /// shaders.
 inline constexpr const char *kernel_part = "kernel ", *shader_part = "shaders";
 
-/// Adds one part per program: the hash of the program's source files, as they were when it was built.
+/// Adds one part per program: the hash of the program's source files at the time when the program was built.
 void add_programs(Identity& identity, const std::vector<const cl::Program*>& programs);
 
 /// Returns the names of the parts whose hashes differ, sorted. A part that only one identity has counts as

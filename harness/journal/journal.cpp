@@ -47,7 +47,7 @@ void make_folder(const fs::path& folder) {
 struct Contents {
   JournalContents journal;
   std::set<std::string> keys;
-  std::size_t good = 0;  ///< bytes up to and including the last line feed
+  std::size_t good = 0;  ///< number of bytes up to and including the last line feed
 };
 
 Contents parse(const fs::path& file, std::string_view text) {

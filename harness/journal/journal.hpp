@@ -2,11 +2,12 @@
 // is lost.
 //
 // The journal follows rules for durable writing that SQLite and RocksDB also follow. A lock admits only one
-// writer, and the file is opened with O_APPEND. Each write is one whole line with a checksum. Interrupted and
-// short writes are completed. A row counts as written only after fdatasync. The folder is synced when the
-// file is created. If a write fails, for instance on a full disk, the file is truncated to its last complete
-// row and append() throws. If fdatasync fails, append() throws and does not retry. Mode::resume removes a
-// truncated last line, which has no line feed. Any other damage is an error.
+// writer, and the file is opened with O_APPEND. Each write is one whole line with a checksum. If write() is
+// interrupted or writes only a part of the line, append() calls it again for the rest. A row counts as
+// written only after fdatasync. The folder of the journal is synced when the file is created. If a write
+// fails, for instance on a full disk, the file is truncated to its last complete row and append() throws. If
+// fdatasync fails, append() throws and does not retry. Mode::resume removes a truncated last line, which has
+// no line feed. Any other damage is an error.
 //
 // The rules above protect the rows if the program is killed. They do not protect rows that a disk loses in a
 // power failure.
@@ -22,7 +23,7 @@
 
 namespace pelage {
 
-/// The system calls of a journal. Tests replace them by functions that fail.
+/// The system calls that a journal uses. Tests replace them by functions that fail.
 struct JournalCalls {
   ssize_t (*write)(int, const void*, std::size_t);
   int (*fdatasync)(int);
@@ -34,10 +35,13 @@ class Journal {
  public:
   enum class Mode { fresh, resume };
 
-  /// Opens or creates `file` (and its folder), takes the lock and reads the existing rows. Throws InputError
-  /// if the file cannot be written, if another process is writing it, if a line is damaged, if two rows have
-  /// the same key and the status of the earlier row is not error, or if the last line is truncated and `mode`
-  /// is fresh.
+  /// Opens or creates `file` (and its folder), locks it and reads the existing rows.
+  /// Throws InputError if
+  /// - the file cannot be written,
+  /// - another process is writing it,
+  /// - a line is damaged,
+  /// - two rows have the same key, and the earlier row does not have the status error, or
+  /// - the last line is truncated, and `mode` is fresh.
   Journal(const std::filesystem::path& file, Mode mode, JournalCalls calls = system_calls());
   ~Journal();
   Journal(Journal&& other) noexcept;
@@ -53,9 +57,10 @@ class Journal {
   }  ///< length of the truncated last line that was removed, in bytes
   const std::filesystem::path& file() const { return file_; }
 
-  /// Appends a row, syncs the file to the disk and returns. Throws InputError if holds() is true for the
-  /// row's key, if the disk is full, or if an I/O error occurs. After such an error the file ends with the
-  /// last row of a successful call.
+  /// Appends a row and syncs the file to the disk. Throws InputError if holds() is true for the row's key, if
+  /// the disk is full, or if an I/O error occurs. If the row cannot be written completely, the function
+  /// removes the incomplete row from the file. If fdatasync fails, the function does not remove the row, but
+  /// the row may be lost in a crash of the system.
   void append(const Row& row);
 
  private:
@@ -71,8 +76,8 @@ class Journal {
   std::set<std::string> keys_;  // keys of the rows whose status is not error
 };
 
-/// Reads the rows of a journal, also while another process holds the lock and writes the file. The function
-/// therefore takes no lock, and it ignores a last line that is not yet complete. Throws InputError for a
+/// Reads the rows of a journal, even while another process holds the lock and writes the file. The function
+/// therefore takes no lock, and ignores the last line if it is not yet complete. Throws InputError for a
 /// damaged line.
 std::vector<Row> read_journal(const std::filesystem::path& file);
 

@@ -21,7 +21,7 @@ std::string text(const Row& row, const char* key) {
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Returns the path of the journal to which a row is written, relative to the new folder.
+/// Returns the path of the journal to which a row is written, relative to the folder that the merge creates.
 fs::path journal_of(const FoundRow& found) {
   return fs::path(found.row.experiment) / (journal_name(found.journal).stem + ".jsonl");
 }
@@ -43,8 +43,8 @@ void refuse_names(const FoundRow& found) {
 }
 
 /// Returns the properties that must be equal in all rows of a run, even if the rows have different cases.
-/// They are the preset, the CPU, the driver, the schema, and the hashes in the identity that do not depend on
-/// the case. Rows with the status error may lack some of these properties.
+/// They are the preset, the CPU, the driver, the schema, and those hashes of Row::identity that do not depend
+/// on the case. Rows with the status error may lack some of these properties.
 std::map<std::string, std::string> common_of(const Row& row) {
   std::map<std::string, std::string> common;
   for (const auto& [part, hash] : row.identity)
@@ -57,8 +57,9 @@ std::map<std::string, std::string> common_of(const Row& row) {
   return common;
 }
 
+/// A conflict of two rows (see plan_merge()).
 struct Conflict {
-  std::set<std::string> differs;  ///< names of the properties that differ
+  std::set<std::string> differs;  ///< names of the properties in which the two rows differ
   std::string message;
 };
 
@@ -93,7 +94,7 @@ class Target {
     const std::string both = fmt::format("{} and {}: both contain a row of case {}", a.journal.string(),
                                          b.journal.string(), a.row.case_name);
     if (a.row.identity.empty() != b.row.identity.empty())
-      return {{"schema"}, both + ", but only one of the rows records what it measured (schema 2)"};
+      return {{"schema"}, both + ", but only one of the rows records the hashes of its inputs (schema 2)"};
     if (const std::vector<std::string> parts = differing_parts(a.row.identity, b.row.identity);
         !parts.empty())
       return {{parts.begin(), parts.end()},
@@ -104,11 +105,13 @@ class Target {
   }
 
   std::map<std::string, const FoundRow*> rows_;  // key -> row
-  // maps (journal, name of a property in common_of()) to the property's value and the first row with it
+  // Key: a journal, and the name of a property from common_of(). Value: the value of this property in the
+  // rows of the journal, and the first row that has it.
   std::map<std::pair<std::string, std::string>, std::pair<std::string, const FoundRow*>> common_;
 };
 
-/// Returns `rows` without the rows with the status error that another row of the same case replaces.
+/// Returns the rows that the merge keeps. A row with the status error is dropped if another row of the same
+/// case replaces it.
 std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   std::map<std::string, const FoundRow*> latest;  // key -> the row to keep
   for (const FoundRow& found : rows) {
@@ -124,9 +127,9 @@ std::vector<FoundRow> without_replaced(const std::vector<FoundRow>& rows) {
   return kept;
 }
 
-/// Divides the rows into groups. All rows of a group are written into the same folder. A group contains all
-/// rows of one journal. If rows of a journal conflict with each other, the journal is divided into several
-/// groups without conflicts.
+/// Divides the rows into groups. All rows of a group are written into the same folder. Each group contains
+/// rows of only one journal. If rows of a journal conflict with each other, the journal is divided into
+/// several groups without conflicts.
 std::vector<std::vector<const FoundRow*>> groups_of(const std::vector<FoundRow>& rows) {
   std::vector<fs::path> journals;
   std::map<fs::path, std::vector<std::pair<Target, std::vector<const FoundRow*>>>> parts;
@@ -167,8 +170,8 @@ Merge plan_merge(const std::vector<FoundRow>& rows, bool keep_apart) {
         if (!conflict) continue;
         if (!keep_apart)
           throw InputError(conflict->message +
-                           ". Merge only results that belong together, or write the others into a folder of "
-                           "their own with --keep-apart");
+                           ". Merge only results that belong together, or give --keep-apart, which writes "
+                           "the conflicting rows into a separate folder");
         names.insert(conflict->differs.begin(), conflict->differs.end());
         fits = false;
       }

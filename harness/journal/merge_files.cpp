@@ -1,4 +1,4 @@
-// Writes the merged journals and pictures into the new folder.
+// Writes the merged journals and pictures into the folder that `pelage merge` creates.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -66,8 +66,7 @@ std::size_t copy_pictures(const Merge& merge, const fs::path& folder) {
   for (const MergedRow& row : merge.rows) journals[row.journal.parent_path()].insert(row.journal);
   std::size_t pictures = 0;
   for (const MergedRow& row : merge.rows) {
-    // If a case ended with an error, it has no valid picture. Its picture is written when the case runs
-    // again.
+    // A row with the status error has no valid picture, even if a file with the name of its picture exists.
     if (row.found.row.status == Status::error) continue;
     const fs::path from = picture_of(row.found);
     if (!fs::is_regular_file(from)) continue;

@@ -22,7 +22,8 @@ std::string device_hash(const nlohmann::ordered_json& provenance) {
        {"platform", "platform_version", "device_name", "device_version", "driver", "compute_units", "lanes",
         "pocl_affinity", "environment", "timer", "timer_resolution_ns"})
     if (const auto found = provenance.find(key); found != provenance.end()) json[key] = *found;
-  // In rows, bytes of driver strings that are not UTF-8 are replaced. The hash must do the same.
+  // Bytes of driver strings that are not UTF-8 are replaced when a row is written. The hash must be computed
+  // from strings with the same replacements.
   return Hash().text(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)).hex();
 }
 

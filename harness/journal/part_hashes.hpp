@@ -1,6 +1,6 @@
 // Hashes of inputs of a measurement. A row records such an input twice: its hash is a part of the row's
-// identity, and another field of the row describes the input too. If the two disagree, somebody has changed
-// the row (harness/journal/contradiction.hpp).
+// identity, and another field of the row describes the input too. If the hash does not agree with the other
+// field, somebody has changed the row (harness/journal/contradiction.hpp).
 #pragma once
 #include <cstdint>
 #include <map>

@@ -17,12 +17,12 @@ std::string host_name();  ///< host name up to the first dot
 std::string cpu_model();  ///< model name in /proc/cpuinfo; "" if it cannot be read
 std::string governor();   ///< frequency governor of the first CPU; "" if it cannot be read
 
-/// Returns `text` as part of a file name: keeps letters, digits, '.', '_' and '-', and replaces all other
-/// characters by '_'.
+/// Returns a copy of `text` that can be part of a file name. The function replaces all characters except
+/// letters, digits, '.', '_' and '-' by '_'.
 std::string file_name_of(const std::string& text);
 
-/// Returns the provenance of the program and the host. If `anonymous`, the host's name is omitted, and paths
-/// in argv are reduced to file names.
+/// Returns the provenance of the program and the host. If `anonymous` is true, the host's name is omitted,
+/// and paths in argv are reduced to file names.
 nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous);
 
 /// Returns the provenance of the device: its platform, driver, name and timer.

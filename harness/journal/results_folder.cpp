@@ -16,13 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns a text that identifies the measurement of a row: the run, the device and the row's key. Two rows
-/// with the same text should be copies of one row.
+/// Returns a text that identifies the measurement of a row: the run, the device and the row's key. If two
+/// rows have the same text but are not equal, somebody has changed one of them.
 std::string measurement_of(const Row& row) {
   return fmt::format("{}|{}|{}", row.run_id, row.device, row_key(row));
 }
 
-/// An index of the rows read so far, to find copies. Its keys are measurements and lists of frame times.
+/// Finds exact and changed copies among the rows read so far. A row is a copy of another row if both have the
+/// same measurement_of() or the same frame times.
 class Known {
  public:
   /// Returns the earlier row of which `row` is an exact copy, or null if there is none. Throws InputError if
@@ -40,7 +41,7 @@ class Known {
       const FoundRow& first = rows[same->second];
       throw InputError(fmt::format(
           "{} and {}: the rows of the cases {} and {} claim to be different measurements, but their {} frame "
-          "times are equal. One of them is a changed copy; give only the original",
+          "times are equal. One of these rows is a changed copy; give only the original",
           first.journal.string(), journal.string(), first.row.case_name, row.case_name,
           frame_ms(row).size()));
     }
@@ -53,16 +54,17 @@ class Known {
   }
 
  private:
-  /// Rows with fewer frame times are not compared by their times. A single time may be equal in two
-  /// measurements by chance, because clocks have a limited resolution.
+  /// The times of a row are compared with those of other rows only if the row has at least this number of
+  /// frame times. A single time may be equal in two measurements by chance, because clocks have a limited
+  /// resolution.
   static constexpr std::size_t fewest_times = 2;
 
   std::map<std::string, std::size_t> measurements_;   // measurement_of() -> index of the row
   std::map<std::vector<double>, std::size_t> times_;  // frame times -> index of the row
 };
 
-/// Adds the replaced rows and an incomplete last line of a journal to `into`. If the journal has no complete
-/// row, adds an entry for the journal.
+/// Adds an entry to `into` for each replaced row of a journal, and for an incomplete last line. If the
+/// journal has no complete row, adds one more entry for the whole journal.
 void list_rest(const fs::path& journal, const JournalContents& contents, std::vector<LeftOut>& into) {
   for (const Row& row : contents.replaced)
     into.push_back({row.experiment, row.case_name, journal.string(),

@@ -31,13 +31,13 @@ std::vector<FoundRow> read_results(const std::vector<std::string>& places);
 /// as STEM.
 struct JournalName {
   std::string stem;
-  int index = 0, count = 1;  ///< the shard i of n; 0 and 1 if the name has no ".i-of-n"
+  int index = 0, count = 1;  ///< i and n of the shard; 0 and 1 if the name has no ".i-of-n"
 };
 JournalName journal_name(const std::filesystem::path& journal);
 
 /// Returns the path of the row's picture in the folder images/ next to the journal. The file name is
 /// CASE@DEVICE@HOST.png if this file exists, otherwise CASE@DEVICE.png if that file exists, otherwise
-/// CASE.png. The file CASE.png may be missing.
+/// CASE.png. The function does not test whether CASE.png exists.
 std::filesystem::path picture_of(const FoundRow& found);
 
 /// Throws InputError if `folder` is the repository's results/ or a folder in it. That folder contains

@@ -54,8 +54,7 @@ std::map<std::string, std::string> strings(const Json& values) {
   return result;
 }
 
-/// Returns infinity and NaN as JSON strings, because JSON has no such numbers. The PSNR of two equal pictures
-/// is infinite.
+/// Returns `value` as a JSON number. Infinity and NaN become JSON strings, because JSON has no such numbers.
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(fmt::format("{}", value));
 }

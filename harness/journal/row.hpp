@@ -1,4 +1,6 @@
-// One row of results: one case on one device, as one line of JSON. docs/results.md describes every field.
+// One row of results: one case on one device, as one line of JSON. The cases of an experiment are the
+// combinations of the values of its axes (the quantities that it varies, such as the model). A phase is a
+// part of the timed work, such as `simulate`, or the whole frame. docs/results.md describes every field.
 #pragma once
 #include <map>
 #include <nlohmann/json.hpp>
@@ -22,10 +24,10 @@ enum class Status { ok, failed_check, diverged, unsupported, skipped, error };
 std::string_view to_text(Status status);                        ///< "ok", "failed-check", ...
 std::optional<Status> status_from_text(std::string_view text);  ///< empty if `text` is not a status
 
-/// Measured times of one phase in milliseconds, in the order of measurement. Any list may be empty: a phase
-/// within a frame has no separate wall time, a device without a usable timer has no event times, and rows of
-/// earlier versions have no CPU time. `cpu_ms` is the time that all threads of this process used during
-/// `wall_ms`.
+/// Measured times of one phase in milliseconds, in the order of measurement. `wall_ms` is empty for a phase
+/// within a frame, which has no separate wall time. `event_ms` is empty if the device has no usable timer.
+/// `cpu_ms` is the CPU time that all threads of this process used during `wall_ms`; it is empty in rows of
+/// earlier versions.
 struct PhaseSamples {
   std::vector<double> event_ms, wall_ms, cpu_ms = {};
 };
@@ -45,18 +47,18 @@ struct Row {
   std::string run_id;
   std::string experiment;
   std::string case_name;
-  std::string variant;                      ///< name of the timed variant, such as "shells/tile"
-  std::map<std::string, std::string> axes;  ///< axis -> value; to_line() writes numbers as JSON numbers
+  std::string variant;  ///< name of the timed variant, such as "shells/tile"
+  /// Maps each axis of the experiment to its value in this case. to_line() writes numbers as JSON numbers.
+  std::map<std::string, std::string> axes;
   std::map<std::string, std::string>
       overrides;  ///< values of --set, --axis and --model; empty if the experiment was not changed
   std::string device;
   Identity identity;  ///< empty in rows of schema 1; may be incomplete if the status is error
-  int repeat = 0;     ///< index of the process among those of --repeat, from 0
+  int repeat = 0;     ///< index of the process among the processes that --repeat starts, from 0
   Status status = Status::ok;
   std::string reason;  ///< reason for a status other than ok, or a note about an ok row
   std::vector<Check> check;
-  std::map<std::string, PhaseSamples>
-      samples;  ///< phase -> times; the phases are simulate, wet, transform, bin, raster, resolve, frame
+  std::map<std::string, PhaseSamples> samples;  ///< phase -> times; the phase "frame" is the whole frame
   std::map<std::string, Metric> metrics;
   double build_ms = 0;
   double first_launch_ms = 0;
@@ -78,7 +80,8 @@ struct NewerSchema : InputError {
 };
 
 /// Reads a line that to_line() wrote. Throws InputError for a wrong checksum, invalid JSON, a missing field,
-/// a field of the wrong type, or another schema.
+/// a field of the wrong type, fields that contradict each other (harness/journal/contradiction.hpp), or a
+/// schema that this version of pelage does not read.
 Row row_from_line(std::string_view line);
 
 /// Returns the wall times of whole frames in milliseconds; an empty list if the row is not ok.

@@ -26,11 +26,13 @@ std::string text(const Row& row, const char* key) {
   return found != row.provenance.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Numbers collected from the rows of one shard: which measurements it has, and how many it should have.
+/// Data collected from the rows of one shard: the measurements that the shard contains, and the numbers of
+/// cases and repeats that it should contain.
 struct ShardRows {
   /// Maps (case, repeat) to true if a row without an error exists.
   std::map<std::pair<std::string, int>, bool> measured;
-  /// The largest numbers that the rows record; 0 if no row records `cases` or `all_cases`.
+  /// The largest values of shard_cases, all_cases and repeats that the rows of the shard record (see
+  /// shards.hpp). `cases` and `all_cases` are 0 if no row records them.
   std::size_t cases = 0, all_cases = 0, repeats = 1;
   std::set<std::string> deals;
 
@@ -73,8 +75,8 @@ std::pair<int, int> shard_of(const FoundRow& found) {
   return {name.index, name.count};
 }
 
-/// Returns the gaps (missing measurements) of a run. A shard without a row is a gap, unless the other shards
-/// already contain all cases of the run. If a run has more shards than cases, some shards have no case.
+/// Returns the gaps (missing measurements) of a run. A run with more shards than cases has shards without a
+/// case. Therefore a shard without a row is no gap if the other shards together have all cases of the run.
 std::vector<Gap> gaps_of(const Shards& shards, int count) {
   std::vector<Gap> gaps;
   std::size_t known = 0, all = 0, repeats = 1;
@@ -127,7 +129,8 @@ RunState state_of(const Family& family, const std::vector<std::string>& stems, c
 }  // namespace
 
 std::vector<RunState> run_states(const std::vector<fs::path>& journals, const std::vector<FoundRow>& rows) {
-  std::map<Family, std::map<std::string, Shards>> families;  // family -> journal name without shard -> shards
+  // families[family][stem] holds the shards whose journals are named stem.jsonl or stem.i-of-n.jsonl
+  std::map<Family, std::map<std::string, Shards>> families;
   for (const FoundRow& found : rows) {
     const auto [index, count] = shard_of(found);
     const std::string stem = journal_name(found.journal).stem;

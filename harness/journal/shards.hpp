@@ -1,7 +1,10 @@
-// Finds the shards and cases of a run that have no rows. The provenance of a row records the shard that
-// measured it (shard), the number of cases of this shard (shard_cases) and of the whole run (all_cases), and
-// the number of processes (repeats). Rows of older versions do not record these numbers. For such rows, the
-// shards are known only from the names of the journals.
+// Finds the shards and cases of a run that have no rows. The provenance of a row contains these fields:
+// - shard: the shard that measured the row
+// - shard_cases: the number of cases of this shard
+// - all_cases: the number of cases of the whole run
+// - repeats: the number of processes that measured each case (option --repeat)
+// Rows of older versions do not have these fields. For such rows, pelage reads the shards from the names of
+// the journals.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -15,13 +18,13 @@
 
 namespace pelage {
 
-/// Describes a shard in which measurements are missing: they have no row, or only rows with the status error.
-/// A measurement is one case in one process of --repeat.
+/// Describes a shard, or a whole run, in which measurements are missing: they have no row, or only rows with
+/// the status error. A measurement is one case in one process of --repeat.
 struct Gap {
   int index = 0, count = 1;  ///< shard `index` of `count`; 0 of 1 for a run without shards
-  bool whole_run = false;    ///< true if cases of the run are missing although no shard has a gap
-  std::size_t done = 0;      ///< number of measurements with a row whose status is not error
-  std::size_t failed = 0;    ///< number of measurements that have only rows with the status error
+  bool whole_run = false;  ///< true if the gap is in the run: every shard is complete, but cases are missing
+  std::size_t done = 0;    ///< number of measurements with a row whose status is not error
+  std::size_t failed = 0;  ///< number of measurements that have only rows with the status error
   std::optional<std::size_t> expected = {};  ///< required number of measurements; empty if unknown
 };
 
@@ -35,8 +38,9 @@ struct RunState {
   std::set<std::string> done;    ///< cases with a row whose status is not error
   std::set<std::string> failed;  ///< cases that have only rows with the status error
   std::vector<Gap> gaps;
-  /// True if not all shards used the same division of the cases, because they had different lists of cases or
-  /// different earlier times (--balance). A case may then belong to several shards or to none.
+  /// True if the shards did not all use the same division of the cases into shards. The divisions differ if
+  /// the shards had different lists of cases, or different times of earlier runs (--balance). A case may then
+  /// belong to several shards or to none.
   bool dealt_differently = false;
 };
 

@@ -12,15 +12,16 @@
 
 namespace pelage {
 
-/// Makes a new rendering pipeline with new buffers, and returns one or more wall times in ms. Warm-up frames
-/// are not timed.
+/// Makes a new rendering pipeline with new buffers, draws frames with it, and returns one or more wall times
+/// in ms. Warm-up frames are not timed.
 using TimePipeline = std::function<std::vector<double>()>;
 
+/// Settings of trials. In each round of a trial, run_trial() makes one pipeline with each of two functions.
 struct TrialLimits {
-  int rounds = 12;         ///< number of pipelines that each side makes; at least fewest_processes
+  int rounds = 12;         ///< number of rounds; at least fewest_processes
   double threshold = 0;    ///< see decide()
   double alpha = 0.02;     ///< see decide()
-  std::uint64_t seed = 1;  ///< seed of the random order in which the two sides run
+  std::uint64_t seed = 1;  ///< seed of the random order of the two functions in each round
 };
 
 struct Trial {
@@ -28,9 +29,9 @@ struct Trial {
   Decision decision;
 };
 
-/// Times `a` and `b`, and tests whether their times differ. In each round, both functions make and time one
-/// pipeline, in a random order. A pipeline corresponds to one process of `pelage run --repeat`. `now_s`
-/// returns the current time in seconds.
+/// Times `a` and `b`, and tests whether their times differ. In each round, each of the two functions makes
+/// and times one pipeline. The order of the two functions is random. A pipeline corresponds to one process of
+/// `pelage run --repeat`. `now_s` returns the current time in seconds.
 Trial run_trial(const TimePipeline& a, const TimePipeline& b, const TrialLimits& limits,
                 std::mt19937_64& random, const std::function<double()>& now_s);
 
@@ -45,8 +46,8 @@ TrialCounts count_of(std::span<const Trial> trials);
 /// `hits` of `all` trials.
 Interval rate_interval(int hits, int all);
 
-/// Returns the header of the CSV file. trials_csv() returns one CSV line per trial, with the text `side` in
-/// the first column.
+/// trials_csv() returns one CSV line per trial, with the text `side` in the first column. trials_csv_header()
+/// returns the line with the names of the columns.
 std::string trials_csv_header();
 std::string trials_csv(const std::string& side, std::span<const Trial> trials);
 

@@ -41,8 +41,8 @@ std::optional<MachineTime> machine_time(const std::string& line, double ticks) {
   std::istringstream words(line);
   std::string name;
   words >> name;
-  // The fields are user, nice, system, idle, iowait, irq, softirq and steal. The later fields hold guest
-  // time, which the fields user and nice already include.
+  // The fields are user, nice, system, idle, iowait, irq, softirq and steal. The fields after steal hold
+  // guest time, which the fields user and nice already include.
   std::vector<double> field;
   for (double value = 0; field.size() < 8 && words >> value;) field.push_back(value / ticks);
   if (name != "cpu" || field.size() < 4) return {};

@@ -19,7 +19,8 @@ struct Cost {
 };
 Cost cost_of(const std::function<void()>& work);
 
-/// CPU time of all CPUs in seconds since the machine started, from the first line of /proc/stat.
+/// Times of all CPUs together, counted from the start of the machine, in seconds. The first line of
+/// /proc/stat contains these times.
 struct MachineTime {
   double busy_s = 0;   ///< user code, system, interrupts, and time stolen by a hypervisor
   double total_s = 0;  ///< busy time plus idle time

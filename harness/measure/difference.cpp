@@ -15,8 +15,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // standard error is 0, which does not prove that the times are equal.
 constexpr double kLeastError = 1e-9;
 
-/// Returns the quantile of Student's t-distribution. For infinitely many degrees of freedom, this is the
-/// normal distribution.
+/// Returns the quantile of Student's t-distribution. For infinitely many degrees of freedom, this
+/// distribution is the normal distribution.
 double t_quantile(double probability, double degrees) {
   if (std::isinf(degrees)) return boost::math::quantile(boost::math::normal(), probability);
   return boost::math::quantile(boost::math::students_t(degrees), probability);
@@ -59,8 +59,8 @@ Mean mean_of(const Timings& timings) {
   if (medians.size() >= fewest_processes) return {mean(medians), variance_of_mean(medians), count - 1};
   double variance = 0;
   for (const auto& process : timings.processes) {
-    // A 95% interval is 2 * 1.96 = 3.92 standard deviations wide. This gives the standard deviation of the
-    // median.
+    // A 95% interval is 2 * 1.96 = 3.92 standard deviations wide. The width of the interval divided by 3.92
+    // is therefore the standard deviation of the median.
     const double within = 2 * relative_half_width(process) / 3.92;
     variance += assumed_spread * assumed_spread + within * within;
   }
@@ -68,7 +68,7 @@ Mean mean_of(const Timings& timings) {
 }
 
 /// Returns the difference of the log medians (b minus a) for each pair of consecutive processes. Returns an
-/// empty list if the processes of the two sets did not take turns.
+/// empty list if the processes of the two sets did not take turns (see difference_of()).
 std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   const std::size_t count = a.processes.size();
   if (count < fewest_processes || b.processes.size() != count || a.started_s.size() != count ||
@@ -106,6 +106,10 @@ Limits limits_of(double threshold) {
 
 }  // namespace
 
+double typical_ms(const Timings& timings) {
+  return std::exp(mean(log_medians(timings)));
+}
+
 Difference difference_of(const Timings& a, const Timings& b) {
   if (const std::vector<double> pairs = pairs_of(a, b); !pairs.empty())
     return {mean(pairs), std::max(kLeastError, std::sqrt(variance_of_mean(pairs))), double(pairs.size() - 1),
@@ -113,7 +117,7 @@ Difference difference_of(const Timings& a, const Timings& b) {
   const Mean of_a = mean_of(a), of_b = mean_of(b);
   const double variance = of_a.variance + of_b.variance;
   // The degrees of freedom follow from the formula of Welch and Satterthwaite. An assumed variance has
-  // infinitely many degrees of freedom, so its term is 0.
+  // infinitely many degrees of freedom, so its term in `uncertainty` is 0.
   const double uncertainty =
       of_a.variance * of_a.variance / of_a.degrees + of_b.variance * of_b.variance / of_b.degrees;
   return {of_b.value - of_a.value, std::max(kLeastError, std::sqrt(variance)),
@@ -159,6 +163,21 @@ double detectable_change(const Difference& difference, std::size_t count, double
   const double share = alpha / double(std::max<std::size_t>(1, count));
   const double errors = t_quantile(1 - share / 2, difference.degrees) + t_quantile(power, difference.degrees);
   return std::exp(limits_of(threshold).high + errors * difference.error) - 1;
+}
+
+std::size_t processes_needed(const Difference& difference, std::size_t processes, std::size_t count,
+                             double threshold, double alpha, double power) {
+  if (difference.assumed) return 0;
+  const double share = alpha / double(std::max<std::size_t>(1, count));
+  const Limits limits = limits_of(threshold);
+  const double above = difference.log_ratio - limits.high, below = limits.low - difference.log_ratio;
+  const double distance = above > 0 ? above : below > 0 ? below : std::min(-above, -below);
+  const double deviation = difference.error * std::sqrt(double(processes));
+  for (std::size_t n = fewest_processes; n <= 1000; ++n) {
+    const double errors = t_quantile(1 - share / 2, double(n - 1)) + t_quantile(power, double(n - 1));
+    if (errors * deviation / std::sqrt(double(n)) <= distance) return n;
+  }
+  return 0;
 }
 
 }  // namespace pelage

@@ -16,16 +16,20 @@ struct Timings {
   std::vector<double> started_s = {};
 };
 
-/// The test estimates the variance between processes only if there are at least `fewest_processes`. With
-/// fewer processes, it assumes that the medians of the processes have the relative standard deviation
-/// `assumed_spread`. The value is cautious: results/ contains processes of the same case whose medians differ
-/// by 6.5%.
+/// If a set has at least `fewest_processes` processes, the test estimates the variance between these
+/// processes. If it has fewer, the test assumes that the medians of the processes have the relative standard
+/// deviation `assumed_spread`. The times of separate processes in results/ have a relative standard deviation
+/// of 6.5% (experiments/claims.toml); `assumed_spread` is slightly larger.
 inline constexpr std::size_t fewest_processes = 3;
 inline constexpr double assumed_spread = 0.07;
 
+/// Returns the typical time of a case in ms: the geometric mean of the processes' medians. Each process needs
+/// at least one sample.
+double typical_ms(const Timings& timings);
+
 /// An estimate of ln(b / a), where a and b are the typical times of the two sets.
 struct Difference {
-  double log_ratio = 0;  ///< mean logarithm of the processes' medians in b, minus that in a
+  double log_ratio = 0;  ///< mean logarithm of the medians in b, minus mean logarithm of the medians in a
   double error = 0;      ///< standard error of log_ratio
   double degrees = 0;    ///< degrees of freedom of Student's t; infinity: normal distribution
   bool paired = false;   ///< whether the processes of a and b took turns, so that a paired t-test was used
@@ -34,9 +38,10 @@ struct Difference {
 
 /// Estimates the difference from the medians of the processes. If the processes of both sets took turns, the
 /// function uses the differences within pairs (paired t-test). Otherwise it uses the variances of both sets
-/// (Welch's t-test). The processes took turns if both sets have the same number of processes, at least
-/// fewest_processes, and if each pair of consecutive processes contains one process of each set. The pairs
-/// follow the order of the start times. Each set needs at least one process with one sample.
+/// (Welch's t-test). To find out whether they took turns, the function sorts all processes by start time and
+/// divides them into pairs of consecutive processes. The processes took turns if both sets have the same
+/// number of processes, at least fewest_processes, and if each pair contains one process of each set. Each
+/// set needs at least one process with one sample.
 Difference difference_of(const Timings& a, const Timings& b);
 
 /// Returns the confidence interval of the ratio b / a at the level `confidence`, such as 0.95.
@@ -58,10 +63,18 @@ struct Decision {
 /// is `within`.
 std::vector<Decision> decide(std::span<const Difference> differences, double threshold, double alpha);
 
-/// Returns the smallest relative increase from a to b (0.05 is 5%) that decide() would find with the
-/// probability `power` among `count` differences. The function assumes the strictest step of Holm's method,
-/// in which the p-value must be at most alpha / count.
+/// Returns the smallest relative increase from a to b (0.05 is 5%) that decide() detects with the probability
+/// `power` if it decides about `count` differences together. The function assumes the strictest step of
+/// Holm's method, in which the p-value must be at most alpha / count.
 double detectable_change(const Difference& difference, std::size_t count, double threshold, double alpha,
                          double power = 0.9);
+
+/// Returns the number of processes per set with which decide() would reach a decision with the probability
+/// `power`. decide() decides about `count` differences together. Each set has `processes` processes now. The
+/// function assumes that the estimated difference is the true difference, that the standard deviation of the
+/// processes' medians does not change, and that the processes take turns. Returns 0 if more than 1000
+/// processes are needed, or if the standard deviation is assumed, not measured.
+std::size_t processes_needed(const Difference& difference, std::size_t processes, std::size_t count,
+                             double threshold, double alpha, double power = 0.9);
 
 }  // namespace pelage

@@ -1,6 +1,6 @@
 // Tests whether the OpenCL event times of a case are plausible, given its wall times. Some drivers return
-// event times that do not measure time. harness/cl/timer.hpp contains another test, which `pelage devices`
-// uses.
+// event times that are unrelated to the duration of the kernels. harness/cl/timer.hpp contains another test,
+// which `pelage devices` uses.
 #pragma once
 #include <map>
 #include <string>

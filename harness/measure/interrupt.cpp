@@ -9,9 +9,9 @@
 namespace pelage {
 namespace {
 
-// The signal handler receives only the signal number, so these static variables hold everything else that it
-// needs. Masking the signals in this thread would not suffice, because drivers run their own threads and any
-// thread may receive a signal.
+// The signal handler receives only the signal number, so these static variables hold everything else that the
+// handler needs. Masking the signals in this thread would not suffice, because drivers run their own threads
+// and any thread may receive a signal.
 std::atomic<int> holders{0};
 std::atomic<int> pending{0};
 const std::string *place = nullptr, *note = nullptr;

@@ -4,8 +4,8 @@
 
 namespace pelage {
 
-/// Returns the largest resident memory in bytes since the start or the last reset (VmHWM of Linux). Returns 0
-/// if it cannot be read.
+/// Returns the largest resident memory of this process in bytes (VmHWM of Linux) since its start or the last
+/// reset. Returns 0 if it cannot be read.
 std::uint64_t peak_memory();
 
 /// Sets the peak resident memory of this process to its current resident memory. If Linux does not allow the

@@ -1,4 +1,5 @@
 // Runs the cases of an experiment one after the other and appends one row of results per case to the journal.
+// The identity of a row consists of hashes of everything that determines the measurement.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -14,15 +15,15 @@ struct RunPlan {
   int repeat = 0;
   std::vector<Case> cases;  ///< cases in the order in which they run
   SamplingLimits limits;
-  /// Returns the identity of a case without the parts that describe() adds. May throw InputError. If this
-  /// function is empty, a row gets only the parts that describe() adds.
+  /// Returns the identity of a case without the parts that the subject's describe() adds. May throw
+  /// InputError. If this function is empty, a row gets only the parts that describe() adds.
   std::function<Identity(const Case&)> identity;
   /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
   /// most the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();
   std::filesystem::path images;       ///< folder for the pictures; if empty, no pictures are written
   std::string image_suffix;           ///< added to a picture's file name, to distinguish devices
-  nlohmann::ordered_json provenance;  ///< provenance of the whole run; each case adds entries
+  nlohmann::ordered_json provenance;  ///< entries for the provenance of every row; a case may add entries
 };
 
 /// Functions that are called during a run. Each may be empty.
@@ -34,9 +35,9 @@ struct RunListener {
 };
 
 /// Numbers of cases. `kept` cases already had a row in the journal. `left` cases did not start, because the
-/// time limit was reached or because RunListener::may_start returned false. In the second case `disturbed` is
-/// true. The other cases ran: `ok` cases have the status `ok` or `unsupported`, and `not_ok` cases have
-/// another status.
+/// time limit was reached or because RunListener::may_start returned false. All other cases ran: `ok` cases
+/// have the status `ok` or `unsupported`, and `not_ok` cases have another status. `disturbed` is true if
+/// RunListener::may_start returned false.
 struct RunSummary {
   std::size_t ok = 0, kept = 0, not_ok = 0, left = 0;
   bool disturbed = false;

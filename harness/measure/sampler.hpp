@@ -14,8 +14,8 @@ namespace pelage {
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// Wall times of other work that is timed together with this frame, by name: for example the frames of the
-  /// baselines.
+  /// Maps the name of other work that is timed together with this frame to its wall time. Such work is, for
+  /// example, a frame of a baseline.
   std::map<std::string, double> phase_wall_ms = {};
   /// CPU times of this process (harness/measure/cpu_use.hpp) during the intervals that wall_ms and
   /// phase_wall_ms measure. They are absent if the subject does not measure them.
@@ -30,8 +30,9 @@ struct Sampling {
   bool converged = false;  ///< whether the median reached the precision that the SamplingLimits require
 };
 
-/// Times frames by calling `frame` until the median has the precision that `limits` requires or a limit is
-/// reached. `seconds` returns the time of a monotonic clock in seconds; tests pass a simulated clock.
+/// Times frames by calling `frame` until the median has the precision that `limits` requires, or until
+/// another limit of `limits` is reached. `seconds` returns the time of a monotonic clock in seconds; tests
+/// pass a simulated clock.
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits,
                       const std::function<double()>& seconds);
 Sampling take_samples(const std::function<FrameSample()>& frame, const SamplingLimits& limits);

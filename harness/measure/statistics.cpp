@@ -17,15 +17,15 @@ std::vector<double> sorted(std::span<const double> values) {
   return result;
 }
 
-/// Returns the largest r (0-based) for which the interval [x_(r), x_(n-1-r)] contains the median of the
-/// distribution with at least the probability `confidence`. x_(i) is the i-th smallest of n values. Returns
-/// -1 if there is no such r.
+/// Let x_(0), ..., x_(n-1) be n values in ascending order. Returns the largest r for which the probability
+/// that [x_(r), x_(n-1-r)] contains the median of the distribution is at least `confidence`. Returns -1 if
+/// there is no such r.
 std::ptrdiff_t interval_rank(std::size_t n, double confidence) {
   std::ptrdiff_t rank = -1;
   // Let m be the median of the distribution. The number X of values below m is binomially distributed.
   const boost::math::binomial_distribution<double> below(double(n), 0.5);
-  // x_(r) is the value with r smaller values (r = 0 is the smallest value). m is below x_(r) if X is at most
-  // r. The probability of this is P(X <= r). By symmetry, m is above x_(n-1-r) with the same probability.
+  // m is below x_(r) if X is at most r, so the probability that m is below x_(r) is P(X <= r). By symmetry, m
+  // is above x_(n-1-r) with the same probability.
   for (std::size_t r = 0; 2 * r + 1 < n; ++r) {
     if (2 * boost::math::cdf(below, double(r)) > 1 - confidence) break;
     rank = std::ptrdiff_t(r);
@@ -114,7 +114,7 @@ Drift drift_of(std::span<const double> values) {
   for (const auto& [value, n] : times) variance -= term(n);
   variance /= 18;
   if (!(variance > 0)) return {};
-  // The continuity correction reduces the absolute value of S by 1.
+  // The continuity correction reduces the absolute value of Kendall's S (`rises`) by 1.
   const double z = std::max(0.0, std::abs(rises) - 1) / std::sqrt(variance);
   return {median(slopes) * double(count - 1) / median(chosen),
           2 * boost::math::cdf(boost::math::normal(), -z)};

@@ -22,10 +22,10 @@ double median(std::span<const double> values);
 /// Fan).
 double quantile(std::span<const double> values, double q);
 
-/// Returns an interval between two of the sorted values that contains the true median with at least the
-/// probability `confidence`. The binomial distribution gives the ranks of the two values, so the interval is
-/// valid for any distribution of the values. Fewer than six values have no 95% interval. If there is no
-/// interval, returns the whole range of the values.
+/// Returns an interval that contains the true median with at least the probability `confidence`. The ends of
+/// the interval are two of the values. The binomial distribution gives the ranks of these two values, so the
+/// interval is valid for any distribution of the values. Fewer than six values have no 95% interval. If there
+/// is no interval, returns the whole range of the values.
 Interval median_interval(std::span<const double> values, double confidence = 0.95);
 
 /// Returns whether `count` values suffice for an interval of median_interval with this confidence.
@@ -48,9 +48,9 @@ Interval mean_interval(std::span<const double> values, double confidence = 0.95)
 
 /// A trend of the times during a run, for instance because the processor became warmer and slower.
 struct Drift {
-  /// Change from the first to the last sample, as a fraction of the median. If it is 0.05, the last sample is
-  /// 5% slower. The change is the median slope of all pairs of samples (Theil and Sen), multiplied by the
-  /// number of samples minus 1.
+  /// Estimated change from the first to the last sample, as a fraction of the median. The value 0.05 means
+  /// that the times increased by 5%. The change is the median slope of all pairs of samples (Theil and Sen),
+  /// multiplied by the number of samples minus 1 and divided by the median of the samples.
   double change = 0;
   /// Two-sided p-value of the hypothesis that there is no trend. The test uses Kendall's rank correlation
   /// between a sample's time and its position, with the normal approximation.
@@ -58,8 +58,8 @@ struct Drift {
 };
 
 /// Returns the drift of `values`, which must be in the order of measurement. If there are more than 400
-/// values, the function uses only 400 of them, at equal distances. It returns {0, 1} for fewer than eight
-/// values.
+/// values, the function uses only 400 of them, evenly spaced. For fewer than eight values it returns the
+/// change 0 and the p-value 1.
 Drift drift_of(std::span<const double> values);
 
 /// Returns whether a drift is significant: its p-value is below 0.01, and it changes the time by more than
@@ -69,8 +69,8 @@ bool drifts(const Drift& drift);
 /// Returns half the width of median_interval, divided by the median.
 double relative_half_width(std::span<const double> values, double confidence = 0.95);
 
-/// Returns the indices of values farther than 5 scaled median absolute deviations from the median. Outliers
-/// are reported but never removed.
+/// Returns the indices of values farther than 5 * 1.4826 median absolute deviations from the median.
+/// Outliers are reported but never removed.
 std::vector<std::size_t> outliers(std::span<const double> values);
 
 /// Returns the median of `values` with its 95% interval (median_interval). There is one value per round of

@@ -38,8 +38,9 @@ class Subject {
   /// Reads the picture of the last frame back from its buffer; does not draw it again. The picture is empty
   /// if the subject draws nothing.
   virtual Picture read() = 0;
-  /// Compares `timed`, the picture that read() returned, with trusted results. The row is ok only if there is
-  /// at least one check and all checks hold.
+  /// Compares the timed frame with results that count as correct, such as the reference renderer's picture.
+  /// `timed` is the picture that read() returned. The row is ok only if there is at least one check and all
+  /// checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
   /// Sets build_ms, tuning and metrics of `row`. Adds the hashes of mesh, kernels and scene to
   /// row.provenance, and the hashes of the OpenCL programs and shaders that ran to row.identity. Metrics may
@@ -54,7 +55,7 @@ using MakeSubject = std::function<std::unique_ptr<Subject>(const Case&)>;
 struct SubjectContext {
   cl::Device device;
   Experiment experiment;
-  std::map<std::string, int> tuning;                 ///< values of the kernels' tuning axes
+  std::map<std::string, int> tuning;                 ///< values of the kernels' tuning parameters
   std::function<void(const std::string&)> progress;  ///< receives progress messages of slow steps
   SceneMeshes meshes;
   /// Cache of computed values that later cases use again, for example the exact solution of a simulation. The

@@ -12,8 +12,8 @@ namespace pelage {
 inline constexpr std::string_view mesh_cache_title = "pelage mesh 1\n";
 
 std::string encode(const Mesh& mesh);
-/// Decodes the result of encode(). Returns nothing if the bytes are incomplete, damaged or have another
-/// format version.
+/// Decodes the result of encode(). Returns nothing if the bytes are incomplete or damaged, or do not begin
+/// with mesh_cache_title.
 std::optional<Mesh> decode(std::string_view bytes);
 
 /// Reads a mesh from the cache. Returns nothing if the file is missing or damaged.

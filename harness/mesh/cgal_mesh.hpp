@@ -1,4 +1,5 @@
-// CGAL's mesh type and its conversions. Only sources that call CGAL's mesh functions include this header.
+// CGAL's mesh type, and its conversions from and to Surface. Only sources that call CGAL's mesh functions
+// include this header.
 #pragma once
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

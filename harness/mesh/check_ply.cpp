@@ -15,7 +15,7 @@ namespace {
 struct Type {
   std::string_view name, other_name;
   std::size_t bytes;
-  bool whole, negative;  ///< whether values must be whole numbers; whether they may be negative
+  bool whole, negative;  ///< whole: values must be whole numbers; negative: values may be negative
 };
 
 constexpr std::array<Type, 8> types{{{"char", "int8", 1, true, true},
@@ -90,7 +90,8 @@ class HeaderReader {
     Element element{words.next(), 0, {}};
     const auto count = detail::read<std::int64_t>(words.next());
     if (!count || *count < 0 || *count > std::int64_t(bytes_.size()))
-      fail(fmt::format("too many elements for a file of {} bytes", bytes_.size()));
+      fail(fmt::format("the number of elements is missing, negative or too large for a file of {} bytes",
+                       bytes_.size()));
     element.count = *count;
     header_.elements.push_back(std::move(element));
   }

@@ -1,6 +1,6 @@
 // Checks the text of mesh files and reports errors with their line numbers. The checks run before CGAL's
-// readers, because these readers stop without an error at the first unreadable text and trust the counts in a
-// header.
+// readers, because these readers stop at the first unreadable text without reporting an error, and do not
+// check the counts in a header.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,8 +67,8 @@ std::string check_obj(std::string_view bytes, const std::string& name) {
 }
 
 // Checks an OFF file, which must have one vertex or one face per line. Returns an OFF file that contains only
-// the points and faces. Normals and comments are removed, and so are colours, because CGAL converts any
-// number to an 8-bit colour without a check.
+// the points and faces. Normals, comments and colours are removed. Colours are removed because CGAL converts
+// any number to an 8-bit colour without a check.
 std::string check_off(std::string_view bytes, const std::string& name) {
   no_binary(bytes, "OFF", name);
   std::string kept;
@@ -95,8 +95,8 @@ std::string check_off(std::string_view bytes, const std::string& name) {
     count = head.next();
   }
   const auto vertices = read<std::int64_t>(count), faces = read<std::int64_t>(head.next());
-  // A vertex takes at least six bytes of text and a face at least eight, with the newline. So the size of the
-  // file limits the counts in the header. The last line may lack its newline.
+  // Without its newline, a vertex takes at least five bytes of text ("0 0 0"), and a triangle at least seven
+  // ("3 0 1 2"). The size of the file therefore limits the counts in the header.
   const auto size = std::int64_t(bytes.size());
   if (!vertices || !faces || *vertices < 0 || *faces < 0)
     fail(name, lines.number(), "the counts of vertices and faces are missing or invalid");

@@ -34,8 +34,8 @@ glm::dvec2 turned(glm::dvec2 p, double degrees) {
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 
-// Finds the rotation of a chart for which the bounding box is at least as wide as high and has the least
-// area.
+// Finds the rotation of a chart that minimizes the area of its bounding box. The function considers only
+// rotations with a bounding box that is at least as wide as high.
 Chart measured(const Surface& part, const std::string& name) {
   double area = 0, uv_area = 0;
   for (std::size_t f = 0; f < part.triangle.size(); ++f) {

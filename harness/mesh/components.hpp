@@ -20,11 +20,11 @@ void turn_outwards(Surface& surface);
 /// order of triangles and points is preserved.
 std::vector<Surface> split(const Surface& surface);
 
-/// Packs the UV maps of the components `parts` side by side into the unit square, without overlap, and
-/// returns `surface` with this UV map. `parts` is in the order in which split() returns the components. All
-/// charts have the same ratio of UV area to surface area. With at most 163 charts the margin around a chart
-/// is 2/256 of the square's side (two texels of a wetness mask of 256 x 256 texels); with more charts it is
-/// smaller. Throws InputError if a component has no UV map.
+/// Packs the UV maps of the components `parts` side by side into the unit square, without overlap. Returns
+/// `surface` with the packed UV map. `parts` is in the order in which split() returns the components. All
+/// charts have the same ratio of UV area to surface area. For up to 163 charts, the margin around a chart is
+/// 2/256 of the square's side, which is two texels of a wetness mask of 256 x 256 texels. For more charts,
+/// the margin is smaller. Throws InputError if a component has no UV map.
 Surface packed(const Surface& surface, const std::vector<Surface>& parts, const std::string& name);
 
 }  // namespace pelage

@@ -76,10 +76,10 @@ Graph make_graph(const Surface& surface) {
 using Queue = std::priority_queue<std::pair<double, std::uint32_t>,
                                   std::vector<std::pair<double, std::uint32_t>>, std::greater<>>;
 
-// Returns a flag per edge: 1 if the edge is cut. A shortest-path tree connects the faces across their shared
-// edges. At first, all edges are cut except the edges that the tree crosses. If only one cut edge ends at a
-// point, this edge is then removed from the cut. The removal is repeated until no point has exactly one cut
-// edge.
+// Returns a flag per edge: 1 if the edge is cut. A tree of shortest paths connects the face nearest to `root`
+// with all other faces, across the edges that the faces share. At first, all edges are cut except the edges
+// that the tree crosses. Then, if a point has exactly one cut edge, this edge is removed from the cut. The
+// removal is repeated until no point has exactly one cut edge.
 std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dvec3 root) {
   const auto centroid = [&](std::uint32_t f) {
     const auto [a, b, c] = surface.triangle[f];
@@ -128,7 +128,7 @@ std::vector<char> cut_graph(const Surface& surface, const Graph& graph, glm::dve
 
 struct Reach {
   std::vector<double> distance;
-  std::vector<std::uint32_t> via;  // last edge of the shortest path from a source to each point
+  std::vector<std::uint32_t> via;  // last edge of the shortest path from the nearest source to each point
   std::uint32_t farthest = 0;
 };
 
@@ -176,8 +176,8 @@ std::vector<char> cut_as_planned(const Surface& surface, const Graph& graph, con
   std::vector<std::uint32_t> sources = points_of(graph, cut);
   for (const glm::dvec3& tip : plan.tips) {
     std::uint32_t p = nearest_point(surface, tip);
-    // A closed surface without handles has an empty cut graph. Its cuts start at the first point of
-    // plan.tips.
+    // A closed surface without handles has an empty cut graph. The first cut then begins at the first point
+    // of plan.tips.
     if (sources.empty()) {
       sources.push_back(p);
       continue;

@@ -15,7 +15,8 @@ struct Disk {
 };
 
 /// Positions that determine the cuts. The computation of the cut graph starts at the face nearest to `root`.
-/// Then a shortest path from the existing cuts to each point of `tips` is added, one tip after another.
+/// Then, for one point of `tips` after another, the shortest path from the existing cuts to this point
+/// becomes a further cut.
 struct CutPlan {
   glm::dvec3 root{0};
   std::vector<glm::dvec3> tips;
@@ -23,16 +24,17 @@ struct CutPlan {
 
 /// Cuts a connected manifold of any genus, closed or with borders. A tree-cotree decomposition (Eppstein
 /// 2003) gives a cut graph whose complement is a disk. Shortest paths from the cut graph to the points of
-/// plan.tips become further cuts, which open limbs (Sheffer and Hart 2002, Seamster).
+/// plan.tips become further cuts, as in the method Seamster (Sheffer and Hart 2002). Cuts to the ends of
+/// limbs reduce the distortion of the limbs in the UV map.
 Disk cut_open(const Surface& surface, const CutPlan& plan);
 
-/// A surface point and its distance to the nearest cut, along the edges of the surface.
+/// The result of farthest_from_cut(): a surface point, and its distance from the cuts.
 struct Tip {
   glm::dvec3 point{0};
   double distance = 0;
 };
-/// Returns the surface point that is farthest, along the edges, from the cuts of `plan` and from the points
-/// of `avoid`.
+/// Returns the surface point that is farthest from the cuts of `plan`, from plan.tips and from the points of
+/// `avoid`. The distance is the length of the shortest path along the edges.
 Tip farthest_from_cut(const Surface& surface, const CutPlan& plan, const std::vector<glm::dvec3>& avoid);
 
 }  // namespace pelage

@@ -73,7 +73,7 @@ class Reader {
 };
 
 /// Removes the title and the checksum that Writer::sealed() added, and returns the bytes between them.
-/// Returns nothing if the bytes are incomplete, damaged or have another title.
+/// Returns nothing if the bytes are incomplete or damaged, or do not begin with `title`.
 std::optional<std::string_view> unsealed(std::string_view bytes, std::string_view title);
 
 /// Returns the bytes of a file, or nothing if the file cannot be read. Sets the file's modification time to

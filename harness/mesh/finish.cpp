@@ -75,8 +75,9 @@ Box box_of(const std::vector<Surface::Corners>& uv, double degrees) {
   return box;
 }
 
-// Rotates and scales a UV map into the unit square. The rotation maximizes the size of the map. The margin is
-// 2/256 of the square's side (two texels of a wetness mask of 256 x 256 texels).
+// Rotates and scales a UV map into the unit square. The rotation maximizes the size of the map. The map keeps
+// a margin from each side of the square: 2/256 of the side's length (two texels of a wetness mask of 256 x
+// 256 texels).
 void fit_uv(std::vector<Surface::Corners>& uv) {
   double best = 0, least = std::numeric_limits<double>::max();
   for (double degrees = 0; degrees < 90; degrees += 2)
@@ -91,8 +92,8 @@ void fit_uv(std::vector<Surface::Corners>& uv) {
     for (glm::dvec2& p : corners) p = turn(p) * scale + shift;
 }
 
-// Returns true if the map lies in the unit square. In this case, finish() does not change a UV map that the
-// file contains, so that textures made for this map still match.
+// Returns true if the map lies in the unit square. In this case, finish() does not change a UV map from a
+// mesh file, so that textures made for this map still match.
 bool fits(const std::vector<Surface::Corners>& uv) {
   const Box box = box_of(uv, 0);
   return box.low.x >= 0 && box.low.y >= 0 && box.high.x <= 1 && box.high.y <= 1;
@@ -146,7 +147,8 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
   for (std::uint32_t i = 0; i < point_order.size(); ++i) rank[point_order[i]] = i;
   std::vector<std::uint32_t> copy_order(mesh.position.size()), number(mesh.position.size());
   std::iota(copy_order.begin(), copy_order.end(), 0u);
-  // The mesh's vertices at one surface point are sorted by UV. The sort is stable, so it keeps this order.
+  // This sort orders the vertices by the rank of their surface points. It is stable: the vertices at one
+  // surface point are already sorted by UV, and they keep this order.
   std::stable_sort(copy_order.begin(), copy_order.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return rank[mesh.weld[a]] < rank[mesh.weld[b]]; });
   for (std::uint32_t i = 0; i < copy_order.size(); ++i) number[copy_order[i]] = i;
@@ -200,7 +202,7 @@ Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation
   mesh.length_per_uv = length_per_uv(point, surface, uv);
 
   // The mesh has one vertex for each distinct pair of a surface point and a UV. The vertices are sorted by
-  // surface point, then by UV. First, the corners of the triangles are grouped by point.
+  // surface point, then by UV. The next lines group the corners of the triangles by surface point.
   const auto point_of = [&](std::uint32_t c) { return rank[surface.triangle[c / 3][c % 3]]; };
   const auto uv_of = [&](std::uint32_t c) { return glm::vec2(uv[c / 3][c % 3]); };
   const auto corners = std::uint32_t(3 * surface.triangle.size());

@@ -149,8 +149,9 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
       entries.emplace_back(int(q), int(p), -w);
     }
   }
-  // The equations leave the translation of the map free. The doubled diagonal element fixes it: the first
-  // vertex of the map lies at the origin. The doubled element does not change the shape of the map.
+  // The equations leave the translation of the map free. Doubling the first diagonal element fixes the
+  // translation, because the first vertex of the map then lies at the origin. The doubling does not change
+  // the shape of the map.
   diagonal[0] *= 2;
   for (std::size_t i = 0; i < diagonal.size(); ++i) entries.emplace_back(int(i), int(i), diagonal[i]);
   LaplaceSolver::Matrix matrix(size, size);
@@ -158,9 +159,10 @@ LaplaceSolver::Matrix rigid_matrix(const Disk& disk, const std::vector<Local>& l
   return matrix;
 }
 
-// Returns the right-hand side of the linear system in the global step of Liu et al. 2008. It contains one
-// rotation per triangle: the rotation in the plane that best aligns the triangle's shape on the surface with
-// its image in the current map x.
+// Returns the right-hand side of the linear system in the global step of Liu et al. 2008. For each triangle,
+// the function computes the rotation in the plane that best aligns the triangle's shape on the surface with
+// its image in the current map x. The right-hand side sums the rotated sides of all triangles, weighted by
+// Local::weight.
 Columns turned_triangles(const Disk& disk, const std::vector<Local>& local, const Columns& x) {
   Columns b = Columns::Zero(x.rows(), 2);
   const auto at = [&](std::uint32_t p) { return glm::dvec2(x(p, 0), x(p, 1)); };
@@ -193,8 +195,8 @@ double twice_area(const Columns& x, const Surface::Triangle& t) {
   return ux * vy - uy * vx;
 }
 
-// Moves the inner corners of flipped faces to the mean of their neighbours. Stops when the number of flipped
-// faces no longer decreases.
+// Moves each corner of a flipped face to the mean of its neighbours, unless the corner lies on the border.
+// Stops when the number of flipped faces no longer decreases.
 void unturn(const Disk& disk, const std::vector<std::uint32_t>& border, Columns& x) {
   std::vector<char> fixed(disk.point.size(), 0);
   for (const std::uint32_t p : border) fixed[p] = 1;

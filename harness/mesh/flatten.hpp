@@ -11,7 +11,7 @@
 namespace pelage {
 
 struct FlatDisk {
-  /// UV of each vertex of the cut-open disk. A surface point on a cut is several vertices of the disk.
+  /// UV of each vertex of the cut-open disk. A surface point on a cut has several vertices.
   std::vector<glm::dvec2> uv;
   std::size_t flipped = 0;  ///< number of flipped faces
   bool rigid = false;  ///< true: the map is as rigid as possible; false: it is the harmonic map onto a circle

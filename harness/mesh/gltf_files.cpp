@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the JSON text of a glTF file. A binary file (.glb) begins with a header of 12 bytes, followed by
-/// the JSON chunk: its length, its type and its text.
+/// Returns the JSON text of a glTF file. A binary file (.glb) begins with a header of 12 bytes. The JSON
+/// chunk follows the header. It consists of the length of its text, its type and its text.
 std::string_view json_text(std::string_view bytes) {
   constexpr std::size_t header = 12, chunk = 8;
   if (!bytes.starts_with("glTF")) return bytes;
@@ -25,7 +25,7 @@ std::string_view json_text(std::string_view bytes) {
   return bytes.substr(header + chunk, length);
 }
 
-/// Replaces each percent-encoded byte, such as %20, by the byte with this code.
+/// Replaces each percent-encoded byte by the byte itself, for example %20 by a space.
 std::string decoded(const std::string& uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -61,8 +61,8 @@ std::uint64_t address_space() {
   if (!sanitized) {
     ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
-    // If the user has set a lower limit (ulimit -v), it stays in force. Without this check, root would
-    // replace it by a higher limit.
+    // If the user has set a limit below `space` (ulimit -v), this limit stays in force. Without this check,
+    // setrlimit() would replace the user's limit by the higher limit `space` if pelage runs as root.
     by_user = ::getrlimit(RLIMIT_AS, &space_of_user) == 0 && space_of_user.rlim_cur < space.rlim_cur;
     if (!by_user) ::setrlimit(RLIMIT_AS, &space);
     const rlimit no_core{0, 0};

@@ -9,10 +9,10 @@
 namespace pelage {
 
 struct Limits {
-  /// Number of bytes by which the child process may enlarge its address space. At its start, the child
-  /// process has the address space of the parent process.
+  /// Number of bytes by which the child process may enlarge its address space. When the child
+  /// process starts, its address space is as large as that of the parent process.
   std::uint64_t memory;
-  std::chrono::seconds time;  ///< limit of the wall-clock time
+  std::chrono::seconds time;  ///< limit of the child's run time (wall-clock time)
   /// If the child process sends no message for this time, isolated() reports "still at work".
   std::chrono::milliseconds silence = std::chrono::seconds(20);
 };

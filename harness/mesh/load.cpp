@@ -26,8 +26,8 @@
 namespace pelage {
 namespace {
 
-// Version of the mesh preparation. The file name of every cached mesh depends on it. Increase it whenever a
-// change of the code changes the prepared mesh of any model or file.
+// Version of the preparation of all meshes. The file name of every cached mesh depends on it. Increase it
+// whenever a change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 3;
 constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
 constexpr int file_recipe = 1;        // version of the preparation of users' mesh files
@@ -55,14 +55,14 @@ Source source_of(const Model& model) {
   return {kind, item, kind == "file" ? item : model.name};
 }
 
-// Returns the direction, in the axes of the source, that `rotation` maps to +y.
+// Returns the direction, in the coordinate system of the source, that `rotation` maps to +y.
 glm::dvec3 up_before(glm::dvec3 rotation) {
   const glm::dmat3 matrix = rotation_matrix(rotation);
   return {matrix[0].y, matrix[1].y, matrix[2].y};
 }
 
 // Returns the numbers of quads A and B in a name "torus-AxB"; empty for other names. Throws InputError if
-// they are out of range.
+// A or B is less than 3, or if the torus would have more than most_torus_faces faces.
 std::optional<glm::ivec2> finer_torus(const std::string& name) {
   glm::ivec2 count{};
   if (!RE2::FullMatch(name, "torus-([0-9]{1,4})x([0-9]{1,4})", &count.x, &count.y)) return {};
@@ -112,9 +112,9 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
 }
 
 // Returns a coarse version of the surface with about `faces` faces. plan_cuts() tests possible cuts on it. A
-// closed surface has an even number of faces, so with_faces() removes one face if the final number of faces
-// is odd, which leaves a hole. The coarse mesh then also gets an odd number of faces, so that it has this
-// hole too. Returns `surface` itself if it cannot be made coarser.
+// closed surface has an even number of faces. If the model must have an odd number of faces, with_faces()
+// therefore removes one face, which leaves a hole. The coarse version then also gets an odd number of faces,
+// so that it has such a hole too. Returns `surface` itself if it cannot be made coarser.
 Surface proxy_of(const Surface& surface, const Model& model, std::uint32_t faces,
                  const std::function<void(double)>& part = {}) {
   const std::uint32_t wanted = model.faces.value_or(std::uint32_t(surface.triangle.size()));
@@ -230,7 +230,8 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
 }
 
 // Returns limits of time and memory for the process that prepares the mesh. The limits are several times the
-// needs of the named models on a slow machine, so only an endless computation exceeds them.
+// time and memory that the models of experiments/models.toml need on a slow machine, so that they stop
+// endless computations, but not the preparation of these models.
 Limits limits_for(const Model& model, const Source& source) {
   const std::uint64_t bytes = source.kind == "procedural" ? 0 : std::filesystem::file_size(source.file());
   const std::uint64_t seconds = 300 + 60 * (bytes >> 20) + model.faces.value_or(0) / 200;

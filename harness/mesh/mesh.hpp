@@ -1,5 +1,5 @@
-// The prepared mesh that all other folders use, and the function that loads it. This header does not include
-// CGAL.
+// Mesh, the prepared mesh that the rest of pelage uses, and load_model(), which loads it. This header does
+// not include CGAL.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -12,10 +12,10 @@
 
 namespace pelage {
 
-/// A prepared triangle mesh with a UV map. Lengths are in R: the bounding sphere is centred at the origin and
-/// has radius 1. A surface point on a UV seam has several vertices, called its copies, one for each UV.
-/// `weld` maps each vertex to its surface point. Vertices, surface points and triangles are sorted along a
-/// Morton curve.
+/// A prepared triangle mesh with a UV map. The unit of length is R, the radius of the bounding sphere. The
+/// sphere is centred at the origin. A surface point on a UV seam has several vertices, called its copies, one
+/// for each UV. `weld` maps each vertex to its surface point. Vertices, surface points and triangles are
+/// sorted along a Morton curve.
 struct Mesh {
   std::string name;
   std::string hash;                  ///< content_hash(), which identifies the mesh in caches and results
@@ -40,19 +40,20 @@ struct MeshOptions {
   bool largest_only = false;  ///< true: keep only the largest component of a file
   bool cache = true;          ///< true: read and write the cache of prepared meshes
   /// Callback that receives progress messages during the preparation, which takes seconds to minutes. It also
-  /// receives the notes of the mesh. If the mesh is read from the cache, the callback is not called.
+  /// receives the lines of Mesh::notes. If the mesh is read from the cache, the callback is not called.
   std::function<void(const std::string&)> progress;
-  double silent_s = 2;  ///< time in seconds before the first message about a stage of the preparation
+  double silent_s = 2;  ///< no messages about stages of the preparation during its first `silent_s` seconds
 };
 
 /// Loads a model by its name in experiments/models.toml, a torus of A x B quads by the name "torus-AxB", or a
-/// mesh file (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in $XDG_CACHE_HOME/pelage; the file
-/// names contain a hash of source and options. The same source and options give a bitwise identical mesh.
-/// Throws InputError with the reason if the name is unknown or the file is not a usable mesh.
+/// mesh file (OBJ, OFF, PLY, STL, 3DS, glTF). Prepared meshes are cached in the subfolder `meshes` of
+/// cache_folder() (disk_cache.hpp). The name of a cache file contains a hash of the source and the options.
+/// The same source and options give a bitwise identical mesh. Throws InputError with the reason if the name
+/// is unknown or the file is not a usable mesh.
 std::shared_ptr<const Mesh> load_model(const std::string& name_or_file, const MeshOptions& options = {});
 
-/// Throws InputError if load_model() would refuse the text because it is neither the name of a model nor a
-/// file. Does not read the file.
+/// Throws InputError if `name_or_file` is neither the name of a model or torus nor an existing file, or if
+/// the numbers in the name of a torus are out of range. Does not read the file.
 void require_model(const std::string& name_or_file);
 
 }  // namespace pelage

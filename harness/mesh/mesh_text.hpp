@@ -12,8 +12,8 @@
 
 namespace pelage::detail {
 
-/// Throws InputError with the message `what`. `line` is the number of the line in the file `name`, or 0 if it
-/// is unknown.
+/// Throws InputError. The message consists of the file's name, the line's number and `what`. `line` is the
+/// number of the faulty line in the file `name`, or 0 if it is unknown.
 [[noreturn]] inline void fail(const std::string& name, std::size_t line, const std::string& what) {
   throw InputError(line ? fmt::format("{}:{}: {}", name, line, what) : fmt::format("{}: {}", name, what));
 }
@@ -66,7 +66,7 @@ std::optional<T> read(std::string_view word) {
   return value;
 }
 
-/// Returns the first 24 characters of the word in quotes, for error messages.
+/// Returns the first 24 characters of `word`, enclosed in quotes, for error messages.
 inline std::string shown(std::string_view word) {
   std::string text;
   for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';

@@ -16,7 +16,7 @@ struct Model {
   std::string source;                  ///< "procedural:NAME" | "cgal:FILE" | "glmark2:FILE"
   std::optional<std::uint32_t> faces;  ///< exact face count; empty: the face count of the source
   glm::dvec3 rotation{0};              ///< rotation about x, then y, then z, degrees
-  bool wrap = false;                   ///< true: wrap the surface by CGAL's alpha wrap first
+  bool wrap = false;                   ///< true: wrap() replaces the repaired surface
   bool stand_in = false;
   std::string licence, footnote;
   /// Numbers of masses and springs that Banisch and Wuethrich 2006 publish for this model, for each
@@ -24,8 +24,8 @@ struct Model {
   std::map<std::string, std::array<std::uint32_t, 2>> published;
 };
 
-/// Returns all models of a file, in the order in which the file lists them. Throws InputError with file, line
-/// and key if the file is malformed.
+/// Returns all models of a file, in the order in which the file lists them. If the file is malformed,
+/// throws InputError; the message gives the file, the line and the key.
 std::vector<Model> read_models(const std::filesystem::path& file);
 /// Reads the file experiments/models.toml. Takes it from the first folder of data_folders() that contains it.
 std::vector<Model> models();

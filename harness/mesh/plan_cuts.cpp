@@ -16,9 +16,9 @@ namespace {
 
 // Returns the cost of a UV map; a lower cost is better. The area scale of a face is its UV area divided by
 // its surface area. Let r be the quotient of two percentiles of the faces' area scales: the 99th percentile
-// divided by the 1st percentile. The cost is ln r + 20 (o + f), where o is the overlapping fraction of the
-// map's area, and f is the flipped fraction. An overlap of 1% therefore increases the cost as much as a 22%
-// greater r.
+// divided by the 1st percentile. The cost is ln r + 20 (o + f). Here o is the fraction of the map's area that
+// overlaps, and f is the fraction that flipped faces take. An overlap of 1% therefore increases the cost as
+// much as a 22% greater r.
 double cost(const Surface& unfolded, const std::string& name) {
   const UvQuality quality = uv_quality(finish(unfolded, name, glm::dvec3(0)), 512);
   if (!(quality.area_low > 0)) return std::numeric_limits<double>::max();
@@ -66,7 +66,7 @@ std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, 
   // On a surface with handles, the cut graph depends on the face where its computation starts. The search
   // therefore uses four start points that are far from each other.
   std::vector<glm::dvec3> roots{proxy.point.front()};
-  // For a closed surface this is twice the Euler characteristic.
+  // For a closed surface, `euler` is twice the Euler characteristic: 4 without handles, less with handles.
   const long euler = 2 * long(proxy.point.size()) - long(proxy.triangle.size());
   while (euler < 4 && roots.size() < 4) {
     const auto near = [&](const glm::dvec3& p) {

@@ -93,7 +93,8 @@ std::vector<std::uint8_t> cover(const Mesh& mesh, int side) {
 }
 
 struct Covered {
-  std::size_t once = 0, more = 0;  // numbers of texels covered by at least one face and by at least two faces
+  // once: number of texels covered by at least one face; more: number of texels covered by at least two
+  std::size_t once = 0, more = 0;
 };
 
 Covered covered_by(const Mesh& mesh, int side) {
@@ -186,7 +187,7 @@ std::vector<std::string> uv_warnings(const Mesh& mesh) {
 UvQuality uv_quality(const Mesh& mesh, int side) {
   UvQuality quality;
   double uv_area = 0, flipped = 0, surface_area = 0;
-  // For each face: its ratio of UV area to surface area, and its surface area.
+  // For each face, the ratio of its UV area to its surface area, followed by its surface area.
   std::vector<std::pair<double, double>> ratio;
   for (const glm::uvec3& t : mesh.triangle) {
     const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);

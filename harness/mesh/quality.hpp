@@ -10,15 +10,16 @@
 namespace pelage {
 
 struct Topology {
-  std::size_t copies = 0;  ///< number of vertices; a surface point on a UV seam has several
+  std::size_t copies = 0;  ///< number of vertices; a surface point on a UV seam has several vertices
   std::size_t points = 0;  ///< number of surface points
   std::size_t edges = 0;   ///< number of edges between surface points
   std::size_t faces = 0;
   std::size_t boundary_edges = 0;
   std::size_t borders = 0;  ///< number of closed loops of boundary edges
   std::size_t components = 0;
-  long genus = 0;              ///< number of handles, summed over all components; valid only for a manifold
-  std::size_t bad_edges = 0;   ///< number of edges with more than two faces or inconsistent orientation
+  long genus = 0;  ///< number of handles, summed over all components; valid only for a manifold
+  /// Number of edges that have more than two faces, or two faces that are oriented inconsistently.
+  std::size_t bad_edges = 0;
   std::size_t bad_points = 0;  ///< number of points whose faces do not form a single fan
   bool manifold() const { return bad_edges == 0 && bad_points == 0; }
 };
@@ -40,13 +41,13 @@ struct UvQuality {
 /// Measures the UV map. Coverage and overlap are counted at the centres of `side` x `side` texels.
 UvQuality uv_quality(const Mesh& mesh, int side = 2048);
 
-/// Returns warnings about the UV map, one line each: flipped faces, and overlap of at least 0.01% of the
-/// covered texels at 2048 x 2048 texels.
+/// Returns warnings about the UV map, one line each. One warning reports flipped faces. The other warning
+/// reports overlap: several faces cover at least 0.01% of the covered texels of a grid of 2048 x 2048 texels.
 std::vector<std::string> uv_warnings(const Mesh& mesh);
 
 /// Returns the chart number of each face. Charts are numbered from 0 in the order of their first faces. Two
-/// faces at an edge belong to the same chart if they use the same two vertices, and therefore the same UV, at
-/// the ends of the edge.
+/// faces that share an edge belong to the same chart if they have the same vertices, and therefore the same
+/// UV, at both ends of the edge.
 std::vector<std::uint32_t> charts(const Mesh& mesh);
 
 }  // namespace pelage

@@ -78,8 +78,8 @@ void keep_largest_piece(Polyhedron& mesh, Notes& notes) {
   mesh.remove_property_map(piece);
 }
 
-// Keeps all closed components and all open components of at least 1% of the largest component's area. Throws
-// InputError if more than 1000 components remain.
+// Keeps all closed components. Keeps an open component if its area is at least 1% of the area of the largest
+// component. Throws InputError if more than 1000 components remain.
 void drop_scraps(Polyhedron& mesh, Notes& notes, const std::string& name) {
   constexpr double least = 0.01;
   constexpr std::size_t most_components = 1000;

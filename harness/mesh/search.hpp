@@ -14,7 +14,7 @@ namespace pelage {
 struct SurfacePlace {
   std::uint32_t triangle = 0;
   glm::vec3 weight{0};  ///< barycentric weights of the triangle's corners; the sum is 1
-  glm::vec3 point{0};   ///< R
+  glm::vec3 point{0};   ///< position in R, the mesh radius
   glm::vec2 uv{0};
 };
 

@@ -13,8 +13,16 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t most_polygons = 10'000'000;
-// Some editors write these bytes at the beginning of a UTF-8 text file.
+// Some editors write these bytes (the byte order mark) at the beginning of a UTF-8 text file.
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
+bool cgal_reads(std::string_view format) {
+  return format == "obj" || format == "off" || format == "ply" || format == "stl";
+}
+
+bool assimp_reads(std::string_view format) {
+  return format == "3ds" || format == "gltf" || format == "glb";
+}
 
 bool finite(const glm::dvec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -28,6 +36,11 @@ std::string ending_of(const std::filesystem::path& file) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   return text;
+}
+
+bool has_mesh_ending(const std::filesystem::path& file) {
+  const std::string format = ending_of(file);
+  return cgal_reads(format) || assimp_reads(format);
 }
 
 std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit) {
@@ -56,7 +69,7 @@ void check_soup(const Soup& soup, const std::string& name) {
         fmt::format("{}: {} faces; at most {} are read", name, soup.polygon.size(), most_polygons));
   for (std::size_t i = 0; i < soup.point.size(); ++i)
     if (!finite(soup.point[i]))
-      throw InputError(fmt::format("{}: vertex {} is not a finite number", name, i));
+      throw InputError(fmt::format("{}: a coordinate of vertex {} is not finite", name, i));
   for (std::size_t f = 0; f < soup.polygon.size(); ++f) {
     for (const std::uint32_t index : soup.polygon[f]) {
       if (index >= soup.point.size())
@@ -78,9 +91,8 @@ Soup parse_soup(std::string bytes, std::string_view format, const std::string& n
 
 Soup read_soup(const std::filesystem::path& file, bool with_uv) {
   const std::string format = ending_of(file);
-  const bool by_cgal = format == "obj" || format == "off" || format == "ply" || format == "stl";
-  const bool by_assimp = format == "3ds" || format == "gltf" || format == "glb";
-  if (!by_cgal && !by_assimp)
+  const bool by_cgal = cgal_reads(format);
+  if (!has_mesh_ending(file))
     throw InputError(
         fmt::format("{}: meshes are read from .obj, .off, .ply, .stl, .3ds, .gltf and .glb", file.string()));
   std::string bytes = read_bytes(file, largest_mesh_file);

@@ -20,9 +20,9 @@ struct Soup {
 /// Reads a mesh file. CGAL reads OBJ, OFF, PLY and STL; Assimp reads 3DS, glTF and glb. The file name's
 /// extension selects the format. If `with_uv` is true, Assimp instead of CGAL reads OBJ and PLY, because
 /// Assimp also reads texture coordinates. Throws InputError if the file is not a usable mesh. The message
-/// contains the file's name, the line if known, and the permitted content. The result is not empty, its
-/// numbers are finite and its indices are in range. Malicious files may crash CGAL and Assimp, so call this
-/// function inside isolated().
+/// contains the file's name, the line if known, and the permitted content. The returned soup is not empty,
+/// its numbers are finite and its indices are in range. Malicious files may crash CGAL and Assimp, so call
+/// this function inside isolated().
 Soup read_soup(const std::filesystem::path& file, bool with_uv);
 
 /// Parses the bytes of an OBJ, OFF, PLY or STL file. `format` is the file's extension in lower case without
@@ -35,6 +35,9 @@ void check_soup(const Soup& soup, const std::string& name);
 /// Returns the extension of the file in lower case, without the dot.
 std::string ending_of(const std::filesystem::path& file);
 
+/// Returns whether read_soup() reads files with the extension of this file.
+bool has_mesh_ending(const std::filesystem::path& file);
+
 /// Greatest size of a mesh file in bytes. A file of ten million triangles has about a quarter of this size.
 inline constexpr std::uint64_t largest_mesh_file = std::uint64_t(1) << 30;
 
@@ -45,7 +48,7 @@ std::string read_bytes(const std::filesystem::path& file, std::uint64_t limit);
 namespace detail {
 /// Checks a file's bytes before CGAL reads them. Throws InputError with the line of the first error. Replaces
 /// `bytes` by a file that contains only the points and faces, because CGAL refuses or misreads other
-/// contents. Does not replace STL files.
+/// contents. Leaves the bytes of an STL file unchanged.
 void check_text(std::string& bytes, std::string_view format, const std::string& name);
 /// Checks the header of a PLY file, and checks that the rest of the file contains all numbers and lists that
 /// the header describes. Returns a PLY file with only the points and faces.

@@ -1,4 +1,4 @@
-// Progress messages of a long preparation.
+// Progress messages of a long mesh preparation.
 #pragma once
 #include <chrono>
 #include <functional>
@@ -7,13 +7,13 @@
 namespace pelage {
 
 /// Sends the current stage of a preparation to a callback, with the stage's completed fraction and the
-/// seconds since the start, for instance "cat.obj: computing the UV map, 40%, 12 s".
+/// seconds since the construction of the Stages object. Example: "cat.obj: computing the UV map, 40%, 12 s".
 class Stages {
  public:
   using Say = std::function<void(const std::string&)>;
 
-  /// No messages are sent during the first `silent_s` seconds. Messages with a completed fraction are at
-  /// least 2.5 * silent_s seconds apart.
+  /// No messages are sent during the first `silent_s` seconds after the construction. Messages with a
+  /// completed fraction are at least 2.5 * silent_s seconds apart.
   Stages(Say say, std::string label, double silent_s);
 
   void begin(const std::string& stage);

@@ -1,5 +1,5 @@
-// The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step appends its
-// changes to Surface::notes.
+// The steps from a polygon soup to a surface with a UV map, implemented with CGAL. Each step appends
+// descriptions of its changes to Surface::notes.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -12,9 +12,12 @@ namespace pelage {
 
 /// Options of repair() for holes and components.
 struct RepairOptions {
-  bool fill_all = false;  ///< true: fill all holes; false: fill holes narrower than 1/10 of the mesh's size
+  /// True: fill all holes; false: fill a hole only if the diagonal of its bounding box is at most 1/10 of the
+  /// diagonal of the mesh's bounding box.
+  bool fill_all = false;
   bool largest_only =
-      /// True: keep only the component with the most faces; false: keep all closed or large components.
+      /// True: keep only the component with the most faces; false: keep all closed components, and each
+      /// open component with at least 1% of the area of the largest component.
       true;
 };
 
@@ -32,10 +35,11 @@ Surface weld(const Soup& soup, const std::string& name);
 /// Returns a watertight hull of a surface that intersects itself (Portaneri et al. 2022, CGAL's alpha wrap).
 Surface wrap(const Surface& surface);
 
-/// Changes the number of triangles to exactly `faces`: Loop subdivision until there are enough triangles,
-/// then edge collapses (Lindstrom and Turk 1998) that flip no face. A closed mesh has an even number of
-/// triangles, so for an odd `faces` the lowest face in the direction `up` is removed. `part` receives the
-/// completed fraction of the collapses. Throws InputError if the count cannot be reached.
+/// Changes the number of triangles to exactly `faces`. First, Loop subdivision is repeated until there are at
+/// least `faces` triangles. Then edge collapses (Lindstrom and Turk 1998) remove the surplus triangles. No
+/// collapse flips a face. A closed mesh has an even number of triangles, so for an odd `faces` the lowest
+/// face in the direction `up` is removed. `part` receives the completed fraction of the collapses. Throws
+/// InputError if the count cannot be reached.
 Surface with_faces(const Surface& surface, std::uint32_t faces, glm::dvec3 up, const std::string& name,
                    const std::function<void(double)>& part = {});
 

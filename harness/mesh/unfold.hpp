@@ -15,17 +15,17 @@ struct MapQuality {
   /// True: the map is finite, has a positive area, and at most 2% of its faces are flipped.
   bool usable = false;
 };
-/// Measures a UV map. `uv` has one entry per vertex of a Disk. A surface point on a cut is several vertices
-/// of the disk. `triangles` contains the indices of the three vertices of each triangle in `uv`. A face is
+/// Measures a UV map. `uv` has one entry per vertex of a Disk. A surface point on a cut corresponds to
+/// several vertices of the disk. For each triangle, `triangles` contains three indices into `uv`. A face is
 /// flipped unless its corners are counter-clockwise in UV.
 MapQuality map_quality(const std::vector<glm::dvec2>& uv, const std::vector<Surface::Triangle>& triangles);
 
 /// A function that cuts a surface open according to `plan` and flattens it. Throws InputError if this fails.
 using Unfold = std::function<Surface(const Surface& surface, const CutPlan& plan, const std::string& name)>;
 
-/// Computes the UV map of a named model by CGAL: as rigid as possible (Liu et al. 2008, lambda 1000, 10
-/// iterations), or by mean-value coordinates on a circle if the first method fails. Named models keep this
-/// method so that their meshes stay bitwise identical in later versions of pelage.
+/// Computes the UV map of a named model by CGAL. The map is as rigid as possible (Liu et al. 2008, lambda
+/// 1000, 10 iterations). If this map is not usable, CGAL computes mean-value coordinates on a circle instead.
+/// Named models keep these methods so that their meshes stay bitwise identical in later versions of pelage.
 Surface unfold(const Surface& surface, const CutPlan& plan, const std::string& name);
 
 /// Computes the UV map of a mesh file by flatten(), which is suitable for large meshes. During the
@@ -36,14 +36,16 @@ Surface unfold_large(const Surface& surface, const CutPlan& plan, const std::str
 /// A cut plan and the cost of its UV map.
 struct TriedPlan {
   CutPlan plan;
-  double cost = 0;  ///< cost of the UV map of the proxy; a lower cost is better
+  double cost = 0;  ///< cost of the UV map of a coarse version of the surface; a lower cost is better
 };
-/// Chooses cut plans by trial. Cuts into the limbs of the model are added one after another, the cut to the
-/// farthest tip first. A cut is kept if it lowers the cost of the UV map, which measures stretch, overlap and
+/// Chooses cut plans by trial. The function tries cuts to the ends of the model's limbs (CutPlan::tips) one
+/// after another; each cut leads to the point farthest from the earlier cuts and from the ends tried before.
+/// The function keeps a cut if the cut lowers the cost of the UV map. The cost measures stretch, overlap and
 /// flipped faces. Dozens of maps are computed, so `proxy` should be a coarse version of the surface (about
 /// 6000 faces). A plan consists of 3D points and not of vertex indices, so it can also be applied to the fine
-/// surface. Returns one plan for a surface without handles, otherwise four plans with different roots. During
-/// the computation, `part` is called with the completed fraction of the work, 0 to 1.
+/// surface. Returns one plan for a surface without handles, otherwise four plans that start at different
+/// points (CutPlan::root). During the computation, `part` is called with the completed fraction of the work,
+/// 0 to 1.
 std::vector<TriedPlan> plan_cuts(const Surface& proxy, const std::string& name, const Unfold& unfold,
                                  const std::function<void(double)>& part = {});
 

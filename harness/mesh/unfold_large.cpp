@@ -9,7 +9,8 @@
 namespace pelage {
 namespace {
 
-// True if the triangles form a closed manifold: F triangles then have 3F / 2 edges.
+// Returns true if the triangles form a closed manifold. The function tests whether F triangles have 3F / 2
+// edges, because each edge of a closed manifold belongs to two triangles.
 bool is_closed(const std::vector<Surface::Triangle>& triangles) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   sides.reserve(triangles.size() * 3);

@@ -12,8 +12,9 @@
 namespace pelage {
 namespace {
 
-// True if the UV area of the map exceeds 1e-12 times the area of its bounding square. A smaller UV area
-// may be rounded to 0 in single precision. Mesh::length_per_uv and the tangents would then be undefined.
+// Returns true if the area of the map in UV space exceeds 1e-12 times the area of its bounding square. A
+// smaller UV area may be rounded to 0 in single precision. Mesh::length_per_uv and the tangents would then be
+// undefined.
 bool has_area(const std::vector<Surface::Corners>& uv) {
   double twice = 0;
   glm::dvec2 low = uv.front()[0], high = low;

@@ -21,7 +21,8 @@ namespace {
 /// Adds an element for the chart. If `scripts` is true, web/charts.js draws the chart in it. Otherwise it
 /// contains the SVG plot from the folder of the report.
 void add_chart(Body& body, const Report& report, const Chart& chart, std::size_t index, bool scripts) {
-  // Omits the text after ": ", which is the subtitle of the table above the chart.
+  // The caption omits the part of the chart's title after ": ". The page already
+  // shows this part above the chart, as the subtitle of the table.
   const std::string title = html_text(chart.title.substr(0, chart.title.find(": ")));
   body.add(
       fmt::format("<figure class=\"chart\" data-chart=\"{}\">\n<figcaption>{}</figcaption>\n", index, title));
@@ -47,7 +48,7 @@ void add_charts(Body& body, const Report& report, const std::vector<PlacedChart>
 }
 
 /// Returns the part of a table's subtitle after "EXPERIMENT on DEVICE, ". If there is no such part, returns
-/// the experiment.
+/// the name of the experiment.
 std::string detail_of(const std::string& subtitle) {
   const std::size_t comma = subtitle.find(", ");
   return comma == std::string::npos ? subtitle.substr(0, subtitle.find(" on ")) : subtitle.substr(comma + 2);
@@ -93,7 +94,6 @@ void add_claims(Body& body, const Report& report) {
 void add_report(Body& body, const Report& report, bool scripts) {
   for (const std::string& note : report.notes) body.remark(note);
   const std::vector<PlacedChart> charts = charts_of(report);
-  add_claims(body, report);
   for (std::size_t s = 0; s < report.sections.size(); ++s) {
     add_table(body, report.sections[s].table, true);
     add_charts(body, report, charts, int(s), scripts);
@@ -107,9 +107,11 @@ void add_report(Body& body, const Report& report, bool scripts) {
     body.heading("Cost of layers, pixels and triangles", 2);
     body.folded("Frame time ratios and the fitted model of the frame time", report.scaling);
   }
+  add_claims(body, report);
 }
 
-/// Adds the pictures, and an empty element in which web/gallery.js compares two of them.
+/// Adds the pictures, and an empty element. In this element, web/gallery.js shows two pictures for
+/// comparison.
 void add_gallery(Body& body, const std::vector<Report>& reports, const PageParts& parts) {
   if (parts.pictures.empty()) return;
   body.heading("Pictures of the timed frames", 1);

@@ -80,8 +80,9 @@ Names categories_of(const Table& table, const Columns& columns, const std::strin
   return names;
 }
 
-/// Returns the x coordinate of a line of the table, or nothing if the line has no number in column x. If
-/// there are categories, the coordinate is the index of the line's category.
+/// Returns the x coordinate of the chart point that represents `line`, a line of the table. If there are
+/// categories, the coordinate is the index of the line's category. Otherwise it is the number in column
+/// plot.x, or nothing if the line has no number in this column.
 std::optional<double> x_of(const Columns& columns, const Line& line, const PlotSpec& plot,
                            const Names& categories) {
   if (categories.empty()) return columns.number(line, plot.x);
@@ -89,8 +90,8 @@ std::optional<double> x_of(const Columns& columns, const Line& line, const PlotS
   return double(place - categories.begin());
 }
 
-/// Returns the chart point of a line of the table. The column `y` contains its value; the columns `low` and
-/// `high` contain the limits of its interval.
+/// Returns the chart point that represents `line`, a line of the table. The column `y` contains the point's y
+/// coordinate. The columns `low` and `high` contain the limits of its error bar.
 std::optional<ChartPoint> point_of(const Columns& columns, const Line& line, std::optional<double> x,
                                    const std::string& y, const std::string& low, const std::string& high) {
   const std::optional<double> value = columns.number(line, y);

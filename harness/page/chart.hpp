@@ -1,5 +1,6 @@
 // Charts of the HTML report: the panels, lines and points of each plot, and their labels.
-// harness/page/web/charts.js draws them.
+// harness/page/web/charts.js draws them. A cell is the combined result of one case
+// (harness/report/cells.hpp).
 #pragma once
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,7 +14,7 @@ namespace pelage {
 
 struct ChartPoint {
   double x = 0, y = 0;  ///< if Chart::categories is not empty, x is an index of this list
-  std::optional<double> low = {}, high = {};  ///< limits of the interval of y
+  std::optional<double> low = {}, high = {};  ///< limits of the error bar of y
   int cell = -1;  ///< Cell::index of the cell whose value the point shows; -1 if there is no cell
 };
 
@@ -45,10 +46,10 @@ struct Chart {
   std::vector<ChartPanel> panels = {};
 };
 
-/// Computes the chart that `plot` describes from the lines of the table. The chart has one panel for each
-/// combination of values of the columns PlotSpec::panels. Each panel has one chart line for each combination
-/// of values of the columns PlotSpec::series. Chart lines without a point are left out. If several points of
-/// a chart line have the same x, its points are not joined.
+/// Computes the chart that `plot` describes. Its points come from the lines of the table. The chart has one
+/// panel for each combination of values of the columns PlotSpec::panels. Each panel has one chart line for
+/// each combination of values of the columns PlotSpec::series. Chart lines without a point are left out. If
+/// several points of a chart line have the same x, its points are not joined.
 Chart chart_of(const Table& table, const PlotSpec& plot);
 
 /// Returns the chart as JSON for web/charts.js.

@@ -1,4 +1,5 @@
-// Writes the JSON data that the scripts of the HTML report read.
+// Writes the JSON data that the scripts of the HTML report read. A cell is the combined result of one case
+// (harness/report/cells.hpp).
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -23,8 +24,8 @@ std::string label_of(const Cell& cell) {
   return text;
 }
 
-/// The page has one list of the rows of all reports. `first` is the index of this report's first row in the
-/// list.
+/// Returns the cells of one report as JSON, with the indices of their rows. The page has one list of the rows
+/// of all reports. `first` is the index of this report's first row in that list.
 Json cells_json(const Report& report, std::size_t first) {
   Json cells = Json::array();
   for (const Cell& cell : report.cells) {

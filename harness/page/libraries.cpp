@@ -68,7 +68,8 @@ std::optional<Library> chart_library(const fs::path& folder) {
 
 std::string web_file(const std::string& name) {
   for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
-    for (const char* folder : {"page", "harness/page/web"})  // in an installation; in the source tree
+    // An installation has the folder "page"; the source tree has the folder "harness/page/web".
+    for (const char* folder : {"page", "harness/page/web"})
       if (const fs::path file = data / folder / name; fs::is_regular_file(file)) return text_of(file);
   throw InputError(fmt::format("page/{} is missing; set PELAGE_DATA to pelage's data folder", name));
 }

@@ -18,7 +18,8 @@ struct Library {
 
 /// Reads Chart.js, which draws the plots of the page, from `folder`. If `folder` is empty, searches the
 /// folder that the environment variable PELAGE_JAVASCRIPT names. If this variable is not set, searches the
-/// folders of Debian's package libjs-chart.js. Returns nothing if the file is not there.
+/// folders of Debian's package libjs-chart.js. Returns nothing if the searched folders do not contain
+/// Chart.js.
 std::optional<Library> chart_library(const std::filesystem::path& folder = {});
 
 /// Note for the user if Chart.js is missing.

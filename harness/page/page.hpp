@@ -24,15 +24,16 @@ struct PageParts {
 std::vector<std::string> write_page(const std::vector<Report>& reports, const std::filesystem::path& file);
 
 /// Returns the HTML text of the page. Text from the results is escaped, so it cannot add elements or scripts.
-/// In addition, the page's Content-Security-Policy forbids network access, and permits only scripts that
-/// contain the page's random number (its nonce).
+/// In addition, the page's Content-Security-Policy forbids network access, and permits only scripts
+/// whose attribute `nonce` is the page's random number.
 std::string page_of(const std::vector<Report>& reports, const PageParts& parts);
 
 /// Returns the HTML inside the "body" element, without the scripts.
 std::string body_of(const std::vector<Report>& reports, const PageParts& parts);
 
 /// Returns the data that the page's scripts read, as JSON. The data contain the cells, the charts and the
-/// files (name -> text) of each report, and all rows as they are in the journals. The text contains no "<".
+/// files (name -> text) of each report, and all rows, unchanged from the result files. The text contains no
+/// "<".
 std::string data_of(const std::vector<Report>& reports);
 
 /// A chart and the section of the report in which it is shown.

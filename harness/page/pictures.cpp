@@ -26,8 +26,8 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
     for (const Cell& cell : reports[r].cells)
       if (cell.status == Status::ok && fs::is_regular_file(cell.image))
         sources.push_back({int(r), cell.index, cell.image});
-  // The rows of a run are in a random order. Sorts the pictures by name, so that pictures of the same model
-  // are neighbours.
+  // The rows of a run are in a random order. Sorts the pictures by experiment and by the names of their
+  // cells, so that pictures of the same model are neighbours.
   std::stable_sort(sources.begin(), sources.end(), [&](const Source& a, const Source& b) {
     if (a.report != b.report) return a.report < b.report;
     const std::vector<Cell>& cells = reports[std::size_t(a.report)].cells;
@@ -38,8 +38,8 @@ std::vector<Source> sources_of(const std::vector<Report>& reports) {
   return sources;
 }
 
-/// Reads the pictures, scales them down to `width` pixels and compresses them. If a picture cannot be read,
-/// removes it from `sources` and adds a note.
+/// Reads the pictures, scales wider pictures down to a width of `width` pixels and compresses all pictures.
+/// If a picture cannot be read, removes it from `sources` and adds a note.
 std::vector<PagePicture> pictures_of(std::vector<Source>& sources, int width, int quality,
                                      std::vector<std::string>& notes) {
   std::vector<PagePicture> pictures;
@@ -68,8 +68,9 @@ std::size_t bytes_of(const std::vector<PagePicture>& pictures) {
 std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const PictureLimits& limits,
                                        std::vector<std::string>& notes) {
   std::vector<Source> sources = sources_of(reports);
-  // First guess of the width: a compressed frame takes about 0.1 bytes per pixel, and its height is about 0.7
-  // times its width.
+  // The first guess of the width assumes that a compressed picture takes 0.1 bytes per pixel and that its
+  // height is 0.7 times its width. If both assumptions are right, all pictures together take limits.bytes
+  // bytes.
   const double guess =
       std::sqrt(double(limits.bytes) / (0.07 * double(std::max<std::size_t>(1, sources.size()))));
   int width = int(std::clamp(guess, double(limits.least_width), double(limits.most_width)));

@@ -19,15 +19,15 @@ struct PagePicture {
 
 /// Limits of the size and the quality of the pictures.
 struct PictureLimits {
-  std::size_t bytes = 6'000'000;  ///< of all pictures in total
+  std::size_t bytes = 6'000'000;  ///< limit of the total size of all pictures
   int most_width = 800, least_width = 160;
   int quality = 80;  ///< quality of the WebP compression, 1 to 100
 };
 
-/// Returns the pictures of all cells that are ok and have a picture file. Wider pictures are scaled down to
-/// one common width. The function reduces this width until all pictures together take at most
-/// PictureLimits::bytes. If they do not fit at PictureLimits::least_width, the last pictures are left out. If
-/// a picture is left out or cannot be read, a line is added to `notes`.
+/// Returns the pictures of all cells that are ok and have a picture file. Pictures that are wider than a
+/// common width are scaled down to this width. The function reduces this width until all pictures together
+/// take at most PictureLimits::bytes. If they do not fit at PictureLimits::least_width, the last pictures are
+/// left out. If a picture is left out or cannot be read, a line is added to `notes`.
 std::vector<PagePicture> page_pictures(const std::vector<Report>& reports, const PictureLimits& limits,
                                        std::vector<std::string>& notes);
 

@@ -38,7 +38,7 @@ std::string solver(const Cell& cell) {
 struct Study {
   Text panel, line;
   Number x, y;
-  bool interval = false;  ///< whether y is the frame time, whose interval is then drawn
+  bool interval = false;  ///< true: y is the frame time, and the chart shows its 95% interval
 };
 
 ChartPoint point_of(const Study& study, const Cell& cell, double x, double y) {
@@ -70,7 +70,7 @@ void fill(Chart& chart, const std::vector<Cell>& cells, const Study& study) {
 }
 
 /// Returns the chart for Figures 9 to 11 of Banisch and Wüthrich (2006). For each topology it shows the frame
-/// time, the simulation time, and the frame time from the paper.
+/// time, the simulation time, and the frame time that the paper reports.
 Chart update_time(const std::vector<Cell>& cells) {
   Chart chart{.y_label = "update time, ms"};
   for (const Cell& cell : cells)
@@ -143,7 +143,7 @@ Chart chart_of_study(const std::string& experiment, const std::vector<Cell>& cel
   } else if (experiment == "banisch2006-longest-step") {
     chart.x_label = "stiffness of the sticks, N/m", chart.y_label = "longest stable step, ms";
     const Number stiffness = [](const Cell& c) {
-      return number_of(c.reading().substr(1));  // the reading is "k" followed by the stiffness
+      return number_of(c.reading().substr(1));  // reading() is "k" followed by the stiffness in N/m
     };
     fill(chart, cells, {topology, solver, stiffness, of_metric("longest_step_ms")});
   } else if (experiment == "banisch2006-mesh-size") {

@@ -107,8 +107,9 @@ void Hdf5File::write_raw(const std::string& name, const std::vector<std::size_t>
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
   if (count > 0) {
     std::vector<hsize_t> chunk = size;
-    // A chunk holds at most chunk_values values. If the dataset is larger, the first dimensions of the chunk
-    // are shortened first. The last dimensions are shortened only if this is not enough.
+    // A chunk holds at most chunk_values values. If the dataset has more values, the loop shortens the
+    // dimensions of the chunk one after another, starting with the first dimension, until the chunk is small
+    // enough.
     hsize_t held = std::accumulate(chunk.begin(), chunk.end(), hsize_t{1}, std::multiplies<>());
     for (hsize_t& side : chunk) {
       const hsize_t rest = held / side;

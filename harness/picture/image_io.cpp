@@ -60,7 +60,7 @@ Picture read_picture(const fs::path& path) {
   std::error_code error;
   if (!fs::exists(path, error)) throw InputError(fmt::format("{}: there is no such file", path.string()));
   if (!fs::is_regular_file(path, error)) throw InputError(fmt::format("{}: not a file", path.string()));
-  // Only the extension selects the format. If no format were given, OpenImageIO would try the readers of all
+  // Only the extension selects the format. If pelage gave no format, OpenImageIO would try the readers of all
   // its formats.
   static constexpr std::pair<const char*, const char*> kinds[] = {{".png", "png"},   {".jpg", "jpeg"},
                                                                   {".jpeg", "jpeg"}, {".tif", "tiff"},

@@ -11,14 +11,15 @@ namespace pelage {
 /// The largest number of pixels per side of a picture that is read or written.
 inline constexpr int most_pixels_per_side = 16384;
 
-/// Writes a picture in the format that the extension of `path` selects. PNG: 8-bit RGB; the values, which are
-/// already in gamma space, are clamped to [0, 1] and rounded. EXR and TIFF: 32-bit float RGBA, unchanged. The
-/// write is atomic: the file appears complete or not at all. Throws InputError if the extension is none of
-/// .png, .exr, .tif and .tiff, if the picture is empty, or if the path cannot be written.
+/// Writes a picture in the format that the extension of `path` selects. A PNG file contains 8-bit RGB values.
+/// The picture's values are already in gamma space; the function clamps them to [0, 1] and rounds them. EXR
+/// and TIFF files contain the unchanged values as 32-bit float RGBA. The write is atomic: the file appears
+/// complete or not at all. Throws InputError if the extension is none of .png, .exr, .tif and .tiff, if the
+/// picture is empty, or if the path cannot be written.
 void write_picture(const std::filesystem::path& path, const Picture& picture);
 
-/// Throws InputError if write_picture() could not write `path` because of its extension or its folder.
-/// Callers call this function before a long computation.
+/// Throws InputError if write_picture() cannot write `path` because of its extension or its folder. Callers
+/// use this function before a long computation, so that they detect such an error early.
 void check_picture_path(const std::filesystem::path& path);
 
 /// Reads a PNG, JPEG, TIFF or EXR file without colour conversion. Integer values are scaled to [0, 1]. A grey

@@ -10,9 +10,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Searches for the module in the folder of the running program, in the parent of this folder (where the tests
-// of a build find it), and in the module folder of an installation. A run path (RPATH) is not sufficient:
-// under AddressSanitizer, dlopen() does not use the run path of its caller.
+// Searches for the module in three folders: the folder of the running program, the parent of this folder, and
+// the module folder of an installation. The test programs find the module in the parent folder. A run path
+// (RPATH) is not sufficient: under AddressSanitizer, dlopen() does not use the run path of its caller.
 fs::path module_file() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* place : {".", "..", PELAGE_MODULE_FOLDER}) {

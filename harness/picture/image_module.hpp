@@ -18,7 +18,8 @@ struct ImageModule {
   void (*write_webp)(const std::filesystem::path& file, const Picture& picture, int quality);
 };
 
-/// Returns the module; the first call loads it. Throws InputError if it is missing or cannot be loaded.
+/// Returns the module; the first call loads it. Throws InputError if the module is missing or cannot be
+/// loaded.
 const ImageModule& image_module();
 
 }  // namespace pelage

@@ -11,9 +11,9 @@ struct Window {
   int x, y, width, height;
 };
 
-/// RGBA floats in the papers' gamma space, top row first. Alpha is 0 on the background, 1 on the base
-/// surface, and the coverage of the fur elsewhere. The colour already includes the background. Values are not
-/// clamped.
+/// RGBA floats, top row first. The colours are gamma-encoded, as in the papers that docs/frame.md lists.
+/// Alpha is 0 on the background, 1 on the base surface, and the coverage of the fur elsewhere. The colour is
+/// already composited over the background. Values are not clamped.
 struct Picture {
   int width = 0;
   int height = 0;

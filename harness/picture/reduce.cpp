@@ -6,14 +6,15 @@
 namespace pelage {
 namespace {
 
-/// The weight of an original pixel in the mean of a reduced pixel.
+/// The index of a pixel of the original picture, and the weight of this pixel in the mean that gives a pixel
+/// of the reduced picture.
 struct Share {
   int pixel;
   float weight;
 };
 
-/// Returns, for each of the `to` reduced pixels in a row or column, the original pixels that it covers and
-/// their weights. The row or column has `from` original pixels.
+/// Computes how a row or column of `from` pixels is reduced to `to` pixels. Returns, for each reduced pixel,
+/// the original pixels that it covers, with their weights.
 std::vector<std::vector<Share>> shares_of(int from, int to) {
   std::vector<std::vector<Share>> shares(static_cast<std::size_t>(to));
   const double step = double(from) / to;

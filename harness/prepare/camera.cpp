@@ -26,17 +26,18 @@ Axes axes(glm::dvec3 forward, glm::dvec3 up) {
   return {right, glm::cross(forward, right), forward};
 }
 
-/// Position of the eye, in R. `along` is its coordinate parallel to the view axis. `across` is its coordinate
-/// on one axis perpendicular to the view axis.
+/// Position of the eye, in R (the mesh radius). `along` is its coordinate parallel to the view axis. `across`
+/// is its coordinate on one axis perpendicular to the view axis.
 struct Stand {
   double across, along;
 };
 
-/// Two rays start at the eye; their slopes relative to the view axis are +`slope` and -`slope`. Of the
-/// positions of the eye at which all points lie between the two rays, returns the one nearest to the points.
-/// For each point, let p be its coordinate perpendicular to the view axis, and q its coordinate parallel to
-/// the view axis. The first ray touches the point with the greatest p - slope * q. The second ray touches the
-/// point with the greatest -p - slope * q. The coordinate p of each point may vary by +-`margin` (in R).
+/// Two rays start at the eye. Their slopes relative to the view axis are +`slope` and -`slope`. Returns the
+/// position of the eye with the greatest `along` for which these rays enclose all points. Let p be the
+/// coordinate of a point perpendicular to the view axis, and d its coordinate along the view axis. The first
+/// ray passes through the point with the greatest p - slope * d, and the second ray through the point with
+/// the greatest -p - slope * d. Each point is extended by `margin` (in R) to both sides: p - margin to
+/// p + margin.
 Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
             double margin) {
   double above = -1e300, below = -1e300;
@@ -48,11 +49,10 @@ Stand touch(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forwa
   return {0.5 * (above - below), -0.5 * (above + below) / slope};
 }
 
-/// Returns the eye with the given coordinate `along` from which two rays enclose all points. The slopes of
-/// the rays are s and -s, and each ray touches a point. `along` must be at most touch(slope).along, so that
-/// this eye is at least as far from the points as the eye that touch(slope) returns. A smaller slope moves
-/// the eye that touch() returns away from the points. Bisection between 0 and `slope` finds the s with
-/// touch(s).along = `along`.
+/// Like touch(), but the coordinate `along` of the eye is given, and the slope of the rays is unknown.
+/// Bisection between 0 and `slope` finds the slope s with touch(s).along = `along`. A smaller slope gives a
+/// position farther from the points, with a smaller coordinate `along`. The given `along` must therefore be
+/// at most touch(slope).along.
 Stand touch_from(std::span<const glm::vec3> points, glm::dvec3 axis, glm::dvec3 forward, double slope,
                  double margin, double along) {
   double narrow = 0, wide = slope;

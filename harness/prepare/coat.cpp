@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "harness/error.hpp"
-#include "harness/picture/image_io.hpp"
 #include "harness/prepare/noise.hpp"
+#include "harness/prepare/picture_map.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/surface_map.hpp"
 
@@ -92,31 +92,15 @@ CoatTexture painted(const Mesh& mesh, const CoatScene& coat) {
   return out;
 }
 
-glm::vec4 bilinear(const Picture& picture, double x, double y) {
-  const double px = std::clamp(x * picture.width - 0.5, 0.0, picture.width - 1.0);
-  const double py = std::clamp(y * picture.height - 0.5, 0.0, picture.height - 1.0);
-  const int x0 = int(px), y0 = int(py);
-  const int x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
-  const float u = float(px - x0), v = float(py - y0);
-  return (1 - v) * ((1 - u) * picture.at(x0, y0) + u * picture.at(x1, y0)) +
-         v * ((1 - u) * picture.at(x0, y1) + u * picture.at(x1, y1));
-}
-
 /// Reads a coat texture. The texture is a square. Its side is the longer side of the picture, but at most
 /// 4096 texels; a picture that is not square is stretched. The picture's top row is at v = 1.
 CoatTexture from_picture(const std::filesystem::path& path) {
-  const Picture picture = read_picture(path);
-  for (const glm::vec4& p : picture.pixel)
-    if (!(std::isfinite(p.x + p.y + p.z) && p.x >= 0 && p.y >= 0 && p.z >= 0))
-      throw InputError(
-          fmt::format("{}: a pixel has a colour value that is negative, infinite or not a number; colour "
-                      "values must be finite and at least 0",
-                      path.string()));
+  const PictureMap picture(path);
   CoatTexture out;
-  out.size = std::min(std::max(picture.width, picture.height), 4096);
+  out.size = std::min(std::max(picture.width(), picture.height()), 4096);
   for (int j = 0; j < out.size; ++j)
     for (int i = 0; i < out.size; ++i) {
-      const glm::vec4 c = bilinear(picture, (i + 0.5) / out.size, 1.0 - (j + 0.5) / out.size);
+      const glm::vec4 c = picture.at({(i + 0.5) / out.size, (j + 0.5) / out.size});
       out.texel.push_back({byte(double(c.x)), byte(double(c.y)), byte(double(c.z)), 255});
     }
   return out;

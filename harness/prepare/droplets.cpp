@@ -31,8 +31,8 @@ Spot spot(const Mesh& mesh, std::size_t face, glm::dvec3 bary) {
   return s;
 }
 
-/// Finds the surface points of the droplets that the scene lists (wetness.droplet). Each search tree is built
-/// when the first droplet needs it.
+/// Finds the surface points of the droplets that the scene lists (wetness.droplet). The search trees over
+/// the mesh and over its UV map are each built when the first droplet needs them.
 class Places {
  public:
   explicit Places(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
@@ -49,8 +49,8 @@ class Places {
   }
 
  private:
-  /// Builds a search tree over the triangles of the UV map, which are placed in the plane z = 0. Triangles of
-  /// zero UV area are omitted.
+  /// Builds a flat mesh from the triangles of the UV map, in the plane z = 0, and a search tree over this
+  /// mesh. Triangles of zero UV area are omitted.
   void lay_out() {
     auto flat = std::make_shared<Mesh>();
     flat->uv = mesh_->uv;
@@ -71,13 +71,12 @@ class Places {
 
   std::shared_ptr<const Mesh> mesh_;
   std::optional<SurfaceSearch> in_space_, in_atlas_;
-  std::vector<std::size_t> face_;  ///< index of the mesh's triangle for each triangle of the flat mesh
+  std::vector<std::size_t> face_;  ///< for each triangle of the flat mesh (lay_out()), its index in mesh_
 };
 
-/// Returns the maximum distance, in R, between the centre of a droplet and the surface points of the texels
-/// that it covers. The distance is 2 * radius * length. `radius` is in UV, and length is the mean length on
-/// the surface, in R, of one unit of u or of v, whichever is longer. The factor 2 allows for stretch of the
-/// UV map.
+/// Returns Droplet::reach: 2 * radius * length, in R (the mesh radius). `radius` is the radius of the droplet
+/// in UV units. `length` is the greater component of mesh.length_per_uv, the mean lengths on the surface (in
+/// R) of one unit of u and of one unit of v. The factor 2 allows for stretch of the UV map.
 float reach(const Mesh& mesh, double radius) {
   return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
 }
@@ -149,8 +148,8 @@ class Patches {
   double threshold_ = 0;
 };
 
-/// The part of UV space in which the picture wetness.image permits random droplets. Without a picture they
-/// are permitted everywhere.
+/// The part of UV space in which the picture wetness.image permits random droplets. If the scene has no such
+/// picture, random droplets are permitted everywhere.
 class Rain {
  public:
   explicit Rain(const std::filesystem::path& path) {

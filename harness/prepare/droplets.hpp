@@ -1,5 +1,5 @@
-// The droplets that Algorithm 1 (S 3.3, W 3.1) draws into the wetness mask. S and W are the papers that
-// docs/frame.md lists.
+// The droplets of the wetness mask. S and W are the papers that docs/frame.md lists. Their Algorithm 1
+// (S 3.3, W 3.1) draws the droplets into the mask.
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/prepare/skin.hpp"
@@ -8,9 +8,11 @@ namespace pelage {
 
 /// Returns the scene's explicit droplets in their order, followed by the random droplets. A droplet given by
 /// a point in space is moved to the nearest surface point. A droplet given by a uv outside all charts is
-/// moved to the nearest chart. The centres of random droplets are uniformly distributed over the surface. The
-/// distance between the centres of two random droplets, in UV and in space, is at least `spacing` times the
-/// radius of the droplet that was placed later.
+/// moved to the nearest chart. Random positions, uniformly distributed over the surface, are candidates for
+/// the centres of random droplets. A candidate is rejected if it is outside the areas in which the scene
+/// permits random droplets, or too close to the centre of an earlier random droplet. In UV, the least
+/// distance between two centres is `spacing` times the radius of the later droplet. In space, their least
+/// distance is this UV distance times the smaller component of mesh.length_per_uv.
 std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, const Skin& skin,
                                    const WetnessScene& wetness);
 

@@ -15,25 +15,28 @@
 
 namespace pelage {
 
-/// The strands of S 3.2.1. Each triangle has one strand, which is a mass on a spring.
+/// The strands of S 3.2.1. Each triangle has one strand, which is a mass on a spring. L0 is the length of the
+/// fur.
 struct StrandSet {
-  std::vector<glm::vec3> root;    ///< centroid of each triangle in R
-  std::vector<glm::vec3> normal;  ///< unit normal of each triangle; p0 of S is root + L0 * normal
-  std::vector<glm::vec3> anchor;  ///< vector from the root to the tip at rest, of length L0, per triangle
+  std::vector<glm::vec3> root;    ///< centroid of each triangle, in units of R (the mesh radius)
+  std::vector<glm::vec3> normal;  ///< unit normal of each triangle
+  std::vector<glm::vec3> anchor;  ///< vector of length L0 from each root to the strand's tip at rest
   std::vector<glm::vec2> phase;   ///< (cos, sin) of the phase of the wind's gusts at each root
-  // A sparse matrix in compressed row storage, with one row per surface point and one column per strand. It
-  // converts one value per strand to one value per surface point. The value at a point is the mean over the
-  // strands of the triangles around the point, weighted by the areas of these triangles.
+  // A sparse matrix in compressed row storage, with one row per surface point and one column per strand.
+  // Vertices that differ only in their UV are one surface point. The matrix converts one value per strand to
+  // one value per surface point. The value at a point is the mean over the strands of the triangles around
+  // the point, weighted by the areas of these triangles.
   /// For each matrix row, the index of its first element in `face` and `weight`. The last value is the number
   /// of matrix elements, which is the size of `face` and of `weight`.
   std::vector<std::uint32_t> row;
-  /// For each matrix element, the index of its column. It is the index of a triangle, and also the index of
-  /// the triangle's strand.
+  /// For each matrix element, its column: the index of a triangle, which is also the index of the triangle's
+  /// strand.
   std::vector<std::uint32_t> face;
   std::vector<float> weight;  ///< weight of each matrix element; the sum over a row is 1
 };
 
-/// The tangent frame of the curl per surface point: the orthonormal, tangential vectors u and v of S Eq. 4.
+/// The tangent frame of the fur's curl: for each surface point, the orthonormal tangential vectors u and v of
+/// S Eq. 4.
 struct CurlFrame {
   std::vector<glm::vec3> u, v;  ///< one pair per surface point
   /// UV at which each surface point samples the wetness mask: the UV of the point's first vertex.
@@ -46,9 +49,9 @@ struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< one pair per vertex
 };
 
-/// The fur volume texture. A mip level has layers x side x side texels of two bytes. The first byte is the
-/// coverage; 255 is opaque. The second byte is 127.5 times the shade, a factor of the coat's colour. The side
-/// of level l is size >> l. All levels have the same number of layers.
+/// The fur volume texture. Mip level l has layers x side x side texels of two bytes, where side is
+/// size >> l. The first byte is the coverage; 255 is opaque. The second byte is 127.5 times the shade,
+/// rounded. The shade is a factor of the coat's colour. All levels have the same number of layers.
 struct FurTexture {
   int size = 0;
   int layers = 0;
@@ -67,15 +70,15 @@ struct Droplet {
   float radius;      ///< r_drop, UV
   float wetness;     ///< rho_drop
   glm::vec3 point;   ///< c_mesh, the surface point at the UV c_drop, in R
-  /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. The
-  /// limit excludes other charts that are near in UV but far away on the surface.
+  /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. This
+  /// limit excludes texels of other charts, which are near in UV but far away on the surface.
   float reach;
 };
 
 /// The pinhole camera, docs/frame.md, section 4.
 struct Camera {
-  /// Rows of the projection matrix. For a point p, their dot products with (p, 1) are x w, y w and w. Here x
-  /// and y are in pixels from the image centre, and w is the view depth in R.
+  /// Rows of the projection matrix. For a point p, the dot products of row_x, row_y and row_w with (p, 1) are
+  /// x * w, y * w and w. Here x and y are in pixels from the image centre, and w is the view depth in R.
   glm::vec4 row_x, row_y, row_w;
   glm::vec3 eye;  ///< R
   /// View ray through the image centre, and its changes per pixel in x and in y. The rays are not normalized.
@@ -89,8 +92,8 @@ struct FrameInput {
   Scene scene;
   std::shared_ptr<const Mesh> mesh;
   StrandSet strands;
-  /// Unit direction of the stick at rest at each surface point; empty if no mass-spring topology moves the
-  /// fur.
+  /// For each surface point, the unit direction of its stick at rest. In a mass-spring topology, sticks
+  /// replace the strands. If the scene uses no such topology, the list is empty.
   std::vector<glm::vec3> stick_normal;
   CurlFrame curl;
   SurfaceTangents tangents;
@@ -98,8 +101,8 @@ struct FrameInput {
   CoatTexture coat;
   std::vector<Droplet> droplets;
   /// For each of the wetness.size^2 texels of the wetness mask, the position of the surface point whose UV is
-  /// the texel's centre, in units of R (the mesh radius). If a texel is outside all charts, it gets the
-  /// position of the texel that is nearest in UV and inside a chart.
+  /// the texel's centre, in units of R (the mesh radius). A texel outside all charts has the position of the
+  /// nearest texel (in UV) inside a chart.
   std::vector<glm::vec3> mask_surface;
   glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
   Camera camera;

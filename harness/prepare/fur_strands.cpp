@@ -19,8 +19,8 @@ enum Stream : std::uint32_t {
   undercoat_traits
 };
 
-// The random variation of a hair's shade is a weighted sum of a value common to all hairs of the lock (with
-// this weight) and a value of the hair alone.
+// The random variation of a hair's shade is a weighted sum of two random values. One value is common to all
+// hairs of a lock and has the weight lock_share. The other value belongs to the hair alone.
 constexpr double lock_share = 0.4;
 constexpr double undercoat_thinness = 0.8;  // ratio of an undercoat hair's radius to a guard hair's radius
 
@@ -111,7 +111,8 @@ glm::dvec2 strand_centre(const FurStrand& s, const FurScene& fur, double h) {
 double strand_radius(const FurStrand& s, const FurScene& fur, double h) {
   const double t = std::min(h / s.length, 1.0);
   const double radius = s.radius * (1.0 - (1.0 - double(fur.tip_radius)) * std::pow(t, double(fur.taper)));
-  // Distance between two slices, as a fraction of the side of the square texture.
+  // Distance between two neighbouring slices of the texture, as a fraction of the side of the texture's
+  // square.
   const double spacing = double(fur.length) * double(fur.tile) / fur.layers;
   return std::sqrt(radius * radius + 2.0 * radius * spacing * double(fur.sweep) / std::numbers::pi);
 }

@@ -9,10 +9,10 @@ namespace pelage {
 namespace {
 
 constexpr int fine = 4;               // number of sub-samples per texel and axis
-constexpr double shade_unit = 127.5;  // stored byte value of the shade 1.0
-// Painter computes the coverage c of a texel for fur of this many layers. If the fur has N = fur.layers
-// layers, c is converted to 1 - (1 - c)^(reference_layers / N), so that N layers together are as opaque as
-// reference_layers layers with the coverage c.
+constexpr double shade_unit = 127.5;  // a texel stores the shade times this number, rounded
+// Painter computes the coverage c of a texel for fur of 16 layers (reference_layers). If the fur has another
+// number of layers, N = fur.layers, the texel stores the coverage 1 - (1 - c)^(reference_layers / N). The N
+// layers together are then as opaque as 16 layers with the coverage c.
 constexpr double reference_layers = 16;
 
 /// One slice of the texture during its generation; coverage is 0..1.
@@ -20,8 +20,8 @@ struct Slice {
   int side;
   std::vector<float> coverage, shade;
   /// Weight of the strand whose shade is stored in the texel. The weight is the strand's coverage of the
-  /// texel, reduced with the distance between the texel and the strand's centre. The shade of the strand of
-  /// greatest weight is stored.
+  /// texel, divided by a factor that grows with the distance between the texel and the strand's centre. Among
+  /// all strands that cover the texel, the strand of greatest weight determines the stored shade.
   std::vector<float> claim;
   explicit Slice(int n)
       : side(n),
@@ -91,8 +91,8 @@ class Painter {
 };
 
 /// Minimum radius of a drawn cross-section in texels. A thinner cross-section would contain too few
-/// sub-samples. It is drawn with this radius, and its coverage is multiplied by its true area divided by its
-/// drawn area.
+/// sub-samples. Such a cross-section is drawn with this radius, and its coverage is multiplied by its true
+/// area divided by its drawn area.
 constexpr double thinnest = 0.36;
 
 Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
@@ -100,8 +100,8 @@ Slice cut(const std::vector<FurStrand>& strands, const FurScene& fur, int n) {
   Painter painter(slice);
   const double h = (1.0 + n) / fur.layers;
   for (const FurStrand& s : strands) {
-    // A slice represents the slab below it. A strand that ends inside the slab covers only a fraction of the
-    // slab's height.
+    // A slice represents the slab between itself and the slice below it. A strand that ends inside the slab
+    // covers only a fraction of the slab's height.
     const double share = std::min(1.0, (s.length - h) * fur.layers + 1.0);
     if (share <= 0) continue;
     const double height = std::min(h, s.length);

@@ -1,13 +1,14 @@
-// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of S, a paper that
-// docs/frame.md lists).
+// Generates the fur volume texture: hairs intersected with N parallel planes (section 3.1 of Silva et al.
+// 2010, Curling and Clumping Fur; see docs/frame.md).
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 
 namespace pelage {
 
 /// Generates `fur.strands` guard hairs and `fur.undercoat` short hairs on a repeating square. Each hair is
-/// displaced towards the centre of the nearest lock of hair, and bent. The hairs are then intersected with
-/// the planes at the heights h = (1+n)/N. The same parameters give the same bytes on every machine.
+/// displaced towards the centre of the nearest lock of hair, and bent. The hairs are then intersected with N
+/// planes, where N is fur.layers. The height of plane n, for n from 0 to N-1, is (1+n)/N times the length of
+/// the fur. The same parameters give the same bytes on every machine.
 ///
 /// Let a be the greatest coverage of a texel by a single strand, computed from 16 sub-samples. The texel
 /// stores the coverage 1 - (1-a)^(16/N), so that the opacity along a ray does not depend on N. The shade of a

@@ -6,9 +6,9 @@
 
 namespace pelage {
 
-/// Generates strands, coat and fur texture, droplets and camera. The result depends only on the arguments and
-/// on the pictures that the scene names. Throws InputError if the mesh has no triangles or a picture cannot
-/// be read.
+/// Computes all arrays of the frame's input, such as the strands, the fur texture, the droplets and the
+/// camera. The result depends only on the arguments and on the pictures that the scene names. Throws
+/// InputError if the mesh has no triangles or a picture cannot be read.
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh);
 
 }  // namespace pelage

@@ -2,8 +2,9 @@
 
 namespace pelage {
 glm::vec3 rotation_of(const MeshScene& mesh) {
-  // The rotation that makes z point up is a rotation by -90 degrees about x. The first rotation of
-  // mesh.rotate is also about x, so the two angles are added.
+  // If z is the model's upward axis, a rotation by -90 degrees about x turns z to y. The first rotation of
+  // mesh.rotate is also about x, so the two angles are added. If the sum would leave the range from -360 to
+  // 360 degrees, the code adds 270 degrees in place of -90 degrees.
   glm::vec3 angles = mesh.rotate;
   if (mesh.up == "z") angles.x -= angles.x - 90 < -360 && angles.x >= -360 ? -270.0f : 90.0f;
   return angles;

@@ -1,4 +1,4 @@
-// Loads the mesh that the keys of a scene describe.
+// Loads the model that a scene names, with the mesh options of the scene.
 #pragma once
 #include <functional>
 #include <map>

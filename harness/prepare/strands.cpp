@@ -9,17 +9,17 @@
 namespace pelage {
 namespace {
 
-constexpr double noise_size = 0.1;  // wavelength, in R, of the noise that varies the comb direction
-// The comb direction is a unit vector. Let g be the length of its tangential part at a surface point. The
-// tilt is the tangent of the angle between strand and normal. Before noise and smoothing, the tilt is
-// g * fur.comb / sqrt(g^2 + least_grip^2). It is fur.comb / sqrt(2) where g is equal to least_grip, and 0
-// where g is 0.
+constexpr double noise_size = 0.1;  // wavelength of the random part of the tilt, in R (the mesh radius)
+// This constant limits the tilt (comb_field()) where the comb direction is nearly normal to the surface. The
+// comb direction is a unit vector. Let g be the length of the projection of this vector onto the tangent
+// plane. Before noise and smoothing, the length of the tilt is g * fur.comb / sqrt(g^2 + least_grip^2). This
+// length is fur.comb / sqrt(2) where g is equal to least_grip, and 0 where g is 0.
 constexpr double least_grip = 0.25;
 constexpr int comb_iterations = 20;  // number of iterations of smooth_tangents()
 
-/// Returns the tilt of the strands at each surface point as a tangential vector. Its length is the tangent of
-/// the angle between strand and normal. Where the comb direction is nearly normal to the surface, the tilt
-/// decreases to 0, because the direction of the tilt changes rapidly there.
+/// Returns the tilt of the strands at each surface point. The tilt is a tangential vector, and its length is
+/// the tangent of the angle between strand and normal. Where the comb direction is nearly normal to the
+/// surface, its tangential part changes direction rapidly. The tilt therefore decreases to 0 there.
 std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
   const glm::dvec3 given(fur.comb_direction);
   const glm::dvec3 direction = glm::length(given) > 0 ? glm::normalize(given) : glm::dvec3(0);

@@ -15,7 +15,8 @@ struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  std::vector<int> source;  ///< for each texel, index of the covered texel from which its point is copied
+  /// For each texel: index of the covered texel whose surface point is copied to it.
+  std::vector<int> source;
 };
 
 void draw(Grid& grid, const glm::dvec2 (&uv)[3], const glm::dvec3 (&position)[3]) {

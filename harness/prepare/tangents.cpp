@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 constexpr int smooth_iterations = 60;
-constexpr double phase_size = 0.4;  // wavelength, in R, of the noise that varies the curl's phase
+constexpr double phase_size = 0.4;  // wavelength of the noise in the curl's phase, in R (the mesh radius)
 
 glm::dvec3 unit_tangent(glm::dvec3 v, glm::dvec3 n) {
   const glm::dvec3 flat = tangential(v, n);
@@ -78,7 +78,8 @@ CurlFrame curl_frame(const Mesh& mesh, const Skin& skin, const SurfaceTangents& 
       v = c * v - s * u[w];
       u[w] = turned;
     }
-    if (!smooth && glm::dot(v, glm::dvec3(tangents.b[copy])) < 0) v = -v;  // the chart is mirrored
+    // Where the UV map is mirrored, n x u points against dX/dv.
+    if (!smooth && glm::dot(v, glm::dvec3(tangents.b[copy])) < 0) v = -v;
     frame.u.push_back(glm::vec3(u[w]));
     frame.v.push_back(glm::vec3(v));
     frame.mask_uv.push_back(mesh.uv[copy]);

@@ -1,4 +1,5 @@
-// A cache on disk for textures that take long to compute (cache_folder()/textures, at most 512 MiB).
+// A cache on disk for textures that take long to compute. The files are in cache_folder()/textures and have
+// at most 512 MiB.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -7,8 +8,9 @@
 
 namespace pelage {
 
-/// Version of the texture generators, part of every cache file's name. Increase it after a change of the code
-/// that changes a texture. A test compares the textures with stored hashes.
+/// Version of the texture generators. The name of every cache file contains it. Increase it whenever a change
+/// of the code changes a texture. tests/prepare/texture_cache_test.cpp detects such changes by the hashes of
+/// three textures.
 constexpr int texture_recipe = 1;
 
 /// These functions return the same results as make_fur_texture(), make_coat() and surface_map(). They read a

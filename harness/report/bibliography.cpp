@@ -63,8 +63,8 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
 }
 
 std::string provenance_of(const std::vector<FoundRow>& rows) {
-  // These fields differ between the rows of a run. The report omits them, because each recorded row contains
-  // them.
+  // The values of these fields can differ between the rows of one run. provenance_of() describes whole runs,
+  // so it omits these fields. The recorded rows contain them.
   static const std::set<std::string> of_a_row{
       "utc",        "started_s",  "cpu_mhz",         "cpu_mhz_after", "load",          "prepare_s",
       "sampling_s", "load_after", "other_cpu_share", "check_s",       "kernel_hash",   "converged",

@@ -1,4 +1,6 @@
-// Makes the report section of any experiment that has no special section.
+// Makes the report section of any experiment that has no special section (sections.hpp). An axis is a setting
+// that the experiment varies. The key columns of a table are the axes and the variant. Readers see the table
+// as a cross table with groups of columns (harness/table/table.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,12 +13,11 @@
 namespace pelage {
 namespace {
 
-/// The values of a key column (an axis or the variant) become groups of columns in the cross table only if
-/// there are at most this number of values.
+/// A key column gives groups of columns, one group per value, only if it has at most this number of values.
 constexpr std::size_t most_groups = 5;
 
-/// If an experiment has at least this number of variants and few cases per variant, its table has one row per
-/// variant, sorted from the fastest variant to the slowest.
+/// Minimum number of variants for a call of of_variants(). The call also requires that the experiment has no
+/// table [report] and at most most_groups cases per variant.
 constexpr std::size_t fewest_variants = 4;
 
 std::size_t count_of(const Table& table, const std::string& name) {
@@ -37,10 +38,10 @@ bool timed(const Cell& c) {
   return c.status == Status::ok && c.median_ms > 0;
 }
 
-/// In each case, divides the frame time of every variant by the frame time of the fastest variant. Returns
-/// the geometric mean of these ratios over the cases, for each variant.
+/// For each case, divides the frame time of every variant by the frame time of the fastest variant in this
+/// case. Returns the geometric mean of these ratios over the cases, for each variant.
 std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
-  std::map<std::string, double> fastest;  // case without its variant (name_of()) -> ms
+  std::map<std::string, double> fastest;  // name_of() of a case -> least frame time in ms
   for (const Cell& c : cells)
     if (timed(c)) {
       double& least = fastest.emplace(name_of(c), c.median_ms).first->second;
@@ -54,8 +55,8 @@ std::map<std::string, double> by_fastest(const std::vector<Cell>& cells) {
   return means;
 }
 
-/// Makes the section of an experiment that compares variants. The columns of its cross table are grouped by
-/// the values of all axes that vary.
+/// Makes the section of an experiment that compares variants. The cross table has one row per variant, sorted
+/// from the fastest variant to the slowest. The values of all axes that vary give the groups of columns.
 Section of_variants(std::vector<Cell> cells) {
   const auto means = by_fastest(cells);
   const auto mean = [&](const Cell& c) -> std::optional<double> {
@@ -82,8 +83,9 @@ Section of_variants(std::vector<Cell> cells) {
   return section;
 }
 
-/// Makes the section of any other experiment. Its cross table normally has one row per case. But if the last
-/// key column that varies has at most most_groups values, each of these values becomes a group of columns.
+/// Makes the section of an experiment for which of_variants() is not called. The cross table normally has one
+/// row per case. But if the last key column that varies has at most most_groups values, each of these values
+/// becomes a group of columns.
 Section of_cases(std::vector<Cell> cells, const View& view) {
   sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};

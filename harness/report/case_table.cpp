@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -52,8 +53,8 @@ Column axis_column(const std::string& axis) {
   return column;
 }
 
-/// Returns a column with a time or a frame rate. If a cell has no time, the column shows the cell's status if
-/// `starred` is true, and "-" otherwise. With `starred`, the times also have the marks of marks_of().
+/// Returns a column with a time or a frame rate. With `starred`, the column adds the marks of marks_of() to
+/// the times, and shows the status of cells without a time. Without `starred`, it shows "-" for these cells.
 CellColumn time_column(const std::string& name, const std::string& heading, double (*number)(const Cell&),
                        bool starred) {
   return {{name, heading}, [=](const Cell& c) {
@@ -88,7 +89,7 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
   for (const Cell& c : cells)
     for (const auto& [name, metric] : c.metrics) {
       if (name == "triangles")
-        continue;  // case_columns() adds this column itself, because failed cells have it too
+        continue;  // case_columns() adds the column `triangles`, also for cells that failed
       units[name] = metric.unit;
       if (metric.low || metric.high) with_interval.insert(name);
     }
@@ -114,6 +115,19 @@ void add_metrics(std::vector<CellColumn>& columns, const std::vector<Cell>& cell
   }
 }
 
+/// Returns a map from the path of each mesh file to the file's name without folder and extension. Tables show
+/// this name instead of the path. The map omits names that several paths have in common.
+std::map<std::string, std::string> short_model_names(const std::vector<Cell>& cells) {
+  std::map<std::string, std::set<std::string>> paths;  // name -> paths
+  for (const Cell& c : cells)
+    if (const std::string model = c.axis("model"); !model.empty())
+      paths[std::filesystem::path(model).stem().string()].insert(model);
+  std::map<std::string, std::string> names;
+  for (const auto& [name, all] : paths)
+    if (all.size() == 1) names[*all.begin()] = name;
+  return names;
+}
+
 /// Returns whether the column is an axis or the variant.
 bool is_key(const std::string& column, const std::vector<Cell>& cells) {
   return column == "variant" ||
@@ -125,10 +139,16 @@ bool is_key(const std::string& column, const std::vector<Cell>& cells) {
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns;
   const auto triangles = triangles_by_model(cells);
+  const auto short_names = short_model_names(cells);
   const bool counted =
       std::any_of(triangles.begin(), triangles.end(), [](const auto& t) { return t.second > 0; });
   for (const std::string& axis : axes_of(cells)) {
-    columns.push_back({axis_column(axis), [axis](const Cell& c) { return text_value(c.axis(axis)); }});
+    columns.push_back({axis_column(axis), [axis, short_names](const Cell& c) {
+                         Value value = text_value(c.axis(axis));
+                         const auto found = short_names.find(value.data);
+                         if (axis == "model" && found != short_names.end()) value.shown = found->second;
+                         return value;
+                       }});
     if (axis == "model" && counted)
       columns.push_back({{"triangles", "triangles"}, [triangles](const Cell& c) {
                            const double count = triangles.at(c.axis("model"));

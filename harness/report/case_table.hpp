@@ -1,5 +1,6 @@
-// The table of an experiment: one line per case, and a column for each axis, time and metric. The special
-// sections of a report use this table too, with more columns and another layout.
+// The table of an experiment: one line per case, and a column for each time, each metric and each axis (a
+// setting that the experiment varies). Readers see the lines as a cross table (harness/table/table.hpp). All
+// report sections about experiments (sections.hpp) use this table; some add columns or change the layout.
 #pragma once
 #include <functional>
 #include <map>
@@ -11,7 +12,8 @@
 
 namespace pelage {
 
-/// A column, and the function that computes its value for a cell. A table has one line per cell.
+/// A column, and the function that computes its value for a cell. A cell is the combined result of one case
+/// (cells.hpp). A table has one line per cell.
 struct CellColumn {
   Column column;
   std::function<Value(const Cell&)> value;
@@ -19,11 +21,12 @@ struct CellColumn {
 
 /// Returns the columns in this order. First come the axes: the model, the number of triangles, the other
 /// axes, the layers and the size. Then come the variant, the experiment, the device, the host, the settings
-/// that the user changed, and the status. Then come the frame rate and the frame time with 95% intervals, the
-/// CPU time, the numbers of samples and processes, whether the median converged, and whether other processes
-/// disturbed the timing. The last columns are the median time of each phase ("simulate_ms"), and each metric
-/// with its interval if it has one. Cells that are not ok have no times, frame rates and metrics. Readers see
-/// their status in place of fps and median_ms.
+/// that the user changed, and the status. Then come the frame rate and the frame time with 95% intervals, and
+/// the CPU time. Then come the numbers of samples and processes, whether the median converged, the drift, and
+/// whether other processes disturbed the timing. The last columns are the median time of each phase (for the
+/// phase "simulate", the column "simulate_ms"), and each metric with its interval if it has one. If the
+/// status of a cell is not "ok", its line contains no time, frame rate or metric. Readers then see the status
+/// in the columns fps and median_ms.
 std::vector<CellColumn> case_columns(const std::vector<Cell>& cells);
 
 /// Returns a table with one line per cell. Its layout is empty.
@@ -33,12 +36,12 @@ Table table_of(const std::vector<Cell>& cells, const std::vector<CellColumn>& co
 /// order of the columns.
 std::vector<std::string> varying_keys(const Table& table, const std::vector<Cell>& cells);
 
-/// Appends to Layout::rows every key column that varies and that the layout does not contain. Then no two
-/// cells with different axes have the same place in the cross table.
+/// Appends to Layout::rows every key column that varies and is missing in the layout. Each combination of
+/// axis values then has its own place in the cross table.
 void add_varying_keys(Table& table, const std::vector<Cell>& cells);
 
-/// Adds the 95% interval to the text that readers see in the column `name`: "12.3 [12.1, 12.6]". The limits
-/// are in the columns NAME_low and NAME_high.
+/// Adds the 95% interval to the text that readers see in the column `name`: "12.3 [12.1, 12.6]". The function
+/// reads the limits from the columns `name` + "_low" and `name` + "_high".
 void show_interval(Table& table, const std::string& name);
 
 /// Returns "EXPERIMENT on DEVICE", followed by the properties that all cells have in common. These are values
@@ -54,8 +57,8 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
 /// then by the values of the axes (model first, layers and size last), then by the variant.
 void sort_cells(std::vector<Cell>& cells);
 
-/// Returns the values of the cell's axes as text, for example "torus, 16 layers, 800x600". Omits the variant,
-/// and the reading if it is "default".
+/// Returns the values of the cell's axes as text, for example "torus, 16 layers, 800x600". The text does not
+/// contain the variant, and it contains the value of the axis "reading" only if this value is not "default".
 std::string name_of(const Cell& cell);
 
 /// Returns the marks of the cell's times: "*" if the median did not converge, "!" if other processes

@@ -39,13 +39,13 @@ Cell cell_of(const FoundRow& found) {
   return cell;
 }
 
-/// Returns the members that name a cell. Two cells with the same names may have measured different inputs;
-/// Cell::identity then differs.
+/// Returns the members that name a cell. Two cells with equal names may have measured different inputs. Such
+/// cells differ in Cell::identity.
 auto names(const Cell& c) {
   return std::tie(c.experiment, c.case_name, c.variant, c.device, c.host, c.overrides);
 }
 
-/// Adds the times of one process, which recorded the row.
+/// Adds `times`, which one process measured and recorded in `row`.
 void add_times(Cell& cell, const Row& row, std::vector<double> times) {
   if (times.empty()) return;
   cell.timings.processes.push_back(std::move(times));

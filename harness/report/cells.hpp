@@ -1,5 +1,5 @@
 // Cells of the report's tables. A cell combines the rows of one case from all processes (--repeat) and holds
-// the statistics of their samples.
+// the statistics of their samples. An axis is a setting that an experiment varies.
 #pragma once
 #include <map>
 #include <optional>
@@ -22,7 +22,7 @@ struct Cell {
   /// Name of each metric -> its values, one for each combined row, in the order of the rows. Each row is from
   /// a separate process.
   std::map<std::string, std::vector<double>> runs;
-  Timings timings;         ///< for each process, its start and its wall times of frames
+  Timings timings;         ///< for each process, its start time and the wall times of its frames
   bool contended = false;  ///< whether a row was timed on a loaded machine (harness/measure/cpu_use.hpp)
   /// Name of each phase other than "frame" -> median of its samples in ms. The samples are event times, or
   /// wall times if the phase has no event times.
@@ -30,19 +30,20 @@ struct Cell {
   std::optional<double> cpu_ms;  ///< median of the CPU times of frames, in ms
   std::string title;             ///< title of the experiment; "" for rows of earlier versions
   std::string renderer;          ///< OpenGL renderer; "" if the OpenGL baseline did not run
-  nlohmann::json view;           ///< table [report] of the experiment file; null for old rows
+  nlohmann::json view;           ///< table [report] of the experiment file; null for rows of earlier versions
   double median_ms = 0;          ///< median of all samples of all processes; 0 without samples
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
-  bool converged = true;          ///< whether every row has a narrow interval (is_precise())
-  double drift = 0;               ///< largest Drift::change (in magnitude) of a row; 0 if no row drifts()
+  bool converged = true;  ///< whether every row has a narrow interval (is_precise())
+  /// Change of the row that drifts most (Drift::change of largest magnitude). 0 if no row drifts (drifts()).
+  double drift = 0;
   std::filesystem::path image;    ///< file of the cell's picture; it may not exist
   int index = -1;                 ///< index of this cell in the result of cells_of()
   std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
   /// Hashes of the picture files, from the rows. Empty for rows of earlier versions.
   std::set<std::string> picture_hashes;
-  /// Value of the axis "reading", which names a set of scene settings, such as an interpretation of the
-  /// paper; "default" if the cell has no such axis.
+  /// Value of the axis "reading"; "default" if the cell has no such axis. The axis selects a set of scene
+  /// settings, for example one interpretation of a paper's text.
   std::string reading() const;
   std::string axis(const std::string& key) const;  ///< value of the axis; "" if the cell has no such axis
   std::optional<Metric> paper_fps() const;
@@ -58,13 +59,14 @@ std::string changes_of(const Cell& cell);
 /// determines what a row measured) are equal.
 std::vector<Cell> cells_of(const std::vector<FoundRow>& rows);
 
-/// Replaces the frame times in `cells`, which is cells_of(rows), by the times of the phase: its event times,
-/// or its wall times if a row has no event times. A cell without the phase has no time afterwards. Throws
-/// InputError with the names of all phases if no cell has the phase.
+/// Replaces the frame times in `cells` by the times of the phase `phase`: its event times, or its wall times
+/// if a row has no event times. `cells` is the result of cells_of(rows). A cell without this phase has no
+/// time afterwards. Throws InputError with the names of all phases if no cell has the phase.
 void use_phase(std::vector<Cell>& cells, const std::vector<FoundRow>& rows, const std::string& phase);
 
-/// Our frames per second divided by the paper's. The interval from `low` to `high` follows from the
-/// uncertainties of both numbers. An empty `low` or `high` means that the interval has no such limit.
+/// Our frame rate divided by the frame rate that a paper published (Cell::paper_fps()). The interval from
+/// `low` to `high` follows from the uncertainties of both frame rates. An empty `low` or `high` means that
+/// the interval has no such limit.
 struct Ratio {
   double value = 0;
   std::string relation;  ///< ">" if the paper gives only an upper bound of its frame rate, else ""
@@ -72,7 +74,7 @@ struct Ratio {
 };
 std::optional<Ratio> ratio_of(const Cell& cell);
 
-/// Returns the number in the form in which the paper prints it: "267", "< 1", "~ 30" or "20..30".
+/// Returns the number in the form in which a paper prints it: "267", "< 1", "~ 30" or "20..30".
 std::string published_text(const Metric& figure);
 
 }  // namespace pelage

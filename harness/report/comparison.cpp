@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "harness/error.hpp"
 #include "harness/measure/difference.hpp"
@@ -22,15 +23,14 @@ std::string value_of(const Cell& cell, const CompareBy& by) {
   return {};
 }
 
-/// Returns a text of all properties that must be equal in the two cells of a pair. The properties are the
-/// experiment, the axes, the overrides, the variant and the device. The text does not contain the property
-/// that `by` names.
+/// Returns a text with the properties that must be equal in the two cells of a pair. They are the experiment,
+/// the axes, the overrides, the variant and the device, except for the property that `by` names.
 std::string common_name(const Cell& cell, const CompareBy& by) {
   std::string name = cell.experiment;
   for (const auto& [key, value] : cell.axes)
     if (by.text != "axes." + key && key != "variant") name += fmt::format(" {}={}", key, value);
   for (const auto& [key, value] : cell.overrides)
-    if (by.text != "axes." + key) name += fmt::format(" [{}={}]", key, value);
+    if (by.text != "axes." + key && cell.axis(key) != value) name += fmt::format(" [{}={}]", key, value);
   if (by.text != "variant" && by.text != "axes.variant") name += " " + cell.variant;
   if (by.text != "device") name += " " + cell.device + "@" + cell.host;
   return name;
@@ -38,6 +38,51 @@ std::string common_name(const Cell& cell, const CompareBy& by) {
 
 bool timed(const Cell& cell) {
   return cell.median_ms > 0;
+}
+
+/// Two cells to compare.
+struct Match {
+  const Cell *a, *b;
+};
+
+/// Returns the two cells in the order a, b. But if both cells are from one set of results, the cell with the
+/// smaller value of the property `by` comes first.
+Match match_of(const Cell& a, const Cell& b, bool one_set, const CompareBy& by) {
+  const bool swapped = one_set && natural_less(value_of(b, by), value_of(a, by));
+  return swapped ? Match{&b, &a} : Match{&a, &b};
+}
+
+/// Returns the pairs of cells that differ only in the property that `by` names.
+std::vector<Match> equal_names(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
+                               const CompareBy& by) {
+  std::vector<std::string> names;
+  names.reserve(b.size());
+  for (const Cell& cell : b) names.push_back(common_name(cell, by));
+  std::vector<Match> matches;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string name = common_name(a[i], by);
+    for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j)
+      if (names[j] == name) matches.push_back(match_of(a[i], b[j], one_set, by));
+  }
+  return matches;
+}
+
+/// Returns the pairs of cells that have the same case on two devices and that `matches` does not contain. The
+/// variants of the two cells may differ: the default mapping of pixels to work-items depends on the device,
+/// and the name of the mapping is a part of the variant.
+std::vector<Match> equal_cases(const std::vector<Cell>& a, const std::vector<Cell>& b, bool one_set,
+                               const CompareBy& by, const std::vector<Match>& matches) {
+  std::set<const Cell*> matched;
+  for (const Match& m : matches) matched.insert({m.a, m.b});
+  std::vector<Match> more;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
+      const Cell &x = a[i], &y = b[j];
+      if (matched.contains(&x) || matched.contains(&y) || value_of(x, by) == value_of(y, by)) continue;
+      if (x.experiment == y.experiment && x.case_name == y.case_name && x.overrides == y.overrides)
+        more.push_back(match_of(x, y, one_set, by));
+    }
+  return more;
 }
 
 Verdict verdict_of(Side side) {
@@ -54,17 +99,22 @@ Verdict verdict_of(Side side) {
   return Verdict::undecided;
 }
 
-Pair pair_of(const Cell& a, const Cell& b, std::string name, const CompareBy& by) {
+Pair pair_of(const Cell& a, const Cell& b, const CompareBy& by) {
   Pair pair;
-  pair.name = std::move(name);
+  pair.name = common_name(a, by);
+  if (by.text == "device" && a.variant != b.variant) pair.name += " -> " + b.variant;
   pair.a = value_of(a, by);
   pair.b = value_of(b, by);
-  pair.a_ms = a.median_ms;
-  pair.b_ms = b.median_ms;
+  pair.a_ms = timed(a) ? typical_ms(a.timings) : 0;
+  pair.b_ms = timed(b) ? typical_ms(b.timings) : 0;
   pair.a_processes = a.timings.processes.size();
   pair.b_processes = b.timings.processes.size();
   pair.contended = a.contended || b.contended;
-  if (timed(a) && !timed(b)) pair.verdict = Verdict::lost;
+  if (timed(a) && !timed(b)) {
+    pair.verdict = Verdict::lost;
+    pair.reason = std::string(to_text(b.status));
+    if (!b.reason.empty()) pair.reason += ": " + b.reason;
+  }
   return pair;
 }
 
@@ -89,6 +139,9 @@ void decide_pairs(std::vector<Pair>& pairs, const std::vector<std::optional<Diff
     pair.assumed = difference.assumed;
     pair.detectable = detectable_change(difference, known.size(), limits.threshold, limits.alpha);
     pair.verdict = verdict_of(decision.side);
+    if (pair.verdict == Verdict::undecided)
+      pair.needed = processes_needed(difference, std::min(pair.a_processes, pair.b_processes), known.size(),
+                                     limits.threshold, limits.alpha);
   }
 }
 
@@ -116,19 +169,19 @@ std::vector<Pair> compare_cells(const std::vector<Cell>& a, const std::vector<Ce
                                 const CompareBy& by, const CompareLimits& limits) {
   refuse_ambiguous(a, by);
   refuse_ambiguous(b, by);
+  std::vector<Match> matches = equal_names(a, b, one_set, by);
+  if (by.text == "device") {
+    const std::vector<Match> more = equal_cases(a, b, one_set, by, matches);
+    matches.insert(matches.end(), more.begin(), more.end());
+  }
   std::vector<Pair> pairs;
   std::vector<std::optional<Difference>> differences;  // one per pair; empty if a time is missing
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = one_set ? i + 1 : 0; j < b.size(); ++j) {
-      std::string name = common_name(a[i], by);
-      if (common_name(b[j], by) != name) continue;
-      const bool swapped = one_set && natural_less(value_of(b[j], by), value_of(a[i], by));
-      const Cell &first = swapped ? b[j] : a[i], &second = swapped ? a[i] : b[j];
-      pairs.push_back(pair_of(first, second, std::move(name), by));
-      differences.push_back(timed(first) && timed(second)
-                                ? std::optional(difference_of(first.timings, second.timings))
-                                : std::nullopt);
-    }
+  for (const auto& [first, second] : matches) {
+    pairs.push_back(pair_of(*first, *second, by));
+    differences.push_back(timed(*first) && timed(*second)
+                              ? std::optional(difference_of(first->timings, second->timings))
+                              : std::nullopt);
+  }
   if (pairs.empty())
     throw InputError(
         by.text.empty()

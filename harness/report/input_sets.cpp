@@ -10,8 +10,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a text of the row's experiment, case, variant, device, host and overrides (its names). Rows with
-/// the same names have the same text.
+/// Returns a text that consists of the row's names: experiment, case, variant, device, host and overrides.
+/// Rows with the same names have the same text.
 std::string names_of(const Row& row) {
   std::string text = fmt::format("{}|{}|{}|{}|{}", row.experiment, row.case_name, row.variant, row.device,
                                  row.provenance.value("host", std::string()));

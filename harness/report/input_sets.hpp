@@ -10,17 +10,18 @@ namespace pelage {
 /// Rows in which every case has only one identity, so that all rows of a case may be combined.
 struct InputSet {
   std::vector<FoundRow> rows;
-  /// The parts of the identity, such as "mesh, scene", in which rows of this set differ from rows of the same
-  /// case in the first set. If one of two such rows has no identity (a row of schema 1), the text contains
-  /// "identity incomplete". Empty for the first set.
+  /// Names of the parts of the identity in which rows of this set differ from rows of the same cases in the
+  /// first set, such as "mesh, scene". If one of two compared rows has no identity (a row of schema 1),
+  /// `differs` contains "identity incomplete". Empty for the first set.
   std::string differs;
 };
 
-/// Divides the rows into sets. The rows of one journal stay together. Each journal is added to the first set
-/// in which no case of the journal has another identity. Here, two rows belong to the same case if they have
-/// the same experiment, case, variant, device, host and overrides. If a journal contains two identities of
-/// the same case, the journal is divided first. Within a set, the rows of a journal keep their order. The
-/// result has at least one set.
+/// Divides the rows into sets. Usually, all rows of a journal are added to the same set. A journal conflicts
+/// with a set if they contain the same case with different identities. Each journal is added to the first set
+/// without a conflict. Here, two rows belong to the same case if they have the same experiment, case,
+/// variant, device, host and overrides. A journal can itself contain two identities of the same case. The
+/// function then divides the journal into parts, and adds each part like a journal. Within a set, the rows of
+/// a journal keep their order. The result has at least one set.
 std::vector<InputSet> input_sets(const std::vector<FoundRow>& rows);
 
 }  // namespace pelage

@@ -10,7 +10,8 @@
 namespace pelage {
 namespace {
 
-/// Maximum length of a reason in the table, in bytes. The compiler's log of a kernel can be much longer.
+/// Maximum length of a reason in the table, in bytes. Without this limit, a compiler's log in the reason
+/// could make the table unreadable.
 constexpr std::size_t longest_reason = 300;
 
 /// Returns the first line of the text, shortened to longest_reason bytes.
@@ -47,7 +48,7 @@ std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& jou
 
 std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::vector<FoundRow>& rows) {
   std::vector<LeftOut> list;
-  std::set<std::string> with_ratio;  // experiments
+  std::set<std::string> with_ratio;  // experiments with opengl_ratio in some cell
   for (const Cell& c : cells)
     if (c.metrics.contains("opengl_ratio")) with_ratio.insert(c.experiment);
   for (const Cell& c : cells) {
@@ -72,7 +73,7 @@ Section left_out_section(const std::vector<LeftOut>& list) {
   Section section;
   Table& table = section.table;
   table.title = "Left out";
-  table.subtitle = "Cases without a time, and inputs that are in no other table";
+  table.subtitle = "Cases without a time, and parts of the journals that are in no other table";
   table.stem = "left-out";
   table.columns = {{"experiment", "experiment"}, {"case", "case"}, {"where", "where"}, {"reason", "reason"}};
   table.layout = {{}, {"experiment", "case", "where"}, {}, {"reason"}};

@@ -17,7 +17,7 @@ std::optional<double> ms_of(std::optional<double> fps) {
   return fps && *fps > 0 ? std::optional(1000 / *fps) : std::nullopt;
 }
 
-/// Returns a column whose value `number` computes from the paper's frame rate.
+/// Returns a column. The function `number` computes the column's values from the paper's frame rate.
 CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metric& paper)) {
   return {{name, name}, [number](const Cell& c) {
             const auto paper = c.paper_fps();
@@ -25,7 +25,8 @@ CellColumn of_paper(const char* name, std::optional<double> (*number)(const Metr
           }};
 }
 
-/// Returns a column whose value `number` computes from the ratio of our frame rate to the paper's frame rate.
+/// Returns a column. The function `number` computes the column's values from the ratio of our frame rate to
+/// the paper's frame rate.
 CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Ratio& ratio)) {
   return {{name, name}, [number](const Cell& c) {
             const auto ratio = c.status == Status::ok ? ratio_of(c) : std::nullopt;
@@ -35,7 +36,7 @@ CellColumn of_ratio(const char* name, std::optional<double> (*number)(const Rati
 
 std::vector<CellColumn> paper_columns(const std::vector<Cell>& cells) {
   std::vector<CellColumn> columns = case_columns(cells);
-  // Replaces the columns of the metric paper_fps and its limits by the columns below.
+  // Removes the columns of the metric paper_fps and of its limits. The columns below replace them.
   std::erase_if(columns, [](const CellColumn& c) { return c.column.name.starts_with("paper_fps"); });
   for (CellColumn& c : columns)
     if (c.column.name == "fps") c.column.heading = "ours";
@@ -86,9 +87,8 @@ Section section_of(std::vector<Cell> cells, const std::string& stem, const Sourc
   add_varying_keys(table, cells);
   add_footnotes(table, sources.note);
   table.remarks = {
-      "Frames per second: 1000 divided by the median wall time of a warm frame in ms, from the first command "
-      "to the "
-      "end of the last one.",
+      "Frames per second: 1000 divided by the median wall time of a warm frame in ms. The wall time lasts "
+      "from the frame's first enqueued kernel to the end of its last kernel.",
       "Ratio: ours divided by the paper's."};
   if (!experiment.hardware.empty())
     table.remarks.push_back(fmt::format("The paper's frame rates are from {}, measured on {}.",

@@ -62,7 +62,8 @@ std::string last_line(std::string text) {
 
 fs::path plot_program(const std::string& name) {
   for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR))
-    for (const char* folder : {"plots", "harness/report/plots"})  // in an installation; in the source tree
+    // The first folder is that of an installation, and the second folder is that of the source tree.
+    for (const char* folder : {"plots", "harness/report/plots"})
       if (const fs::path file = data / folder / (name + ".py"); fs::is_regular_file(file)) return file;
   throw InputError(fmt::format("plots/{}.py is missing; set PELAGE_DATA to pelage's data folder", name));
 }

@@ -84,8 +84,8 @@ void erase_from(Names& names, const Names& taken) {
                 [&](const auto& n) { return std::find(taken.begin(), taken.end(), n) != taken.end(); });
 }
 
-/// Sets x, series and panels of the plot. Uses the columns that the view names, and chooses the others from
-/// the key columns that vary.
+/// Sets x, series and panels of the plot. Uses the columns that the view (table [report] of the experiment
+/// file) names. Where the view names no column, chooses among the key columns (axes and variant) that vary.
 void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, const View& view,
            std::vector<std::string>& notes) {
   Names keys = varying_keys(table, cells);
@@ -98,12 +98,18 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     // Each model has one number of triangles, so the model needs no series of its own.
     if (plot.x == "triangles") erase_from(keys, {"model"});
     erase_from(keys, x);
+    // If x had a single value, all points of the plot would lie on one vertical line and cover each other.
+    if (values_of(table, plot.x).size() < 2) {
+      Names& names = combinations(table, plot.series) > 1 ? plot.series : keys;
+      if (std::string other = take_largest(table, names); !other.empty()) plot.x = std::move(other);
+    }
   } else {
     Names numeric, words;
     for (const std::string& key : keys) (is_numeric(table, key) ? numeric : words).push_back(key);
     Names rest = numeric;
     plot.x = take_largest(table, rest);
-    // If x has only two values, each series is a line of two points. Many such lines are hard to read.
+    // If x has fewer than three values, each series has at most two points. Many such short series are hard
+    // to read.
     const bool poor =
         !plot.x.empty() && values_of(table, plot.x).size() < 3 && combinations(table, words) > most_series;
     if (plot.x.empty() || poor) {
@@ -115,7 +121,8 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
     if (plot.x.empty()) plot.x = column_of(table, "model") >= 0 ? "model" : "variant";
     keys = words;
     keys.insert(keys.end(), rest.begin(), rest.end());
-    // Too many series make a plot unreadable. The keys with the fewest values then define panels.
+    // Too many series make a plot unreadable. If there are too many, the keys with the fewest values define
+    // panels instead of series.
     while (view.panels.empty() && view.series.empty() && keys.size() > 1 &&
            combinations(table, keys) > most_series) {
       const auto fewest = std::min_element(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
@@ -128,8 +135,8 @@ void place(PlotSpec& plot, const Table& table, const std::vector<Cell>& cells, c
       keys.erase(fewest);
     }
   }
-  // If x is a measured number, the remaining keys (such as the time step) give no series. One line then joins
-  // their cases.
+  // If x is a measured number, the remaining keys (such as the time step) define no series. One line then
+  // joins the cases that differ only in these keys.
   const auto varying = varying_keys(table, cells);
   const bool measured = plot.x != "triangles" && plot.x != "model" && plot.x != "variant" &&
                         std::find(varying.begin(), varying.end(), plot.x) == varying.end();
@@ -161,6 +168,7 @@ std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cell
     PlotSpec plot = first;
     plot.y = y;
     plot.y_label = y == "median_ms" ? "frame time, ms" : heading(y);
+    if (y.ends_with("_ms") && !plot.y_label.ends_with(", ms")) plot.y_label += ", ms";
     plot.y_scale = view.y_scale.empty() ? scale_of(table, y) : view.y_scale;
     if (column_of(table, y + "_low") >= 0) plot.low = y + "_low", plot.high = y + "_high";
     plot.title = fmt::format("{} against {}: {}", plot.y_label, plot.x_label, table.subtitle);

@@ -1,5 +1,6 @@
-// Makes the section of an experiment that times two pipelines for each frame: the paper's pipeline (the
-// OpenGL baseline) and our OpenCL pipeline.
+// Makes the report section of an experiment that times two pipelines for each frame: our OpenCL pipeline and
+// the OpenGL baseline, which is the pipeline of the experiment's paper. The axis "reading" of the experiment
+// selects a set of scene settings.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,8 +24,9 @@ std::string place_of(Cell cell) {
   return name_of(cell);
 }
 
-/// Returns, for each separate run, the geometric mean of the ratios over the cells. Returns an empty list if
-/// the cells have different numbers of runs, or too few runs for an interval.
+/// Returns one mean for each separate run: the geometric mean of the ratios (OpenGL time divided by OpenCL
+/// time) that this run measured in the cells. Returns an empty list if the cells have different numbers of
+/// runs, or too few runs for an interval.
 std::vector<double> means_of_runs(const std::vector<const Cell*>& cells) {
   const std::size_t count = cells.front()->runs.at("opengl_ratio").size();
   std::vector<double> means;
@@ -50,8 +52,8 @@ std::string mean_interval_text(const std::vector<const Cell*>& cells) {
                      means.size());
 }
 
-/// Returns one sentence for each value of the axis "reading". It states the geometric mean and the smallest
-/// of the ratios.
+/// Returns one sentence for each value of the axis "reading". The sentence states the geometric mean and the
+/// least of the ratios of OpenGL time to OpenCL time.
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
   for (const Cell& c : cells) readings[c.reading()].push_back(&c);
@@ -69,11 +71,13 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
     }
     const std::string name = reading == "default" ? "" : reading + ": ";
     sentences.push_back(
-        least ? fmt::format("{}geometric mean {:.2f} over {} of {} cells ({}), least {:.2f} ({}).", name,
-                            geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                            *ratio_of_pipelines(*least), place_of(*least))
-              : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
-                            members.size()));
+        least
+            ? fmt::format(
+                  "{}geometric mean of the ratios {:.2f} over {} of {} cells ({}), least ratio {:.2f} ({}).",
+                  name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
+                  *ratio_of_pipelines(*least), place_of(*least))
+            : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
+                          members.size()));
   }
   return sentences;
 }

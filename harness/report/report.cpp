@@ -57,6 +57,7 @@ void draw(Report& report, const fs::path& folder, const std::string& program, co
 /// Writes the tables of the sections and draws their plots.
 void write_sections(Report& report, const fs::path& folder) {
   for (const Section& section : report.sections) {
+    write_file(folder / "tables" / (section.table.stem + ".txt"), text_of(section.table));
     write_file(folder / "tables" / (section.table.stem + ".csv"), csv_of(section.table));
     write_file(folder / "tables" / (section.table.stem + ".tex"), latex_of(section.table));
     for (const PlotSpec& plot : section.plots) {
@@ -71,9 +72,10 @@ void draw_springs(Report& report, const std::vector<FoundRow>& rows, const fs::p
     draw(report, folder, "springs", chart.stem, csv_by_phase(chart.rows), chart.title);
 }
 
-/// Writes tables/layers-ratios.csv. It contains two ratios: the frame time with all layers divided by the
-/// frame time with half of the layers, and with a quarter of the layers. Every round of the measurement draws
-/// all three frames.
+/// Writes tables/layers-ratios.csv, which contains two ratios for each case. The first ratio is the frame
+/// time with all layers divided by the frame time with half of the layers. The second ratio is the frame time
+/// with all layers divided by the frame time with a quarter of the layers. Every round of the measurement
+/// draws one frame with each of these three numbers of layers.
 void write_in_turns(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = in_turns_cells(report.cells);
   if (cells.empty()) return;
@@ -81,8 +83,8 @@ void write_in_turns(Report& report, const fs::path& folder) {
   report.scaling += in_turns_text(cells);
 }
 
-/// Writes a table and a plot of the frame time against layers, pixels and triangles, and the fit that the
-/// plot program computes.
+/// Writes a table and a plot of the frame time against layers, pixels and triangles. The plot program also
+/// fits a model to the times. The function appends the text of this fit to the table.
 void write_scaling(Report& report, const fs::path& folder) {
   const std::vector<Cell> cells = scaling_cells(report.cells);
   if (cells.empty()) return;
@@ -106,8 +108,8 @@ void write_scaling(Report& report, const fs::path& folder) {
   write_file(folder / "tables" / "scaling.txt", report.scaling);
 }
 
-/// Compares each cell's picture file with the hashes in its rows. If no hash is equal, removes the path from
-/// the cell and adds the file to `left_out`.
+/// Compares each cell's picture file with the hashes in its rows. If no hash is equal, clears Cell::image and
+/// adds the file to `left_out`.
 void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_out) {
   for (Cell& c : cells) {
     if (c.picture_hashes.empty() || !fs::is_regular_file(c.image) ||
@@ -120,8 +122,8 @@ void drop_other_pictures(std::vector<Cell>& cells, std::vector<LeftOut>& left_ou
 }
 
 /// Copies one picture for each combination of experiment, changes on the command line, model and value of the
-/// axis "reading". Among the pictures with the largest number of layers, it copies the picture with the
-/// smallest width.
+/// axis "reading". If a combination has several pictures, the function chooses the pictures with the largest
+/// number of layers, and among them the picture with the smallest width.
 void copy_pictures(Report& report, const fs::path& folder) {
   std::map<std::tuple<std::string, std::string, std::string, std::string>, const Cell*> best;
   auto rank = [](const Cell& c) {
@@ -134,9 +136,10 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
   for (const auto& [key, cell] : best) {
     const auto& [experiment, reading, model, changes] = key;
-    const std::string file = file_name_of(fmt::format("{}-{}{}{}.png", experiment, model,
-                                                      reading == "default" ? "" : "-" + reading,
-                                                      changes.empty() ? "" : "-" + changes));
+    std::string name = experiment;
+    for (const std::string& part : {model, reading == "default" ? "" : reading, changes})
+      if (!part.empty()) name += "-" + part;
+    const std::string file = file_name_of(name + ".png");
     std::error_code error;
     fs::copy_file(cell->image, folder / "images" / file, fs::copy_options::overwrite_existing, error);
     if (error)
@@ -208,17 +211,18 @@ std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const fs::p
   std::vector<Report> reports;
   std::vector<std::string> apart;
   for (std::size_t i = 1; i < sets.size(); ++i)
-    apart.push_back(fmt::format(
-        "{} of {} rows have the names of other rows but measured different inputs ({}); their files are "
-        "in the folder inputs-{}, and the page shows them separately",
-        sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
+    apart.push_back(
+        fmt::format("{} of {} rows have the same names (case, variant, device and so on) as other rows but "
+                    "measured different inputs ({}); their files are "
+                    "in the folder inputs-{}, and the page shows them separately",
+                    sets[i].rows.size(), rows.size(), sets[i].differs, i + 1));
   for (std::size_t i = 0; i < sets.size(); ++i)
     reports.push_back(
         write_report(sets[i].rows, i == 0 ? folder : folder / fmt::format("inputs-{}", i + 1), note,
                      i == 0 ? apart
                             : std::vector<std::string>{fmt::format(
                                   "the inputs of these rows ({}) differ from the inputs of the rows with "
-                                  "the same names in the first set",
+                                  "the same names (case, variant, device and so on) in the first set",
                                   sets[i].differs)},
                      i == 0 ? left_out : std::vector<LeftOut>()));
   return reports;

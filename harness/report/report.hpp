@@ -15,7 +15,7 @@ namespace pelage {
 
 struct ReportPlot {
   std::string title,
-      stem;  ///< of the files plots/<stem>.svg, .pdf, .csv, .py and (for sections) .json
+      stem;  ///< the files are plots/<stem>.svg, .pdf, .csv, .py and (for sections) .json
 };
 
 struct ReportPicture {
@@ -26,14 +26,16 @@ struct Report {
   std::filesystem::path folder;  ///< folder that contains the files of the report
   std::vector<FoundRow> rows;    ///< all rows of the report; Cell::rows are indices of this list
   std::vector<Cell> cells;
-  std::vector<Section> sections;    ///< each is also in tables/STEM.csv and .tex, with its plots in plots/
-  std::vector<SolverLine> solvers;  ///< also in tables/topology-solvers-ratios.csv, unless this list is empty
+  std::vector<Section> sections;  ///< each section's table is also in tables/STEM.csv, .tex and .txt
+  /// Lines of tables/topology-solvers-ratios.csv. If there are no lines, there is no such file.
+  std::vector<SolverLine> solvers;
   /// Verdicts on the papers' claims about the experiments in the rows. They are also in tables/claims.csv,
   /// unless this list is empty.
   std::vector<claims::Judged> claims;
   std::vector<ReportPlot> plots;
   std::vector<ReportPicture> pictures;
-  std::string scaling;             ///< text about the cost of more layers and the fit of plots/scaling.py
+  /// Text about the cost of additional layers, and the text of the fit by plots/scaling.py.
+  std::string scaling;
   std::vector<std::string> notes;  ///< warnings, and missing parts of the report with the reasons
 };
 
@@ -43,9 +45,9 @@ struct Report {
 std::vector<Report> write_reports(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                                   const ModelNote& note, const std::vector<LeftOut>& left_out = {});
 
-/// Writes all parts into `folder` (created if missing) and returns them. `notes` become the first notes of
-/// the report. The last section of the report lists `left_out` and all cases without a time. Throws
-/// InputError for a path that cannot be written.
+/// Writes all parts of the report into `folder` (created if missing) and returns the report. `notes` become
+/// the first notes of the report. If `left_out` or the result of without_numbers() is not empty, the last
+/// section of the report lists both. Throws InputError for a path that cannot be written.
 Report write_report(const std::vector<FoundRow>& rows, const std::filesystem::path& folder,
                     const ModelNote& note, std::vector<std::string> notes = {},
                     std::vector<LeftOut> left_out = {});

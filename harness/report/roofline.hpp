@@ -9,8 +9,8 @@ namespace pelage {
 /// A kernel within a frame.
 struct KernelWork {
   std::string kernel, phase;
-  double ms = 0;          ///< event time of the kernel's launches in a frame, median over the frames
-  double bytes = 0;       ///< total size of the kernel's buffers; each buffer counts once
+  double ms = 0;          ///< sum of the event times of the kernel's launches in a frame, median over frames
+  double bytes = 0;       ///< size of the kernel's buffers, summed over the launches in a frame
   double operations = 0;  ///< floating-point operations of the kernel in a frame; 0 if not counted
 };
 
@@ -34,7 +34,7 @@ double allowed_gflop_s(const Ceilings& ceilings, double intensity);
 
 /// Returns text for a terminal: a table of frames, then a table of kernels.
 std::string text_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
-/// Returns CSV with one line per case and kernel; plots/roofline.py also reads it.
+/// Returns CSV with one line per case and kernel. The program plots/roofline.py reads this CSV.
 std::string csv_of(const std::vector<FrameWork>& frames, const Ceilings& ceilings);
 
 }  // namespace pelage

@@ -15,16 +15,16 @@ namespace pelage {
 /// changes.
 std::vector<Cell> scaling_cells(const std::vector<Cell>& cells);
 
-/// Returns CSV with one line per cell; plots/scaling.py also reads it.
+/// Returns CSV with one line per cell, the input of plots/scaling.py.
 std::string scaling_csv(const std::vector<Cell>& cells);
 
 /// Returns text for a terminal. It shows the time ratios of cases that differ only in their number of layers,
-/// and the largest memory of a case.
+/// and the largest peak memory of all cases.
 std::string scaling_text(const std::vector<Cell>& cells);
 
-/// Returns the cells with status ok that have the metrics half_ratio and quarter_ratio. These metrics are the
-/// frame time with all layers divided by the time with half and with a quarter of the layers
-/// (harness/subjects/fewer_layers.hpp).
+/// Returns the cells with status ok that have the metrics half_ratio and quarter_ratio. half_ratio is the
+/// frame time with all layers divided by the frame time with half of the layers. quarter_ratio is the same
+/// ratio for a quarter of the layers (harness/subjects/fewer_layers.hpp).
 std::vector<Cell> in_turns_cells(const std::vector<Cell>& cells);
 
 /// Returns CSV with one line per cell. Each line contains half_ratio and quarter_ratio with their 95%

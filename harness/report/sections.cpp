@@ -21,11 +21,19 @@ bool any_axis(const std::vector<Cell>& cells, const char* axis) {
   return std::any_of(cells.begin(), cells.end(), [&](const Cell& c) { return c.axes.contains(axis); });
 }
 
-std::string stem_of(const Cell& cell, const std::string& changes, const Sources& sources) {
+/// Returns the beginning of the file names for a group of cells, such as "scaling-up-z-mine-800x600". For
+/// each key that the user changed, this text contains the last part of the key and the value ("up-z" for
+/// mesh.up = z). For the keys `model` and `size`, this text contains only the value.
+std::string stem_of(const Cell& cell, const Sources& sources) {
   std::string stem = cell.experiment;
   if (sources.several_devices) stem += "-" + cell.device;
   if (sources.several_hosts) stem += "-" + cell.host;
-  if (!changes.empty()) stem += "-" + changes;
+  for (const auto& [key, value] : cell.overrides) {
+    if (key == "model")
+      stem += "-" + std::filesystem::path(value).stem().string();
+    else
+      stem += (key == "size" ? "-" : fmt::format("-{}-", key.substr(key.rfind('.') + 1))) + value;
+  }
   return file_name_of(stem);
 }
 
@@ -58,7 +66,7 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c)}].push_back(c);
   std::vector<Section> sections;
   for (const auto& [key, group] : groups)
-    for (Section& section : of_group(group, stem_of(group.front(), std::get<3>(key), sources), sources))
+    for (Section& section : of_group(group, stem_of(group.front(), sources), sources))
       sections.push_back(std::move(section));
   separate(sections);
   return sections;

@@ -1,5 +1,6 @@
 // Makes the sections of a report. A section is a table with the results of one experiment on one device, and
-// its plots. Every cell (harness/report/cells.hpp) is in a section.
+// the plots of this table. Every cell (harness/report/cells.hpp) is in a section. A view is the table
+// [report] of an experiment file. The axis "reading" of an experiment selects a set of scene settings.
 #pragma once
 #include <functional>
 #include <optional>
@@ -24,10 +25,10 @@ using ModelNote = std::function<std::string(const std::string& model)>;
 /// Data that the functions below need for every section of a report.
 struct Sources {
   ModelNote note;
-  bool several_devices = false,
-       several_hosts = false;  ///< if true, file names contain the device or the host
-  std::vector<std::string>* notes =
-      nullptr;  ///< notes of the report; names in a view that are no columns are added
+  bool several_devices = false,  ///< true: file names contain the device
+      several_hosts = false;     ///< true: file names and subtitles contain the host
+  /// Notes of the report. The functions add a note for each name in a view that is not a column of the table.
+  std::vector<std::string>* notes = nullptr;
 };
 
 /// Returns the sections of all cells: one or more for each experiment, device and host. Cells whose settings
@@ -36,23 +37,24 @@ struct Sources {
 std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& sources);
 
 /// The following functions return the sections of one group of cells. All cells of the group have the same
-/// experiment, device, host and settings changed by the user. `stem` is the start of the sections' file
-/// names.
+/// experiment, device, host and overrides (settings that the user changed). `stem` is the start of the
+/// sections' file names.
 
 /// For any experiment: a table with one row per case, and a plot of the frame time.
 std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::string& stem,
                                    const Sources& sources);
-/// For cells with a frame rate that a paper published: one table per reading and variant, with the layout of
-/// the paper's table. It contains our frame rate, the paper's frame rate and their ratio.
+/// For cells with a frame rate that a paper published: tables with the layout of the paper's table. There is
+/// one table for each variant and each value of the axis "reading". Each table contains our frame rate, the
+/// paper's frame rate and their ratio.
 std::vector<Section> paper_sections(const std::vector<Cell>& cells, const std::string& stem,
                                     const Sources& sources);
-/// For cells with the metric opengl_ratio, which is the frame time of the paper's pipeline (OpenGL) divided
-/// by the frame time of ours: a table of these ratios, and their geometric means.
+/// For cells with the metric opengl_ratio (frame time of the OpenGL baseline divided by the frame time of our
+/// OpenCL pipeline): a table of these ratios, and their geometric means.
 std::vector<Section> ratio_sections(const std::vector<Cell>& cells, const std::string& stem,
                                     const Sources& sources);
 /// For cells with the axes dynamics.topology and layers: a table of the frame time and the simulation time of
-/// each topology. A second table has one line per topology, with its relative frame time and the simulation's
-/// share of the frame time.
+/// each topology. A second table has one line per topology. Each line contains the topology's frame time
+/// divided by the frame time of the first topology, and the simulation's share of the frame time.
 std::vector<Section> topology_sections(const std::vector<Cell>& cells, const std::string& stem,
                                        const Sources& sources);
 
@@ -60,20 +62,21 @@ std::vector<Section> topology_sections(const std::vector<Cell>& cells, const std
 /// file, or if it cannot be read.
 std::optional<Experiment> shipped_experiment(const std::string& name);
 
-/// Returns the title of the cells' experiment. The title is from the rows, or else from the experiment file
-/// that shipped_experiment() reads. If there is no title, returns the name of the experiment.
+/// Returns the title of the cells' experiment from the rows. If the rows contain no title, takes it from the
+/// experiment file that shipped_experiment() reads. If this file has no title either, returns the name of the
+/// experiment.
 std::string title_of(const std::vector<Cell>& cells);
 
-/// Adds the footnotes about models, and marks the models in the table. If the table has no row headings with
-/// models, adds the texts as remarks instead.
+/// Adds the footnotes about models to the table, and marks these models in the row headings. If the row
+/// headings do not contain the models, adds the texts of the footnotes as remarks instead.
 void add_footnotes(Table& table, const ModelNote& note);
 
 /// Returns the geometric mean; 0 for an empty list.
 double geometric_mean(const std::vector<double>& numbers);
 
 /// Returns the view (the table [report] of the experiment file) from the rows of the cells. Rows of earlier
-/// versions do not contain it. For such rows, returns the view of the experiment that shipped_experiment()
-/// reads.
+/// versions of pelage do not contain the view. For such rows, returns the view of the experiment that
+/// shipped_experiment() reads.
 View view_of(const std::vector<Cell>& cells);
 
 }  // namespace pelage

@@ -1,5 +1,5 @@
-// The parts of a report about mass-spring experiments: charts, and a table of our solvers and their
-// baselines.
+// The parts of a report about mass-spring experiments: charts, and a table that compares our solvers with
+// baselines (serial C++ and Eigen).
 #pragma once
 #include <string>
 #include <vector>
@@ -19,12 +19,12 @@ struct SpringsChart {
 /// are ignored.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
-/// The comparison of one of our solvers with one baseline (member `rival`) on a topology of a model. For each
-/// round, the baseline's wall time is divided by our solver's wall time; `ratio` is the median of these
-/// quotients, and `low` and `high` are the limits of its 95% interval. Our solver's CPU time per core is its
-/// CPU time divided by the number of cores. `processor_ratio` is the baseline's CPU time divided by our
-/// solver's CPU time per core. `processor_ratio` is 0 if the row does not contain this ratio. Other processes
-/// on the machine lengthen wall times but hardly change CPU times.
+/// The comparison of one of our solvers with one baseline (member `rival`), for one model and one mass-spring
+/// topology. For each round, the baseline's wall time is divided by our solver's wall time; `ratio` is the
+/// median of these quotients, and `low` and `high` are the limits of its 95% interval. Our solver's CPU time
+/// per core is its CPU time divided by the number of cores. `processor_ratio` is the baseline's CPU time
+/// divided by our solver's CPU time per core. `processor_ratio` is 0 if the row does not contain this ratio.
+/// Other processes on the machine lengthen wall times but hardly change CPU times.
 struct SolverLine {
   std::string model, topology, solver, substeps, device, rival;
   double ours_ms = 0, rival_ms = 0, ratio = 0, low = 0, high = 0, processor_ratio = 0;

@@ -1,4 +1,4 @@
-// Makes the section of an experiment that compares mass-spring topologies.
+// Makes the report section (a table and its plots) of an experiment that compares mass-spring topologies.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,8 @@ std::string place_of(Cell cell) {
   return name_of(cell) + "\n" + cell.variant;
 }
 
-/// Returns the topologies that occur in `cells`, in the order in which the scene key lists its choices.
+/// Returns the topologies that occur in `cells`, in the order in which the key dynamics.topology lists its
+/// choices.
 std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Table& table) {
   std::vector<std::string> names;
   for (const std::string& name : table.columns[std::size_t(column_of(table, axis))].order)
@@ -30,8 +31,8 @@ std::vector<std::string> topologies_of(const std::vector<Cell>& cells, const Tab
   return names;
 }
 
-/// Returns the cell with the topology `first` that otherwise has the same axes and variant as `like`. Returns
-/// null if there is no such cell with a time.
+/// Returns the cell with the topology `first` whose variant and other axes are equal to those of `like`.
+/// Returns null if there is no such cell, or if the cell has no time.
 const Cell* first_of(const std::vector<Cell>& cells, const Cell& like, const std::string& first) {
   const std::string place = place_of(like);
   const auto found = std::find_if(cells.begin(), cells.end(), [&](const Cell& c) {
@@ -45,8 +46,8 @@ std::optional<double> simulate_ms(const Cell& c) {
   return found == c.phase_ms.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Returns a table with one line per topology. It contains the topology's frame time divided by the frame
-/// time of the first topology, and the simulation's share of the frame time.
+/// Returns a table with one line per topology. Each line contains the topology's frame time divided by the
+/// frame time of the first topology, and the simulation's share of the frame time.
 Table shares_of(const std::vector<Cell>& cells, const std::vector<std::string>& topologies) {
   Table table;
   table.title = "Simulation's share of the frame time";

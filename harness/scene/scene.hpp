@@ -1,7 +1,8 @@
 // The scene: all parameters of a picture or a timing, each with a default. The unit R of lengths is the
-// radius of the mesh's bounding sphere. In the comments, S and W are the papers of Silva et al. 2010, and B
-// is Banisch and Wuethrich 2006 (docs/frame.md). scene_toml.hpp declares the functions that read, check and
-// write scenes.
+// radius of the mesh's bounding sphere. L0 is the length of a strand (FurScene::length). In the comments, S
+// is "Curling and Clumping Fur Represented by Texture Layers", W is "Real-Time Rendering of Wet Fur" (both
+// Silva et al. 2010), and B is Banisch and Wuethrich 2006 (docs/frame.md). scene_toml.hpp declares the
+// functions that read, check and write scenes.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,9 +30,11 @@ struct FurScene {
   int undercoat = 4000;  ///< number of undercoat hairs in one slice
   float undercoat_length = 0.45f;  ///< greatest length of an undercoat hair, fraction of L0
   float least_length = 0.6f;       ///< length of the shortest guard hair, fraction of L0
-  float taper = 1.6f;              ///< exponent of the decrease of a hair's radius towards its tip
-  float tip_radius = 0.15f;        ///< radius of a hair at its tip, as a fraction of its radius at the root
-  int locks = 700;                 ///< number of locks of hair per slice; 0: no locks
+  /// Exponent of the taper of a hair. At the fraction t of the hair's length, the radius of the hair is the
+  /// radius at its root times 1 - (1 - tip_radius) * t^taper. `sweep` additionally widens the hair.
+  float taper = 1.6f;
+  float tip_radius = 0.15f;  ///< radius of a hair at its tip, as a fraction of its radius at the root
+  int locks = 700;           ///< number of locks of hair per slice; 0: no locks
   /// A strand is displaced towards the centre of its lock of hair. At the height h (fraction of L0), the
   /// displacement of the strand is lock_pull * h^lock_power times the distance between the strand's root and
   /// the centre of the lock. lock_pull is 0..1.
@@ -42,12 +45,14 @@ struct FurScene {
   /// `bend` * (e^(c t) - 1) / (e^c - 1). A larger c moves the bend towards the tip.
   float bend_exponent = 2.5f;
   float bend_spread = 0.0f;  ///< greatest random deviation of a blade's c, as a fraction of `bend_exponent`
-  /// Tangent of an angle between view ray and strand. strand_radius() widens the cross-sections of a strand
-  /// so that, for view rays at this angle, the widening compensates for the gaps between the slices.
+  /// Tangent of an angle between a view ray and a strand. strand_radius() widens the strands so much that
+  /// view rays at this angle see no gaps between the slices. 0: no widening.
   float sweep = 0.18f;
-  float shade = 0.28f;      ///< greatest random deviation of a hair's shade from 1
-  float comb = 0.6f;        ///< tangent of the angle by which strands tilt at rest; 0: upright
-  float comb_noise = 0.0f;  ///< tangent of a tilt in smoothly varying random directions, added to `comb`
+  float shade = 0.28f;  ///< greatest deviation from 1 of a hair's shade, a random factor of its colour
+  float comb = 0.6f;    ///< tangent of the angle by which strands tilt at rest; 0: upright
+  /// Size of a random tilt of the strands at rest, as the tangent of an angle. This tilt is added to the tilt
+  /// by `comb` and varies smoothly over the surface.
+  float comb_noise = 0.0f;
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
@@ -60,8 +65,8 @@ struct FurScene {
 struct CurlScene {
   float radius = 0.0f;  ///< K_alpha, R
   float turns = 0.0f;   ///< number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4
-  /// Amplitude of the variation of the curl's phase over the surface, in turns. Used only if `frame` is
-  /// "smooth".
+  /// Greatest random shift of a curl's phase, in turns. The shift varies smoothly over the surface. Used only
+  /// if `frame` is "smooth".
   float variation = 0.0f;
   std::string frame = "smooth";  ///< "smooth" | "uv"
 };
@@ -76,9 +81,10 @@ struct DropletScene {
 };
 
 struct WetnessScene {
-  int size = 256;                      ///< number of texels per side of the mask
-  std::vector<DropletScene> droplets;  ///< explicit droplets, blended first, in this order
-  int random = 0;                      ///< maximum number of random droplets
+  int size = 256;  ///< number of texels per side of the wetness mask
+  /// Droplets that the scene lists. They are blended into the mask in this order, before the random droplets.
+  std::vector<DropletScene> droplets;
+  int random = 0;  ///< maximum number of random droplets
   std::uint32_t seed = 1;
   float radius = 0.012f;        ///< mean radius of random droplets, UV units
   float radius_spread = 0.3f;   ///< greatest random deviation from `radius`, as a fraction of `radius`
@@ -86,14 +92,18 @@ struct WetnessScene {
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
   float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
-  /// Size in R of a wet area (see `patch_cover`). Wetness fades at the border of the area.
+  /// Approximate width, in R, of the areas on which random droplets may be placed. The wetness of the
+  /// droplets decreases to 0 towards the border of an area.
   float patch_size = 0.6f;
-  /// Random droplets are placed only where this picture (in UV space) is bright; empty: everywhere.
+  /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
+  /// everywhere.
   std::filesystem::path image;
 };
 
 struct ClumpScene {
-  float shape = 0.0f;  ///< w of S Eq. 5, the shape of a clump over the height; 0: linear, 1: logarithmic
+  /// w of S Eq. 5. With the height, the displacement of the fur by a clump grows linearly if w is 0 and
+  /// logarithmically if w is 1.
+  float shape = 0.0f;
   float gain = 3.5f;
   std::string scale = "relative";  ///< "relative" (gain) | "literal" (r_mask)
   std::string cells = "separate";  ///< "separate" | "literal"
@@ -102,7 +112,7 @@ struct ClumpScene {
 struct WindScene {
   glm::vec3 direction{1.0f, 0.0f, 0.0f};
   float strength = 0.0f;    ///< N on a strand's mass
-  float gust = 0.0f;        ///< fraction of strength
+  float gust = 0.0f;        ///< amplitude of the gusts, as a fraction of `strength`
   float frequency = 1.0f;   ///< Hz
   float wavelength = 2.0f;  ///< distance between gusts along the wind's direction, R
   /// Position at which the gusts on a stick are computed: "stick" (base of the stick) | "triangle" (centroid
@@ -119,11 +129,12 @@ struct SpringsScene {
   float edge_damping = 0.004f;  ///< damping coefficient of the springs between top masses in N s/m
   float return_weight = 0.2f;   ///< w of B Eq. 5, N
   float residual = 1e-5f;       ///< relative residual |r| / |b| at which the conjugate-gradient solver stops
-  /// Derivatives of the forces in the matrix of backward Euler: "full" (all terms) | "pruned" (without some
-  /// terms, docs/topology.md).
+  /// Derivatives of the forces in the matrix of backward Euler: "full" (all terms) | "pruned" (without the
+  /// terms that docs/topology.md names in its section Solvers).
   std::string jacobian = "pruned";
-  /// If above 0: surface area in R^2 for which the constants of a stick are given. On each mesh, the
-  /// constants are multiplied by the mesh's mean area per stick divided by this area.
+  /// Reference area per stick, in R^2. If it is above 0, the mass, stiffness, damping, drag and return weight
+  /// of a stick are multiplied by A / reference_area, where A is the mesh's mean surface area per stick. If
+  /// it is 0, these constants are the same on every mesh.
   float reference_area = 0;
 };
 
@@ -140,9 +151,9 @@ struct MotionScene {
 };
 
 /// A local force on the top masses (the upper ends of the sticks) of all triangles whose centroid lies within
-/// `radius` of a centre. If `ray` is zero, the centre is `point`. Otherwise the centre is the first
-/// intersection of the mesh with the ray from `point` in the direction `ray`, and the force always acts on
-/// the intersected triangle.
+/// `radius` of the centre of the force. If `ray` is zero, the centre is `point`. Otherwise the centre is the
+/// first intersection of the mesh with the ray from `point` in the direction `ray`, and the force always acts
+/// on the intersected triangle.
 struct PokeScene {
   glm::vec3 point{0.0f};  ///< centre of the force, or origin of the ray, in R
   /// Direction of a ray from `point`. The centre of the force is the first intersection of this ray with the
@@ -153,8 +164,8 @@ struct PokeScene {
   /// is zero.
   float radius = 0.0f;
   glm::vec3 force{0.0f};  ///< force on each top mass in newtons
-  /// Additional force on each top mass in newtons, directed away from an axis through the centre. `along` is
-  /// the direction of this axis.
+  /// Additional force on each top mass in newtons, directed away from an axis through the centre of the
+  /// force. `along` is the direction of this axis.
   float spread = 0.0f;
   glm::vec3 along{0.0f, 0.0f, 1.0f};
 };
@@ -165,8 +176,9 @@ struct DynamicsScene {
   /// Time integration scheme. The topology "silva" supports only the default scheme.
   std::string solver{springs::default_solver.name};
   /// How a stick of a mass-spring topology displaces the layers. "linear": the layers lie along the straight
-  /// stick. "paper": the layers lie on a curve by B Eq. 4. "tangent": as "paper", but the component of s - n
-  /// along n is removed, where s is the direction of the stick and n is the surface normal.
+  /// stick. "paper": the layers lie on the curve of B Eq. 4. A layer at the height h (fraction of L0) has the
+  /// position L0 (h n + h^k (s - n)) relative to the stick's base, where s is the direction of the stick and
+  /// n is the surface normal. "tangent": as "paper", but without the component of s - n along n.
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4
   float mass = 0.001f;         ///< kg
@@ -174,9 +186,10 @@ struct DynamicsScene {
   float drag = 0.01f;          ///< c, N s/m
   float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
   int substeps = 4;            ///< number of substeps per frame
-  /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, the number of
-  /// substeps is chosen so that the estimated position error of 99% of the top masses (the upper ends of the
-  /// sticks) is at most the tolerance. If the tolerance is 0, every frame has `substeps` substeps.
+  /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, pelage
+  /// chooses the number of substeps so that at most 1% of the top masses (the upper ends of the sticks) have
+  /// an estimated position error above the tolerance. If the tolerance is 0, every frame has `substeps`
+  /// substeps.
   float tolerance = 0.0f;
   float time = 0.0f;                    ///< simulated time before the first picture, in seconds
   glm::vec3 gravity{0.0f, 0.0f, 0.0f};  ///< R/s^2
@@ -208,7 +221,7 @@ struct ShadingScene {
   glm::vec3 specular{0.2f};       ///< K_s
   float exponent = 24.0f;         ///< p
   float ambient = 0.2f;
-  float wrap = 0.75f;         ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in the papers
+  float wrap = 0.75f;         ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in S and W
   float occlusion = 0.85f;    ///< sigma_occ
   float darkening = 0.3f;     ///< sigma_wet
   float wet_specular = 0.5f;  ///< sigma_spec, < 1

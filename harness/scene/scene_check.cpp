@@ -89,9 +89,9 @@ void check_lights(const ShadingScene& shading, const std::string& source) {
   }
 }
 
-/// Throws InputError for a key that the scene's dynamics.topology does not support. For a mass-spring
-/// topology dynamics.step is not checked, because the stability of a step depends on the mesh. The kernels
-/// detect masses that diverge.
+/// Throws InputError for a key that the scene's dynamics.topology does not support. The function does
+/// not check dynamics.step for a mass-spring topology, because the stability of a step depends on the mesh.
+/// The kernels detect masses that diverge.
 void check_topology(const Scene& scene, const std::string& source) {
   const DynamicsScene& d = scene.dynamics;
   const auto refuse = [&](const char* key, const std::string& what) {

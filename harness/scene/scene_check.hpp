@@ -12,9 +12,11 @@ namespace pelage {
 std::string complaint(const Key& key, const std::vector<double>& values);
 std::string complaint(const Key& key, const std::string& value);
 
-/// Greatest permitted number of fur texels, layers * texture^2. At 2 bytes per texel they need 512 MiB.
+/// Greatest permitted number of fur texels, layers * texture^2. At 2 bytes per texel, this number of texels
+/// needs 512 MiB.
 inline constexpr long most_fur_texels = 1L << 28;
-/// Greatest permitted number of pixels, width * height. At 4 floats per pixel a picture then needs 1 GiB.
+/// Greatest permitted number of pixels, width * height. At 4 floats per pixel, this number of pixels needs
+/// 1 GiB.
 inline constexpr long most_pixels = 1L << 26;
 /// Greatest permitted number of frames that are simulated before the first picture.
 inline constexpr long most_frames = 1000000;

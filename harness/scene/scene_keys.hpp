@@ -50,8 +50,8 @@ inline constexpr std::size_t most_lights = 2;
 /// 1".
 std::string describe_range(const Key& key);
 
-/// True if `model` is the path of a mesh file. Paths contain '/' or '.', names in models.toml contain
-/// neither.
+/// True if `model` is the path of a mesh file. Paths contain '/' or '.'. Names in models.toml contain
+/// neither of these characters.
 bool is_model_file(std::string_view model);
 
 }  // namespace pelage

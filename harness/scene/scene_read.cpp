@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 1 << 20;  // greatest size of a scene file, 1 MiB
 
-/// Describes where a scene's text comes from: the name for error texts, the folder against which relative
-/// paths are resolved, and whether error texts contain line numbers.
+/// Source of a scene's text. Contains the name for error texts, the folder against which relative paths are
+/// resolved, and whether error texts contain line numbers.
 struct Source {
   std::string name;
   fs::path folder;
@@ -75,8 +75,9 @@ std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// Returns the error text for an unknown key. The text suggests the most similar key if one is similar
-/// enough. If `lists` is true, the text may also suggest the list wetness.droplet or the list shading.light.
+/// Returns the error text for an unknown key. The text suggests the key with the smallest edit distance from
+/// `wanted` if this distance is below a limit. If `lists` is true, the text may also suggest the list
+/// wetness.droplet or the list shading.light.
 std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
   std::vector<std::string_view> names;
   names.reserve(keys.size() + 2);
@@ -86,7 +87,7 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool 
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
     for (const std::string_view name : names) {
-      // The first edit distance compares the full names. The second edit distance compares only the parts
+      // The first edit distance is that of the full names. The second edit distance is that of the parts
       // after the last dot, because users may write a key in a wrong TOML table or in no table.
       const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
@@ -189,7 +190,8 @@ std::vector<Entry> read_list(const Source& source, const toml::node& node, std::
   return entries;
 }
 
-/// Reads the key or the list `name` from `node`. Returns false if neither exists.
+/// Reads the key or the list `name` from `node`. Returns false if no key and no list
+/// has this name.
 bool read_key(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::node& node,
               const std::string& name) {
   if (name == droplet_list) {

@@ -11,13 +11,15 @@ namespace pelage {
 
 /// Reads a scene file. Keys that are absent from the file keep their defaults, so an empty file gives the
 /// default scene. Relative paths in the file (of pictures and of a mesh file) are resolved against the file's
-/// folder and made absolute. Throws InputError with file, line, key and permitted values if the file is
-/// missing, unreadable or malformed, if a key is unknown, or if a value has a wrong type, is out of range, is
-/// not finite or contradicts another value.
+/// folder and made absolute. Throws InputError if the file cannot be read or parsed, if a key is unknown, or
+/// if a value is not permitted. A value is not permitted if it has a wrong type, is out of range, is not
+/// finite or contradicts another value. The error text names the file and, where they apply, the line, the
+/// key and the permitted values.
 Scene read_scene(const std::filesystem::path& path);
 
-/// Parses the text of a scene file like read_scene(). `name` is the name of the file in error texts. Relative
-/// paths are resolved against `folder`. Keys that are absent from the text have the values of `base`.
+/// Parses the text of a scene file as read_scene() does. `name` is the name of the file in error texts.
+/// Relative paths are resolved against `folder`. Keys that are absent from the text have the values of
+/// `base`.
 Scene parse_scene(std::string_view text, const std::string& name, const std::filesystem::path& folder = ".",
                   const Scene& base = {});
 
@@ -35,8 +37,8 @@ void check_scene(const Scene& scene, const std::string& source = "scene");
 /// default. parse_scene() returns a bitwise identical scene from this text.
 std::string write_scene(const Scene& scene);
 
-/// Returns a hash of all keys and values of a scene as 16 hexadecimal digits. It is the same on every
-/// machine. For a path, the content of its file is hashed instead of the path itself.
+/// Returns a hash of all keys and values of a scene as 16 hexadecimal digits. The hash is the same on every
+/// machine. If a value is a path, the content of the file is hashed instead of the path.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace pelage

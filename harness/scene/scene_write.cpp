@@ -82,8 +82,8 @@ std::string write_list(std::string_view name, std::vector<Entry> entries, Keys&&
   return out;
 }
 
-/// Returns a TOML comment that describes the keys of a [[wetness.droplet]] entry. It is written for scenes
-/// without droplets.
+/// Returns a TOML comment that describes the keys of a [[wetness.droplet]] entry. write_scene() adds this
+/// comment to scenes that have no droplets.
 std::string describe_droplets() {
   DropletScene droplet;
   std::string out = fmt::format("\n# This scene has no [[{}]]. The keys of an entry are:\n", droplet_list);
@@ -106,8 +106,8 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222
   return hash;
 }
 
-/// Returns the hash of the file's content as text. If the file cannot be opened, returns the file's name
-/// without the folder.
+/// Returns the hash of the file's content as 16 hexadecimal digits. If the file cannot be opened, returns the
+/// file's name without the folder.
 std::string content(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (path.empty() || !file) return path.filename().string();

@@ -1,4 +1,5 @@
-// The lighting models and their properties. S and W are the papers that docs/frame.md lists.
+// The lighting models and their properties. S and W are the papers of Silva et al. 2010 about curling fur and
+// about wet fur (docs/frame.md).
 #pragma once
 #include <span>
 #include <string>
@@ -22,7 +23,8 @@ struct ShadingModel {
 
 std::span<const ShadingModel> shading_models();
 
-/// Returns the model called `name`. Throws InputError with all names if no model has this name.
+/// Returns the model called `name`. Throws InputError with a list of the valid names if no
+/// model has this name.
 const ShadingModel& shading_model(const std::string& name);
 
 }  // namespace pelage

@@ -9,7 +9,7 @@
 namespace pelage::springs {
 
 /// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. Other code tests these
-/// properties and never the name of the topology. To add a topology, add a row to the table of
+/// properties and never the name of the topology. To add a topology, add a row to kind_table in
 /// spring_kinds.cpp.
 struct Kind {
   std::string_view name;   ///< name in scene files and on the command line
@@ -19,7 +19,7 @@ struct Kind {
   constexpr bool operator==(const Kind& other) const { return name == other.name; }
   /// True if springs connect the top masses, and adjacent triangles share the springs of their common edge.
   bool shared_edges() const { return edges && !separable; }
-  /// True if springs connect the top masses, but only those of the same triangle.
+  /// True if springs connect the top masses of each triangle, and adjacent triangles share no springs.
   bool own_edges() const { return edges && separable; }
 
   static const Kind sticks, prisms, separable_sticks, separable_prisms;
@@ -47,7 +47,7 @@ inline std::ostream& operator<<(std::ostream& out, const Kind& kind) {
 }
 
 /// A time integration scheme, described by its properties. Other code tests these properties and never the
-/// name of the scheme. To add a scheme, add a row to the table of spring_kinds.cpp, and implement the
+/// name of the scheme. To add a scheme, add a row to solver_table in spring_kinds.cpp. Implement the
 /// time step of the scheme in kernels/springs/ and in harness/springs/reference/reference.cpp.
 struct Solver {
   std::string_view name;  ///< name in scene files and on the command line

@@ -57,8 +57,8 @@ Identity present_identity(Identity planned, const Identity& recorded) {
     if (!part.starts_with(prefix)) continue;
     try {
       planned[part] = cl::hash_of(cl::sources_of(part.substr(prefix.size())));
-    } catch (const InputError&) {  // The program's file is missing. `planned` gets no hash for the program,
-                                   // so it differs from `recorded`.
+    } catch (const InputError&) {  // The program's source file is missing. `planned` has no hash for this
+                                   // program, and therefore differs from `recorded`.
     }
   }
   return planned;

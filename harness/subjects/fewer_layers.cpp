@@ -39,7 +39,9 @@ class FewerLayers : public Subject {
   }
   void describe(Row& row) override {
     all_->describe(row);
-    row.metrics.erase("peak_memory");  // removed, because it is the peak of all three subjects together
+    // Removes peak_memory, because it is the peak of a process that contains all three subjects (all, half
+    // and a quarter of the layers).
+    row.metrics.erase("peak_memory");
     for (const auto& [phase, subject] : fewer_)
       row.metrics[phase + "_ratio"] = median_ratio(row.samples["frame"].wall_ms, row.samples[phase].wall_ms);
   }

@@ -1,4 +1,5 @@
-// The OpenGL baseline as an object that the harness times: alone, or alternately with the OpenCL pipeline.
+// Makes objects that time the OpenGL baseline (docs/rival.md), alone or alternately with the OpenCL pipeline.
+// The baseline is the OpenGL pipeline of the papers by Silva et al. 2010.
 #pragma once
 #include <string>
 
@@ -14,10 +15,11 @@ std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which)
 void need_opengl();
 
 /// Returns a subject that draws in every round one frame of `ours` and then one frame of the baseline
-/// `rival`. The row of results contains the times of `ours`. It also contains three additions: the baseline's
-/// times as the phase `phase`; a check that the two pictures agree (at least tolerance::other_filter_psnr);
-/// and the metric "<phase>_ratio". This metric is the baseline's time divided by the time of `ours`: the
-/// median over the rounds, with its 95% interval.
+/// `rival`. In the row of results, the phase (a named list of times) "frame" contains the times of `ours`,
+/// and the phase with the name `phase` contains the baseline's times. An additional check requires that the
+/// PSNR between the picture of `ours` and the picture of `rival` is at least tolerance::other_filter_psnr.
+/// The metric "<phase>_ratio" is the baseline's time divided by the time of `ours`: the median over the
+/// rounds, with its 95% interval.
 std::unique_ptr<Subject> duel(std::unique_ptr<Subject> ours, std::unique_ptr<Subject> rival,
                               const std::string& phase);
 

@@ -51,9 +51,9 @@ class ShellsSubject : public Subject {
     agreement_ = result.agreement;
     sample_ = result.sample;
     std::vector<Check> checks = result.checks;
-    // The reference picture of check_against_reference() uses the mass positions that the device has
-    // simulated, so that function does not find errors of the simulation. check_sticks() therefore compares
-    // the positions that the masses had before the first timed frame with a double-precision simulation.
+    // check_against_reference() draws its reference picture from the mass positions that the device has
+    // simulated, so it does not find errors of the simulation. Therefore check_sticks() also compares the
+    // mass positions before the first timed frame with a double-precision simulation.
     if (springs)
       for (Check& check : check_sticks(*input_, frames_before(input_->scene.dynamics), before_))
         checks.push_back(std::move(check));
@@ -107,7 +107,7 @@ class ShellsSubject : public Subject {
   Agreement agreement_, sample_;
   std::uint64_t peak_ = 0;
   Shells shells_;
-  std::vector<glm::vec3> before_;  ///< tips of the sticks before the first timed frame, in R
+  std::vector<glm::vec3> before_;  ///< tips of the sticks before the first timed frame, in mesh radii
 };
 
 }  // namespace

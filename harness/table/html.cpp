@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-/// Returns a table cell (an HTML element "td"). A page sorts the table by the attribute data-sort, or by the
-/// shown text if this attribute is missing. The attribute data-cell is Value::cell.
+/// Returns a table cell (an HTML element "td"). The HTML report sorts a table by the attribute data-sort of
+/// its cells, or by their text if this attribute is missing. The attribute data-cell contains Value::cell.
 std::string cell_of(const std::optional<Value>& value) {
   if (!value) return "<td>–</td>";
   std::string attributes;

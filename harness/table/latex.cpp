@@ -1,4 +1,4 @@
-// Writes tables as LaTeX.
+// Writes tables as LaTeX. A cross table has blocks of rows and groups of columns (Layout in table.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>

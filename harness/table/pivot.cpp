@@ -56,8 +56,7 @@ Pivot pivot_of(const Table& table) {
   const std::vector<Keys> group_keys = combinations(table, groups), block_keys = combinations(table, blocks);
   Pivot pivot;
   for (const std::size_t c : rows) pivot.keys.push_back(table.columns[c]);
-  if (rows.empty())
-    pivot.keys.emplace_back();  // an empty key column, above which the renderers write the block's label
+  if (rows.empty()) pivot.keys.emplace_back();  // a column without a heading, for the block's label
   for (const std::size_t c : values) pivot.values.push_back(table.columns[c]);
   for (const Keys& keys : group_keys) pivot.groups.push_back(labels(table, groups, keys));
   for (const Keys& keys : block_keys) pivot.blocks.push_back({labels(table, blocks, keys), {}});

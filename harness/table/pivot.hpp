@@ -1,5 +1,5 @@
-// Arranges the lines of a table as a cross table, as the table's layout states. Readers see this cross table
-// in text, LaTeX and HTML.
+// Arranges the lines of a table as a cross table. The table's layout (Table::layout) defines the arrangement.
+// Readers see this cross table in text, LaTeX and HTML.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,9 +11,9 @@ namespace pelage {
 
 struct Pivot {
   struct Row {
-    std::vector<Value> keys;  ///< one value per key column
-    std::vector<std::optional<Value>>
-        cells;  ///< for each group, one per value column; empty if the table has no such line
+    std::vector<Value> keys;                  ///< one value for each column in Pivot::keys
+    std::vector<std::optional<Value>> cells;  ///< for each group, one cell for each column in Pivot::values;
+                                              ///< std::nullopt if no line belongs in the cell
   };
   struct Block {
     std::vector<std::string> label;  ///< heading: one text per column of Layout::blocks, such as "16 layers"
@@ -26,8 +26,8 @@ struct Pivot {
   std::vector<Block> blocks;  ///< one block without a heading if Layout::blocks is empty
 };
 
-/// Arranges the lines as a cross table that shows every line. If two lines have the same keys, the second
-/// line gets a separate row.
+/// Arranges the lines as a cross table that shows every line. If two lines belong in the same cells, the
+/// second line gets a separate row.
 Pivot pivot_of(const Table& table);
 
 /// Joins the parts with ", ".

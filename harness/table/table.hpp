@@ -15,15 +15,16 @@ struct Value {
   std::string shown;      ///< text in the cross table that readers see
   std::string hint = {};  ///< tooltip of the value in an HTML page
   std::string mark = {};  ///< mark of a footnote: "a"
-  bool failed = false;    ///< true if `shown` is a status that replaces a missing number
+  bool failed = false;    ///< true if `shown` is the status of a case or "-", because the number is missing
   int cell = -1;  ///< Cell::index (harness/report/cells.hpp) of the cell with this value; -1 if there is none
 };
 
 Value text_value(const std::string& text);
-/// Returns a value with six significant digits in CSV. Readers see three significant digits. If there is no
-/// number, CSV contains "" and readers see "-".
+/// Returns a value for the number: `data` has six significant digits, and `shown` is three_digits() of the
+/// number. If there is no number, `data` is "" and `shown` is "-".
 Value number_value(std::optional<double> number);
-/// Returns the number rounded to a whole number. If there is no number, CSV contains "" and readers see "-".
+/// Returns a value for the number, rounded to a whole number. If there is no number, `data` is "" and `shown`
+/// is "-".
 Value count_value(std::optional<double> number);
 
 /// Returns the number with three significant digits and at most four decimals: "0.842", "12.3", "267".
@@ -31,13 +32,13 @@ Value count_value(std::optional<double> number);
 std::string three_digits(double number);
 
 struct Column {
-  std::string name;     ///< heading in CSV: "median_ms"
-  std::string heading;  ///< heading in the cross table: "frame, ms"
+  std::string name;     ///< heading in CSV, for example "median_ms"
+  std::string heading;  ///< heading in the cross table, for example "frame, ms"
   /// Format of the column's values in headings of blocks and groups (Layout). For example, "{} layers" shows
   /// the value 16 as "16 layers".
   std::string label = "{}";
-  /// Values of the column in the order in which blocks and groups (Layout) are shown. Values that are not in
-  /// this list come last, sorted by natural_less().
+  /// Values of the column in the order in which the cross table shows their blocks or groups (Layout). Values
+  /// that are not in this list come last, sorted by natural_less().
   std::vector<std::string> order = {};
 };
 
@@ -65,8 +66,8 @@ struct Table {
 int column_of(const Table& table, std::string_view name);
 
 /// Returns whether a precedes b. Numbers are sorted by value, and picture sizes ("800x600") by their number
-/// of pixels. Both precede other texts. Numbers inside other texts are also sorted by value: "k2" precedes
-/// "k10".
+/// of pixels. Numbers and picture sizes precede other texts. Numbers inside other texts are also sorted by
+/// value: "k2" precedes "k10".
 bool natural_less(const std::string& a, const std::string& b);
 
 /// Returns the text that a heading shows for the value: Column::label with "{}" replaced by the value.

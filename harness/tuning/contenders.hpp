@@ -6,9 +6,9 @@
 
 namespace pelage {
 
-/// Returns a tuning scene whose contenders run one stage on `device`: "rasterize" (wall time of a whole
-/// frame), "simulate" (the strand simulation of a frame) or "wet" (the wetness mask). `name` is the name of
-/// the scene. Throws InputError for other stages.
+/// Returns a tuning scene (a scene on which a search times configurations). Its contenders run one stage on
+/// `device`: "rasterize" (wall time of a whole frame), "simulate" (the strand simulation of a frame) or "wet"
+/// (the wetness mask). `name` is the name of the scene. Throws InputError for other stages.
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
                          const std::shared_ptr<const FrameInput>& input);
 

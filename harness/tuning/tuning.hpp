@@ -17,25 +17,25 @@ struct TuningAxis {
   std::string name;            ///< "TILE_W"
   std::string what;            ///< description, one line
   std::vector<int> values;     ///< candidate values, without the shipped value
-  std::optional<int> shipped;  ///< default; empty if the scene or the driver determines it
+  std::optional<int> shipped;  ///< default value; empty if the scene or the driver sets the value
 };
 
 /// Returns the folders of kernels/ that contain a tuning.toml, sorted by name.
 std::vector<std::string> tunable_stages();
 
 /// Returns the axes of kernels/<stage>/tuning.toml, in the order of the file. If the file is invalid, throws
-/// InputError with file, line and the valid form. If the stage has no axes, throws InputError with a list of
-/// the stages that have axes.
+/// InputError; the message gives the file, the line and the valid form. If the stage has no axes, throws
+/// InputError with a list of the stages that have axes.
 std::vector<TuningAxis> tuning_axes(const std::string& stage);
 
 /// Reads a TOML file with lines of the form `AXIS = whole number`, at the top level or in tables named after
 /// folders of kernels/. The tables only group the axes. If a value is invalid or an axis does not exist,
-/// throws InputError with file, line and key.
+/// throws InputError; the message gives the file, the line and the key.
 Tuning read_tuning(const std::filesystem::path& file);
 
 /// Returns the text of a tuning file in which `values` replace the values of `stage`. The values of other
 /// stages are kept. `before` is the text of the file before the replacement; it is empty if there is no file.
-/// `note` becomes a comment of one or more lines.
+/// `note` becomes a comment above the values of `stage`.
 std::string with_stage(const std::string& before, const std::string& stage, const Tuning& values,
                        const std::string& note);
 

@@ -20,7 +20,7 @@ class Contest {
       : scenes_(scenes), trusted_(trusted) {}
 
   /// Times the configurations in `field` and returns one Candidate for each of them, in the same order. The
-  /// first configuration is the incumbent; its ratio is 1.
+  /// first configuration is the incumbent, so its Candidate::ratio is 1.
   std::vector<Candidate> run(const std::vector<Tuning>& field, int rounds) {
     std::vector<Candidate> result(field.size());
     for (std::size_t i = 0; i < field.size(); ++i) result[i].tuning = field[i];
@@ -47,8 +47,8 @@ class Contest {
       try {
         work();
       } catch (const std::exception& error) {
-        // Configuration 0 is the incumbent. Without its times the other candidates cannot be compared, so its
-        // error ends the search.
+        // Configuration 0 is the incumbent. Without the incumbent's times, the other configurations have no
+        // ratio, so an error of the incumbent ends the search.
         if (i == 0) throw;
         field[i].fault = first_line(error.what());
         at_work[i].reset();

@@ -1,4 +1,6 @@
-# Every build runs this script. It fills in the template `input` and writes `output` if the text changed.
+# In a git checkout, every build runs this script. In a copy without .git, CMake runs it when it configures the build.
+# The script fills in the template `input`. If the resulting text differs from the text of the file `output`, the script
+# writes the result to `output`.
 set(revision unknown)
 set(dirty false)
 file(STRINGS ${source}/harness/version/revision.txt archived LIMIT_COUNT 1)

@@ -6,7 +6,7 @@ namespace pelage {
 
 struct BuildInfo {
   std::string version;   ///< the release, "0.1.0"
-  std::string revision;  ///< git's commit, 40 hex digits; "unknown" if neither git nor revision.txt gives it
+  std::string revision;  ///< git's commit, 40 hex digits; "unknown" if neither git nor revision.txt has it
   bool dirty = false;    ///< true if tracked files differed from that commit during the build
   std::string compiler;  ///< "GNU 12.2.0"
   std::string flags;     ///< compiler flags of the harness

@@ -2,7 +2,7 @@
 // often each digit occurs, computes prefix sums, and moves the pairs.
 #include "common/prefix_sum.clh"
 
-// The host defines the same values (harness/cl/radix_sort.cpp).
+// harness/cl/radix_sort.cpp defines SORT_BITS and SORT_RUN, with the values below, when it builds the kernels.
 #ifndef SORT_BITS
 #define SORT_BITS 4                             // bits of the key per pass
 #define SORT_RUN 32                             // number of consecutive keys (a run) that one work-item processes

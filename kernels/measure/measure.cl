@@ -1,5 +1,5 @@
-// Benchmark kernels of `pelage devices --measure`, which measures the limits of a device, and a kernel with which the
-// device's timer is checked.
+// Kernels of `pelage devices --measure`. They measure the peak rates of a device and the time of a kernel
+// launch. harness/cl/timer.cpp also runs the kernel chains(), to check the device's timer.
 #include "dialect.clh"
 
 // McCalpin's STREAM triad, a = b + s c: 12 bytes and 2 operations per float.
@@ -8,9 +8,10 @@ __kernel void triad(__global float *a, __global const float *b, __global const f
   store_real(fma(REAL(s), load_real(c, block), load_real(b, block)), a, block);
 }
 
-// Measures the arithmetic peak. Eight independent chains of fma hide the latency of fma on all devices tested. A
-// work-item computes 16 * LANES * rounds operations. The iteration x -> x / 2 + 1 stays near 2, so no operand is
-// denormal or infinite, and the compiler cannot precompute the result.
+// Measures the arithmetic peak. Eight independent chains of fma hide the latency of fma on all devices
+// tested. A work-item computes 16 * LANES * rounds operations. The iteration x -> x / 2 + 1 converges to 2,
+// so no operand is denormal or infinite. The factor 1/2 is the argument half_, so that the compiler cannot
+// precompute the result.
 __kernel void chains(int rounds, float half_, __global float *out) {
   int item = (int)get_global_id(0);
   real h = REAL(half_), one = REAL(1.0f);
@@ -33,8 +34,9 @@ __kernel void nothing(__global float *out) {
   if (get_global_id(0) == 0) out[0] = 1.0f;
 }
 
-// An empty kernel with seven buffer arguments, about as many as the smaller mass-spring kernels have. A launch of this
-// kernel takes longer than a launch of nothing(), because OpenCL processes every buffer argument at a launch.
+// A kernel with almost no work and with seven buffer arguments, about as many as the smaller mass-spring
+// kernels have. A launch of this kernel takes longer than a launch of nothing(), because OpenCL processes
+// every buffer argument at a launch.
 __kernel void nothing_of_seven(__global float *a, __global float *b, __global float *c, __global float *d, __global float *e,
                                __global float *f, __global float *g) {
   if (get_global_id(0) == 0) a[0] = b[0] = c[0] = d[0] = e[0] = f[0] = g[0] = 1.0f;

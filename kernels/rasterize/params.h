@@ -1,43 +1,50 @@
-// Constants that the host passes to the rasterizer's kernels, for OpenCL C and C++. All members have four bytes.
+// Constants that the host passes to the rasterizer's kernels, for OpenCL C and C++. All members have four
+// bytes. S = Silva et al. 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al.
+// 2010, Real-Time Rendering of Wet Fur; B = Banisch and Wuethrich 2006, Making Grass and Fur Move.
 #ifndef PELAGE_RASTERIZE_PARAMS_H
 #define PELAGE_RASTERIZE_PARAMS_H
 
 typedef struct {
   // Picture and camera (docs/frame.md, section 4).
   int width, height;
-  // Rows of the camera matrix. For a point p, their products with (p, 1) are x*w, y*w and w. w is the view depth of p;
-  // x and y are the position of p in the picture, in pixels from the image centre.
+  // Rows of the camera matrix. Their products with (p, 1), for a point p, are x*w, y*w and w. Here w is the view depth
+  // of p, and x and y are the position of p in the picture, in pixels from the image centre.
   float row_x[4], row_y[4], row_w[4];
   float ray[3], ray_dx[3], ray_dy[3];         // view ray through the image centre, and its change per pixel in x and y
-  float near_depth;                           // view depth of the near plane, in mesh radii
+  float near_depth;                           // view depth of the near plane, in R (mesh radii)
   // Geometry.
-  int vertices;                               // length of a column: drawn vertices, padded to a multiple of 16
+  // Length of each column of the vertex array: the number of drawn vertices, rounded up to a multiple of 16.
+  int vertices;
   int triangles;
-  int layers;                                 // N
-  // Bezier parameter t of a layer at height h. 0: t = h; 1: t = 1 - sqrt(1 - h).
+  int layers;                                 // N, the number of layers
+  // Selects the Bezier parameter t of a layer at height h. 0 selects t = h; 1 selects t = 1 - sqrt(1 - h).
   int uniform_spacing;
-  int sticks;                                 // 1: layers follow B Eq. 4 instead of the Bezier curve
+  int sticks;                                 // 1: layers follow the sticks (B Eq. 4) instead of the Bezier curve
   float length;                               // L0, R
   float curl_radius;                          // K_alpha, R
-  // Number of tiles across and down the picture, and constants of the tiles' triangle lists.
+  // Number of tiles across and down the picture. The next members are constants for the triangle lists of the
+  // tiles.
   int tiles_x, tiles_y;
-  int layer_batch;                            // layers per layer batch; a tile selects visible triangles once per batch
+  // Number of layers in a layer batch (a group of adjacent layers). A tile selects visible triangles once per
+  // batch.
+  int layer_batch;
   int layer_batches;                          // number of layer batches of this pass + 1 (the base surface is batch 0)
   // Layers of this pass: first_layer <= n < end_layer. If N layers need too much memory, several passes draw them.
   int first_layer, end_layer;
   int chunk;                                  // triangles per chunk; one work-item of bin_count processes one chunk
   int chunks;
-  // 1: every triangle is drawn in all layers. 0: a triangle is not drawn in the outer layers in which S Algorithm 2
-  // (clumps) discards all its fragments.
+  // 1: every triangle is drawn in all layers. 0: a triangle is not drawn in the outer layers in which the clumps (S
+  // Algorithm 2) discard all fragments of the triangle.
   int every_layer;
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
-  float clump_shape;                          // w
+  float clump_shape;                          // w of S Eq. 5
   float clump_gain;
-  // Selects the factor by which a clump's displacement is multiplied. 1: r_mask, as in S; 0: clump_gain.
+  // Selects the factor by which a clump's displacement is multiplied. 1: the clump's radius r_mask, as in S; 0:
+  // clump_gain.
   int clump_literal;
   int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
-  float log_layers;                           // k = ln N
+  float log_layers;                           // k = ln N, for S Eq. 5
   // Textures.
   int fur_size, fur_levels;
   float fur_scale[2];                         // repeats of the fur texture per unit of u and of v
@@ -53,7 +60,7 @@ typedef struct {
   float specular[3];                          // K_s
   float exponent;                             // p, the exponent of the highlight
   // If the exponent p of the highlight is an integer from 1 to 1024 and surface_light is 0, whole_exponent is p, else
-  // 0. With surface_light, the exponent of a fragment also depends on the wetness.
+  // 0. If surface_light is 1, the exponent of a fragment also depends on the wetness.
   int whole_exponent;
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
@@ -69,11 +76,12 @@ typedef struct {
   float skin[3], background[3];
 } RasterParams;
 
-// Columns of the layer table. Only the host computes these values, so that all devices use the same bits.
+// Columns of the layer table: h, cos(omega h), sin(omega h), ln h, and the power of h in B Eq. 4. Only the host
+// computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };
 
 // Columns of the vertex array. VERTEX: the position. ROOT: the vector A of docs/frame.md, section 3. With `fur.binding`
-// "shared" it is the weighted mean, over the triangles around the vertex, of the fur's length L0 times the normal n of
+// "shared", A is the weighted mean, over the triangles around the vertex, of the fur's length L0 times the normal n of
 // the triangle. CURL_U and CURL_V: the two axes of the curl.
 enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, CURL_UZ, CURL_VX, CURL_VY, CURL_VZ,
        VERTEX_COLUMNS };
@@ -84,7 +92,8 @@ enum { VERTEX_X, VERTEX_Y, VERTEX_Z, ROOT_X, ROOT_Y, ROOT_Z, CURL_UX, CURL_UY, C
 // the second and third buffer's rows are unused.
 #define RECORD 8
 
-// Width and height of a tile in pixels: multiples of 4, at most 32 (tuning axes).
+// Width and height of a tile in pixels: multiples of 4, at most 32. tuning.toml lists other values, which `pelage tune`
+// times.
 #ifndef TILE_W
 #define TILE_W 32
 #endif

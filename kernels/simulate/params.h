@@ -1,4 +1,5 @@
 // Constants that the host passes to the strand simulation, for OpenCL C and C++. All members have four bytes.
+// R is the radius of the mesh.
 #ifndef PELAGE_SIMULATE_PARAMS_H
 #define PELAGE_SIMULATE_PARAMS_H
 
@@ -11,13 +12,16 @@ typedef struct {
   float weight_x, weight_y, weight_z;  // m g, N
   float wind_x, wind_y, wind_z;        // force of the mean wind, in newtons
   float gust;                          // amplitude of the gusts as a fraction of the mean wind
-  int stride;                          // length of a column: the number of strands, rounded up to a multiple of 16
+  // Length of a column of the arrays of constants and state: the number of strands, rounded up to a multiple
+  // of 16.
+  int stride;
   int substeps;
 } SimulateParams;
 
 // Columns of the array of the strands' constants: normal, anchor (rest tip), and cosine and sine of the gust's phase.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
-// Columns of the array of the strands' state: three columns for q = p - root, and three columns for the velocity v.
+// Columns of the array of the strands' state: three columns for the position of the strand's mass relative to its root,
+// and three columns for the mass's velocity.
 enum { TIP_X, TIP_Y, TIP_Z, SPEED_X, SPEED_Y, SPEED_Z, STATE_COLUMNS };
 
 #endif

@@ -12,7 +12,8 @@ static inline void store_column3(real3 v, __global float *table, int first, int 
   store_real(v.z, table + (size_t)(first + 2) * stride, block);
 }
 
-// gusts: pairs of sine and cosine of 2 pi f t at the start of each substep.
+// gusts: for each substep, the sine and the cosine of 2 pi f t. t is the substep's start time, and f is the
+// frequency of the gusts.
 __kernel void strand_frame(SimulateParams s, TABLE(float) gusts, TABLE(float) strands, __global float *state) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.stride) return;

@@ -1,15 +1,17 @@
-// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. The top masses of
-// all sticks have common linear equations A x = b, where x is the change of velocity dv. They are solved by the method
-// of conjugate gradients. The preconditioner is the inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). The
-// iteration starts from the x of the previous step. A work-item computes a chunk of top masses. The chunks, and
-// therefore the rounding of the sums, do not depend on the work-group size: each work-item that needs a sum adds the
-// sums of the chunks in the same order. On a large model, each function *_chunk() below runs in a separate launch. A
-// small model takes one launch of one work-item for all of them (gradients_whole), because many launches would take
-// longer than the computation.
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by backward Euler. A time
+// step solves one system of linear equations A x = b for the top masses of all sticks, where x is the change
+// of their velocities. The system is solved by the method of conjugate gradients. The preconditioner is the
+// inverse of A's diagonal 3 x 3 matrix blocks (block-Jacobi). r = b - A x is the residual, z is the product
+// of the preconditioner and r, and d is the search direction. The iteration starts from the x of the previous
+// step. A work-item computes a chunk of top masses. The chunks do not depend on the work-group size, and each
+// work-item that needs a sum adds the sums of the chunks in the same order. The rounding of a sum therefore
+// does not depend on the work-group size. On a large model, each function *_chunk() below runs in a separate
+// launch. On a small model, one work-item runs all these functions in a single launch (gradients_whole),
+// because many launches would take longer than the computation.
 #include "springs/implicit.clh"
 #include "springs/springs.clh"
 
-// DOUBLE_SUMS is 1 if the device supports doubles. The sums then have double precision.
+// DOUBLE_SUMS is 1 if the device supports doubles. The sums over the chunks then have double precision.
 #ifndef DOUBLE_SUMS
 #define DOUBLE_SUMS 0
 #endif
@@ -22,7 +24,8 @@ typedef double total;
 typedef float total;
 #endif
 
-// The type of a chunk's sums, one per lane. After the chunk's last stick, total_of() adds the sums of all lanes.
+// The type of a chunk's sums, with one partial sum per lane. After the chunk's last stick, total_of() adds the sums of
+// all lanes.
 #if LANES == 16 && DOUBLE_SUMS
 typedef double16 totals;
 #define to_totals convert_double16
@@ -46,9 +49,9 @@ static inline total total_of(totals v) {
 #endif
 }
 
-// Adds the sums of all chunks. Eight partial sums are computed independently, and then added in order. In a single sum
-// each addition would wait for the previous one, and a work-item would wait for `chunks` additions instead of chunks /
-// 8.
+// Adds the sums of all chunks. Eight partial sums are computed independently, and then added in order. With
+// only one partial sum, each addition would wait for the previous one. A work-item would then wait for
+// `chunks` additions instead of chunks / 8.
 static inline total sum_of(__global const total *sums, int row, int chunks) {
   total part[8] = {0, 0, 0, 0, 0, 0, 0, 0}, sum = 0;
   int k = 0;
@@ -93,9 +96,10 @@ INLINE real even_of(TopologyParams p, real3 g) {
 // Returns (even I + g g^T) w.
 INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(even_of(p, g), w), dot3(g, w), g); }
 
-// Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then computes the
-// residual r = b - A x, multiplies the inverses by r, and stores the product z as the first search direction d.
-// moments: wind, weight and object motion at successive times. at: index of the Moment at the end of the time step.
+// Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then
+// computes the residual r = b - A x, and the product z of the inverses and r. Stores z as the first search
+// direction d. moments: wind, weight and object motion at successive times. at: index of the Moment at the
+// end of the time step.
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                          TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
@@ -115,7 +119,7 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
     for (int k = 0; k < width; ++k) {
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
-      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: an unused entry; it holds the stick's own index
+      real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: padding, whose neighbour is the stick itself
       real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
       real length = load_real(rest, e);
       force = add3(force, edge_force(p, apart, parting, length));
@@ -187,9 +191,9 @@ __kernel void gradients_product(TopologyParams p, int chunks, TABLE(int) start, 
 // Returns the step length r.z / d.Ad of the conjugate gradients. odd: 1 if the number of the iteration is odd.
 static inline real alpha_of(__global const total *sums, int chunks, int odd) {
   total dad = sum_of(sums, SUM_DAD, chunks);
-  // If dad is NaN, the returned step length and x become NaN too, so note_step() reports the diverged masses. If this
-  // function returned 0 for a NaN, x and the positions of these masses could stay finite. The divergence would then not
-  // be detected.
+  // If dad (the sum d.Ad) is NaN, the returned step length and x become NaN too, so note_step() reports the diverged
+  // masses. If this function returned 0 for a NaN, x and the positions of these masses could stay finite. The
+  // divergence would then not be detected.
   return REAL((scalar)(dad <= 0 ? 0 : sum_of(sums, odd ? SUM_RZ_ODD : SUM_RZ_EVEN, chunks) / dad));
 }
 
@@ -256,8 +260,8 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
 }
 
 // Computes all substeps of a launch in one work-item. Each substep iterates until |r| <= residual |b|, but at most
-// `most` times. The whole model is one chunk. solved: receives the number of all iterations, the greatest number of
-// iterations in one substep, and the greatest |r| / |b| at the end of a substep.
+// `most` times. The whole model is one chunk. solved: receives the total number of iterations, the greatest
+// number of iterations in one substep, and the greatest |r| / |b| at the end of a substep.
 __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
                               __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
@@ -271,8 +275,8 @@ __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE
                  diagonal, inverse, coupling, r, d, sums);
     total bb = sums[SUM_BB];
     int done = 0;
-    // At least one iteration is computed. If masses have diverged, a sum is infinite or NaN, and this iteration makes x
-    // NaN.
+    // At least one iteration is computed. If a mass has diverged, one of the sums is infinite or NaN, and
+    // this iteration makes x NaN.
     for (; done < most && (done == 0 || sums[SUM_RR] > (total)residual * (total)residual * bb); ++done) {
       product_chunk(p, 1, 0, start, neighbour, diagonal, coupling, d, product_d, sums);
       advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);

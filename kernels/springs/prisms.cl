@@ -1,9 +1,10 @@
-// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The force on a
-// top mass depends on the states of neighbouring top masses, which other work-items compute. Work-items of different
-// work-groups cannot wait for each other within a launch, so each evaluation of the forces needs a separate launch. A
-// small model takes one launch of one work-item for all substeps (prism_*_whole), because many launches would take
-// longer than the computation. The state of a top mass is its offset q from the stick's base and its velocity v.
-// Neighbours read v and the position (base + q), which are stored in rows of four floats.
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The
+// force on a top mass depends on the states of neighbouring top masses, which other work-items compute.
+// Work-items of different work-groups cannot wait for each other within a launch, so each evaluation of the
+// forces needs a separate launch. A small model takes one launch of one work-item for all substeps
+// (prism_*_whole), because many launches would take longer than the computation. The state of a top mass is
+// its offset q from the stick's base and its velocity v. The computation of neighbouring top masses reads v
+// and the position (base + q). These are stored in rows of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -13,10 +14,10 @@
   a.v = xyz(load_rows(speed, u));                                                                              \
   real3 f = top_force(p, moments[at], u, site, a, xyz(load_rows(tip, u)), start, neighbour, rest, tip, speed);
 
-// Computes one step of Euler's method. If in_turn is 1, it is the semi-implicit method, which updates the positions
-// with the new velocities. If in_turn is 0, it is the explicit method. at: the index of the step's start in `moments`
-// (wind, weight and object motion at successive times). number: the number of the step since the start of the
-// simulation.
+// Computes one step of Euler's method. If in_turn is 1, the method is semi-implicit: it updates the positions
+// with the new velocities. If in_turn is 0, the method is explicit. at: the index of the step's start in
+// `moments` (wind, weight and object motion at successive times). number: the number of the step since the
+// start of the simulation.
 INLINE void euler_units(TopologyParams p, int begin, int end, int in_turn, int at, int number, TABLE(Moment) moments,
                         TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                         TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, __global scalar *offset,
@@ -59,8 +60,8 @@ __kernel void prism_euler_whole(TopologyParams p, int in_turn, TABLE(Moment) mom
 }
 
 // Computes stage 0, 1, 2 or 3 of the classical Runge-Kutta scheme. tip, speed, offset: state of this stage. base_*:
-// state at the start of the step; after stage 3, state at the end of the step. sum_*: the state at the start plus the
-// weighted rates of the stages so far. next_*: state of the next stage.
+// state at the start of the step; after stage 3, state at the end of the step. sum_*: the state at the start
+// of the step, plus the weighted derivatives of the stages computed so far. next_*: state of the next stage.
 INLINE void rk4_units(TopologyParams p, int begin, int end, int stage, int at, int number, TABLE(Moment) moments,
                       TABLE(scalar) sites, TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour,
                       TABLE(scalar) rest, TABLE(scalar) tip, TABLE(scalar) speed, TABLE(scalar) offset,

@@ -7,7 +7,9 @@ typedef struct {
   int bucket;  // side, in texels, of a bucket (a square part of the mask that has its own list of droplets)
 } WetParams;
 
-// Columns of the droplet array.
+// Columns of the droplet array, which has one row per droplet: u, v and radius (in UV) of the droplet's disc,
+// the wetness, the position of the disc's centre in space, and the greatest distance in space from this
+// centre at which the droplet covers a texel.
 enum { DROP_U, DROP_V, DROP_RADIUS, DROP_WETNESS, DROP_X, DROP_Y, DROP_Z, DROP_REACH, DROP_COLUMNS };
 
 #endif

@@ -10,7 +10,10 @@ __all__ = ["read", "ResultsError"]
 
 
 def _value(text):
-    """Returns an axis value as a number if possible. Rows store decimal numbers as strings to keep their digits."""
+    """Returns the value of an axis (a varied parameter) as a number if possible.
+
+    Rows store decimal numbers as strings to keep their digits.
+    """
     if isinstance(text, str):
         try:
             return float(text)
@@ -26,7 +29,7 @@ def _contended(provenance):
 
 
 def _names(row):
-    """Returns the columns that do not depend on the phase: experiment, case, axes, device, run, status and so on."""
+    """Returns the columns that are the same for all phases of a frame: experiment, case, axes, device and so on."""
     provenance = row["provenance"]
     axes = {key: _value(value) for key, value in row["axes"].items() if key != "variant"}
     return {"experiment": row["experiment"], "case": row["case"], "variant": row["variant"], **axes,
@@ -69,29 +72,32 @@ def _by_sample(row, phase, clock):
 def read(place, *more, phase="frame", clock="wall", samples=False):
     """Returns the rows of results in folders (at any depth) or journals (*.jsonl) as a pandas data frame.
 
-    The data frame has one line per row of results. A row holds one case, measured in one process; a case that failed
-    has a row too. The columns have the same names as in the output of `pelage export`:
-      experiment, case, variant, and one column per axis, such as model, layers, size
-      overrides: the changes of the options --set, --axis and --model, as "key=value;..."; "" without these options
-      device, host, run_id, repeat, preset, status, reason
-      contended: whether other processes used more than 10% of the machine's CPU time while the case was timed; None in
-        rows that do not record it
-      identity: a hash of all inputs of the measurement; lines with different hashes were measured with different
-        inputs; "" in rows of schema 1, which do not record their inputs
-      phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged
-      metric.NAME, and metric.NAME.low and metric.NAME.high where a metric has an interval
-    Times are NaN if a row is not ok or has no time of the phase.
+    The data frame has one line per row of results. A row holds the results of one case in one process. A case is one
+    combination of the parameters that an experiment varies (its axes). A case that failed has a row too. The columns
+    have the same names as in the output of `pelage export`:
+      experiment, case, variant, and one column per axis, such as model, layers, size.
+      overrides: the changes made by the options --set, --axis and --model, as "key=value;...". It is "" without these
+        options.
+      device, host, run_id, repeat, preset, status, reason.
+      contended: whether other processes used more than 10% of the machine's CPU time while the case was timed. It is
+        None in rows that do not record this.
+      identity: a hash of all inputs of the measurement. Lines with different hashes were measured with different
+        inputs. The hash is "" in rows of schema 1, which do not record their inputs.
+      phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged.
+      metric.NAME. If the metric has an interval, also metric.NAME.low and metric.NAME.high.
+    Times are NaN if the status of a row is not ok, or if a row has no time of the phase.
 
-    phase: "frame" (the whole frame), a part of the frame ("simulate", "wet", "transform", "bin", "raster", "resolve")
-      or another renderer or solver that was timed alternately with the frame, such as the baseline "opengl"
-    clock: "wall", "cpu", or "event" (OpenCL events). The parts of a frame have only "event" times; other renderers and
-      solvers have no "event" times
-    samples: if True, the data frame has one line per sample, with the columns sample (index) and ms; rows that are not
-      ok then have no lines
+    phase: "frame" (the whole frame) or a part of the frame ("simulate", "wet", "transform", "bin", "raster",
+      "resolve"). It can also be another renderer or solver that was timed alternately with the frame, such as the
+      baseline "opengl".
+    clock: "wall", "cpu", or "event" (OpenCL events). The parts of a frame have only "event" times. Other renderers and
+      solvers have no "event" times.
+    samples: if True, the data frame has one line per sample, with the columns sample (index) and ms. Rows whose status
+      is not ok then have no lines.
 
     If several journals contain the same row, it is returned once. A row with the status error is left out if a later
-    row of the same journal has the same case. If a line is damaged, raises
-    ResultsError, whose message names the file and the line.
+    row of the same journal has the same case. If a line is damaged, the function raises ResultsError, whose message
+    names the file and the line.
     """
     import pandas
 

@@ -1,4 +1,4 @@
-"""Finds contradictions between the fields of a row (harness/journal/contradiction.cpp makes the same checks)."""
+"""Finds contradictions between the fields of a row of results. harness/journal/contradiction.cpp does so in C++."""
 import json
 import math
 import re
@@ -114,7 +114,7 @@ def _parts(row):
 
 
 def contradiction(row):
-    """Returns a message about the first contradiction in a row, or "" if there is none. The row needs all fields."""
+    """Returns a message about the first contradiction in a row; "" if there is none. The row must have all fields."""
     for text in _names(row):
         return text
     if row["status"] != "ok":

@@ -30,7 +30,7 @@ def holds(check):
 def parse_line(line):
     """Returns the row in a line of a journal (bytes without the line feed).
 
-    If the line is damaged, raises ResultsError. The caller adds the file and the number of the line to its message.
+    If the line is damaged, raises ResultsError. The caller adds the file and the line number to the error's message.
     """
     mark = line.rfind(CRC_MARK)
     if mark < 0 or len(line) != mark + len(CRC_MARK) + 10 or not line.endswith(b'"}'):
@@ -81,7 +81,7 @@ def read_journal(file):
         key = key_of(row)
         if key in rows and rows[key]["status"] != "error":
             raise ResultsError(f"{file}:{count}: damaged: second row of the case {row['case']}")
-        rows.pop(key, None)  # so that the new row is the last one
+        rows.pop(key, None)  # without this, dict would leave the new row at the place of the old row
         rows[key] = row
     return list(rows.values())
 
@@ -99,7 +99,8 @@ def journals_in(place):
 
 
 def read_rows(places):
-    """Returns the rows of all journals in the places. If several journals contain the same row, it is returned once."""
+    """Returns the rows of all journals in `places`, a list of folders and files. If several journals contain the same
+    row, the function returns this row once."""
     known, timed = {}, {}
     for place in places:
         for file in journals_in(place):
@@ -120,7 +121,8 @@ def read_rows(places):
 
 
 def identity_hash(identity):
-    """Returns the hash that `pelage export` prints for an identity (16 hexadecimal digits); "" if the row has none."""
+    """Returns the hash that `pelage export` prints for the identity of a row (16 hexadecimal digits). Returns "" if the
+    row has no identity."""
     if not identity:
         return ""
     return f"{hash_of_texts(text for pair in sorted(identity.items()) for text in pair):016x}"
@@ -133,10 +135,10 @@ def median(values):
 
 
 def interval_rank(count):
-    """Returns the rank of the 95% interval of the median. The interval extends from the value that has r smaller values
-    to the value that has r larger values. It contains the true median with a probability that falls with r. The
-    function returns the largest r for which this probability is at least 95%. For fewer than 6 values there is no such
-    r, and the function returns 0."""
+    """Returns the rank r of the 95% interval of the median. For a rank r, the interval extends from the value that has
+    r smaller values to the value that has r larger values. The larger r is, the less probable it is that this interval
+    contains the true median. The function returns the largest r for which this probability is at least 95%. For fewer
+    than 6 values there is no such r, and the function returns 0."""
     rank, below = 0, 0.0
     for r in range((count - 1) // 2 + 1):
         # Adds the probability that exactly r of the values are below the true median.
@@ -149,7 +151,7 @@ def interval_rank(count):
 
 
 def median_interval(values):
-    """Returns the 95% interval of the median from order statistics. The values may have any distribution."""
+    """Returns a 95% interval of the median. Its limits are two of the values. The values may have any distribution."""
     ordered = sorted(values)
     rank = interval_rank(len(ordered))
     return ordered[rank], ordered[-1 - rank]

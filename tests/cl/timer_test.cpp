@@ -52,8 +52,8 @@ TEST(Timer, FakesAreNot) {
 }
 
 TEST(Timer, OfEveryDeviceIsJudged) {
-  // rusticl lists its device only if this variable is set before the first OpenCL call of the process. CTest
-  // runs each test in its own process.
+  // rusticl lists its device only if RUSTICL_ENABLE is set before the first OpenCL call of the process. CTest
+  // runs each test in its own process, so this process has made no OpenCL call yet.
   ::setenv("RUSTICL_ENABLE", "llvmpipe", 1);
   for (const cl::Device& device : cl::devices()) {
     const auto check = cl::check_timer(cl::Queue(device));

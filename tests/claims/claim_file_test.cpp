@@ -12,8 +12,8 @@ namespace {
 using test::claim_text;
 using test::file_of;
 
-/// Returns the message about a file of claims with this text, from the name of the file on. Returns "" if the
-/// reader accepts the file.
+/// Reads a file claims.toml that contains `text`. Returns the end of the error message, from the file's name
+/// on. Returns "" if the reader accepts the file.
 std::string message(const std::string& text) {
   try {
     file_of(text);
@@ -82,7 +82,10 @@ untestable = "there are none"
   EXPECT_DOUBLE_EQ(c.region.low.value(), 0.2);
   EXPECT_DOUBLE_EQ(c.region.high.value(), 0.3);
   EXPECT_EQ(c.relation, "0.25 +-20%");
-  EXPECT_EQ(description_of(c), "frame rate in turns, layers 64 : 16, geometric mean");
+  EXPECT_EQ(
+      description_of(c),
+      "frame rate with layers = 64, divided by the value with layers = 16; geometric mean over the cases; "
+      "one process drew the cases alternately");
   EXPECT_EQ(file.claims[1].untestable, "there are none");
   EXPECT_DOUBLE_EQ(file_of(claim_text("name = \"level\"", "{ above = 1 }")).claims[0].process_spread, 0.07);
 }
@@ -165,7 +168,7 @@ TEST(ClaimFiles, MustExist) {
   EXPECT_THROW(read_claims(PELAGE_SOURCE_DIR), InputError);
 }
 
-// Every shipped claim names its source, and the experiments that it refers to exist.
+// Every shipped claim must name its source, and must refer only to experiments that exist.
 TEST(ClaimFiles, TheShippedFileIsComplete) {
   const ClaimFile file = read_claims(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/claims.toml");
   EXPECT_GE(file.claims.size(), 18u);

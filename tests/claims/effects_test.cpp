@@ -1,4 +1,5 @@
-// Tests every effect and every quantity against values that were computed by hand.
+// Tests every effect of a claim (docs/claims.md) and every quantity from which effects are computed. The
+// expected values were computed by hand.
 #include "harness/claims/effects.hpp"
 
 #include <gtest/gtest.h>
@@ -66,8 +67,8 @@ TEST(Effects, PhasesAreTimesOfTheSameRow) {
   EXPECT_NEAR(turns.value.value(), 3, rounding);
 }
 
-// The frame times, 90 and 100 ms, differ only by noise. The effect uses the difference of the phase times, 7
-// and 2 ms, so it is 1 + 5 / 100.
+// The frame times, 90 and 100 ms, differ only by noise. The phase times, 7 and 2 ms, differ by 5 ms.
+// The effect divides this difference by the frame time of the solver "e", 100 ms, so it is 1 + 5 / 100.
 TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
   FoundRow slow = row({{"solver", "i"}}, 90), fast = row({{"solver", "e"}}, 100);
   slow.row.samples["simulate"].event_ms = {7};
@@ -84,12 +85,13 @@ TEST(Effects, ElasticityIsTheExponent) {
   std::vector<FoundRow> rows;
   for (const int n : {16, 32, 64}) rows.push_back(row({{"layers", std::to_string(n)}}, 5 * std::pow(n, 0.7)));
   EXPECT_NEAR(judged(rows, "name = \"elasticity\", axis = \"layers\"", any).value.value(), 0.7, rounding);
-  // The axis value of a picture size is its number of pixels. Four times the pixels take twice the time.
+  // For picture sizes, the elasticity uses the number of pixels. Four times the pixels take twice the time,
+  // so the exponent is 0.5.
   EXPECT_NEAR(judged({row({{"size", "800x600"}}, 10), row({{"size", "1600x1200"}}, 20)},
                      "name = \"elasticity\", axis = \"size\"", any)
                   .value.value(),
               0.5, rounding);
-  // Names of models are not numbers, so the metric triangles replaces them.
+  // Names of models are not numbers, so the option `along` uses the metric `triangles` in their place.
   FoundRow small = row({{"model", "a"}}, 10), large = row({{"model", "b"}}, 80);
   small.row.metrics["triangles"] = {100, "triangles"};
   large.row.metrics["triangles"] = {800, "triangles"};
@@ -108,9 +110,10 @@ TEST(Effects, LinearityComparesTwoSlopes) {
   EXPECT_NEAR(judged(rows(48), effect, any).value.value(), 1.5, rounding);
   const Judged two = judged(layers_and_models(), effect, any);
   EXPECT_EQ(two.verdict, Verdict::untestable) << "two values give no slopes to compare";
+  EXPECT_EQ(judged(rows(32), effect + ", values = 4", any).verdict, Verdict::untestable);
 }
 
-// The ratio of the times at the two sizes is 40 * triangles^-0.5, so the slope is -0.5.
+// The ratio of the times at the two sizes is 40 * triangles^-0.5, so its log-log slope must be -0.5.
 TEST(Effects, RatioTrendIsTheSlopeOfTheRatio) {
   std::vector<FoundRow> rows;
   for (const auto& [model, triangles] : {std::pair("a", 100.0), {"b", 400.0}, {"c", 1600.0}})

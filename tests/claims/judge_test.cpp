@@ -101,8 +101,9 @@ TEST(Judge, JudgesEveryDeviceAlone) {
   EXPECT_EQ(both[1].verdict, Verdict::holds);
 }
 
-// Within one process, each time varies by 1%. The spread between processes is unknown, so the interval of the
-// ratio is wider than the samples show.
+// Within one process, each time varies by 1%. One process does not show the spread between processes, so
+// judge() assumes a spread. The interval of the ratio is therefore wider than the samples of this process
+// suggest.
 TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   const auto with = [](const std::string& limit, const std::vector<FoundRow>& rows) {
     return judged(rows, ratio, limit, "experiment = \"own\"", "process_spread = 0.07\n");
@@ -112,8 +113,8 @@ TEST(Judge, OneProcessDoesNotDecideASmallDifference) {
   EXPECT_EQ(one.processes, 1u);
   EXPECT_NE(one.reason.find("1 of the 3 processes that are needed"), std::string::npos) << one.reason;
   EXPECT_EQ(with("{ at_most = 4 }", two_rows()).verdict, Verdict::holds);
-  // The standard deviation of the ratio's logarithm is 0.07 * sqrt(2) = 0.099. The interval is therefore 3 *
-  // exp(+-1.96 * 0.099).
+  // Each of the two times has the assumed relative spread 0.07, so the standard deviation of the ratio's
+  // logarithm is 0.07 * sqrt(2) = 0.099. The ratio is 3, so its interval is 3 * exp(+-1.96 * 0.099).
   EXPECT_NEAR(one.interval.low, 2.47, 0.05);
   EXPECT_NEAR(one.interval.high, 3.64, 0.07);
   std::vector<FoundRow> three;
@@ -138,8 +139,8 @@ TEST(Judge, SeparateProcessesShowTheirSpread) {
   EXPECT_GT(one.interval.high, 12.5);
 }
 
-// Both phases belong to the same process, so a factor that changes all times of the process cancels in their
-// ratio.
+// Both phases belong to the same process. A factor that changes all times of this process cancels in the
+// ratio of the phases.
 TEST(Judge, PhasesInTurnsShareTheirProcess) {
   FoundRow one = row({{"model", "a"}}, 30);
   one.row.samples["quarter"].wall_ms = one.row.samples["frame"].wall_ms;
@@ -191,7 +192,9 @@ TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
       two_rows());
   const std::string text = text_of(list);
   EXPECT_NE(text.find("holds      c  (shape; )\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("frame time, layers 64 : 16, every case: 3 ["), std::string::npos) << text;
+  EXPECT_NE(text.find("frame time with layers = 64, divided by the value with layers = 16; each case: 3 ["),
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find("the claim: at most 4"), std::string::npos) << text;
   EXPECT_NE(text.find("untestable: no rows, yet"), std::string::npos) << text;
   EXPECT_NE(text.find("2 claims: 1 holds, 0 fails, 0 undecided, 1 untestable\n"), std::string::npos) << text;
@@ -204,7 +207,7 @@ TEST(Printing, ShowsEffectIntervalVerdictAndReason) {
   EXPECT_NEAR(json[0]["effect"].get<double>(), 3, 1e-9);
   EXPECT_TRUE(json[1]["effect"].is_null());
   EXPECT_EQ(json[1]["reason"], "no rows, yet");
-  EXPECT_NE(markdown_of(list).find("| none, shape | a \\| b | p, 2 |"), std::string::npos)
+  EXPECT_NE(markdown_of(list).find("| none, shape | a \\| b | p, section 2 |"), std::string::npos)
       << markdown_of(list);
 }
 

@@ -56,8 +56,8 @@ struct Plant {
   std::function<void(Row&)> change;
 };
 
-/// Returns a change that multiplies the times of a phase by a factor, in all rows where the axis has the
-/// given value.
+/// Returns a change that multiplies the times of `phase` by the factor `by`, in all rows of cases in which
+/// the parameter `axis` has the value `value`.
 std::function<void(Row&)> times(const std::string& axis, const std::string& value, const std::string& phase,
                                 double by) {
   return [=](Row& row) {
@@ -184,9 +184,10 @@ TEST(Recordings, AMissingRowMakesAClaimUntestable) {
   EXPECT_EQ(judge(only("layers-third"), rows).front().verdict, Verdict::untestable);
 }
 
-// Two experiments recorded the 32 cases of Table 1 in different processes. The standard deviation of their
-// logarithmic difference, divided by sqrt(2), is the spread of one process. The shipped process_spread must
-// not be below this value.
+// Two experiments recorded the 32 cases of Table 1 in different processes. For each case, the test computes
+// the logarithm of the ratio of the two times. The standard deviation of this logarithm over the cases,
+// divided by sqrt(2), is the relative spread of one process. The shipped process_spread must not be below
+// this value.
 TEST(Recordings, TheAssumedSpreadIsNotTooSmall) {
   std::map<std::string, std::vector<double>> logs;
   for (const auto& [row, journal, copies] : recordings())

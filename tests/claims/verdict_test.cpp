@@ -44,8 +44,9 @@ TEST(Verdicts, UseThe95PercentInterval) {
   EXPECT_DOUBLE_EQ(decision.confidence, 0.95);
 }
 
-// One effect is just outside the region. Its 95% interval excludes the limit. Holm's method demands a 99.5%
-// interval for one of ten effects, and this interval contains the limit.
+// The region is the set of effects that satisfy the claim; its limit is 1. One of ten effects is slightly
+// outside the region. The 95% interval of this effect excludes the limit, but Holm's method demands a 99.5%
+// interval, which contains the limit.
 TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   const Region at_most{{}, 1.0};
   const Estimate outside = around(1.97, 1);
@@ -60,8 +61,8 @@ TEST(Verdicts, OfSeveralEffectsAreCorrectedByHolm) {
   EXPECT_EQ(decide(ten, at_most).verdict, Verdict::fails);
 }
 
-// Nine of ten effects are far inside the region. Holm's method then decides the tenth by its 95% interval;
-// Bonferroni's method would demand a 99.5% interval.
+// Nine of ten effects are far below the limit 1. Holm's method decides these nine first, and then decides the
+// tenth effect by its 95% interval. Bonferroni's method would demand a 99.5% interval for the tenth effect.
 TEST(Verdicts, HolmLeavesMoreForTheLastEffect) {
   const Region at_most{{}, 1.0};
   std::vector<Estimate> ten(9, around(-5, 1));

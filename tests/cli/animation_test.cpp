@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns `text` with `from` replaced by `to`. The test fails unless `from` occurs exactly once.
+/// Replaces `from` by `to` in `text` and returns the result. `text` must contain `from` exactly once.
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;

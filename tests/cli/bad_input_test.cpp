@@ -58,6 +58,7 @@ const Bad scenes[] = {
     {"run typo.toml -o r", 2, "typo.toml: is not an experiment, because it has neither a name nor axes"},
     {"run silva2010-table1 --model gone.obj --dry-run", 2, "gone.obj: neither a file nor a model"},
     {"run silva2010-table1 --up x --dry-run", 2, "--up"},
+    {"render text.obj -o a.png", 2, "text.obj: is a mesh file; give a scene and the mesh"},
     {"scene .", 2, ".: is a folder"},
     {"scene binary.toml", 2, "binary.toml:1: not TOML"},
     {"scene half.toml", 2, "half.toml:2: not TOML"},

@@ -1,5 +1,5 @@
-// Runs pelage-bench on a small picture. The JSON of Google Benchmark must contain a time and counters of
-// every kernel.
+// Runs pelage-bench on a small picture. The JSON output of Google Benchmark must contain the time and the
+// counters of every kernel.
 #include <gtest/gtest.h>
 
 #include <map>

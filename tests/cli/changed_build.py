@@ -5,9 +5,9 @@ usage: changed_build.py SOURCE BUILD CHANGES
 
 The folder CHANGES contains the new and changed files. A file's path relative to CHANGES is its path relative to SOURCE.
 BUILD is a build folder of SOURCE. The script compiles the .cpp files of CHANGES with the compiler options of BUILD. It
-links the program CHANGES/pelage from these object files and the libraries of BUILD. In the linker's command the object
-files stand before the libraries, so that their definitions are used. A changed header may only add declarations,
-because source files outside CHANGES are not compiled again.
+links the program CHANGES/pelage from these object files and the libraries of BUILD. The linker finds the
+object files before the libraries, so it uses the functions of the object files. A changed header may only add
+declarations, because source files outside CHANGES are not compiled again.
 """
 import json
 import shlex

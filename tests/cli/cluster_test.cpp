@@ -190,8 +190,8 @@ std::string shell_blocks(const fs::path& document) {
   return text;
 }
 
-// The test runs only blocks of the language sh. The other blocks configure a new build, or need a container
-// or several machines.
+// The test runs only the code blocks of docs/cluster.md that begin with ```sh. The commands in the other code
+// blocks configure a new build, or need a container or several machines.
 TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   const Folder folder;
   if (shell(folder, "sh -c 'command -v sbatch && command -v parallel'") != 0)
@@ -200,7 +200,7 @@ TEST(Slurm, EveryShellBlockOfTheDocumentWorks) {
   ASSERT_GT(std::count(blocks.begin(), blocks.end(), '\n'), 8);
   const std::string build = fs::path(PELAGE_BINARY).lexically_normal().parent_path().string();
   // The document installs pelage to $HOME/pelage, so HOME is set to the temporary folder. XDG_CACHE_HOME
-  // still names the user's mesh cache, so that no mesh must be prepared again.
+  // still names the user's cache folder, so that pelage finds the prepared meshes there.
   folder.write("blocks.sh",
                "set -euxo pipefail\nexport XDG_CACHE_HOME=${XDG_CACHE_HOME:-$HOME/.cache} HOME=$PWD\n"
                "unset PELAGE\ncmake --install '" +

@@ -117,7 +117,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
   const Dataset offset = read(file, "layer/offset");
   EXPECT_EQ(offset.shape, (Shape{4, vertices, 3}));
 
-  // Every tip is at most the strand's length away from its root, and gravity has moved some tips.
+  // The distance from a root to its tip must be at most the length of the strand. Gravity must have moved
+  // some tips.
   const Dataset root = read(file, "strand/root"), rest = read(file, "strand/rest"),
                 tip = read(file, "strand/tip");
   float moved = 0;
@@ -160,8 +161,8 @@ TEST(Commands, TheDumpHoldsAFrameThatFitsTogether) {
     }
   }
 
-  // All vertices are in front of the camera. The mean x and the mean y of their screen coordinates have
-  // absolute values below 4. The picture extends from -1 to 1.
+  // All vertices must be in front of the camera. In the screen coordinates, the picture extends from -1 to 1
+  // along x and along y. The means of the vertices' x and y must be between -4 and 4.
   const Dataset view = read(file, "camera/view"), projection = read(file, "camera/projection");
   double x = 0, y = 0;
   for (std::size_t v = 0; v < vertices; ++v) {

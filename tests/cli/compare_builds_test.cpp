@@ -1,5 +1,5 @@
-// Tests scripts/compare_builds.py with two equal builds: it must draw their frames in turns and print the
-// ratios of their frame times.
+// Tests scripts/compare_builds.py with two equal builds: it must draw frames with the two builds alternately,
+// and print the ratios of the frame times of the builds.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -33,8 +33,8 @@ TEST(CompareBuilds, EqualBuildsTakeTurnsAndGetARatio) {
   double ratio = 0, control = 0;
   ASSERT_EQ(std::sscanf(text.c_str() + line, "geometric mean %lf [%*f, %*f] %lf", &ratio, &control), 2)
       << text;
-  // Both ratios are near 1. The test checks only that they are positive, because their exact values depend on
-  // the load of the machine.
+  // The builds are equal, so both ratios should be near 1. The exact ratios depend on the load of the
+  // machine. The test therefore checks only that the ratios are positive.
   EXPECT_GT(ratio, 0);
   EXPECT_GT(control, 0);
   for (const char* side : {"old", "new", "control"})

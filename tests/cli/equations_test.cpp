@@ -36,8 +36,8 @@ std::vector<std::string> all(const std::string& text, const std::regex& pattern)
 
 const std::regex numbered("[SWB] Eq\\. [0-9]|Algorithm [0-9]");
 
-/// Returns pairs of an equation and a function of `source`. The comment above the function names the number
-/// of the equation.
+/// The comment above a function may name equations by their numbers. Returns the pair (equation, function)
+/// for each equation that is named above a function of `source`.
 std::set<Line> anchors_of(const std::string& source) {
   static const std::regex function(R"(^(?:static inline|INLINE) [\w ]+[ *](\w+)\()");
   std::set<Line> anchors;
@@ -51,8 +51,8 @@ std::set<Line> anchors_of(const std::string& source) {
     if (std::regex_search(line, match, function)) {
       for (const std::string& equation : all(comment, numbered)) anchors.emplace(equation, match[1]);
     } else {
-      // This line contains neither a comment nor a function. A line with a function keeps the comment,
-      // because the comment may also describe the function on the next line.
+      // The comment ends at a line that contains neither a comment nor a function. A line with a function
+      // does not end the comment, because the comment may also describe the function on the next line.
       comment.clear();
     }
   }
@@ -76,7 +76,8 @@ TEST(EquationTable, IsWhatTheKernelsSay) {
   }
 
   std::set<Line> table;
-  // A pair is the name of a group of tests, and the file that contains this group.
+  // Each pair is the name of a test suite and the path of its file. `used` contains the suites that the rows
+  // of the equations name. `listed` contains the suites in the document's list of test files.
   std::set<std::pair<std::string, std::string>> used, listed;
   static const std::regex quoted("`([^`]+)`");
   const std::string document = text_of(root / "docs/equations.md");

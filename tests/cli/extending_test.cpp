@@ -12,8 +12,8 @@
 namespace pelage::cli {
 namespace {
 
-/// Applies the diff to copies of the source files in `changes`: replaces the lines "-old" by the lines
-/// "+new". The test fails if the old text does not occur exactly once in the file.
+/// Copies the files that the diff names from `source` to `changes`, and applies the diff to the copies. The
+/// test fails if the text that a hunk of the diff replaces does not occur exactly once in its file.
 void apply(const std::string& diff, const std::filesystem::path& source,
            const std::filesystem::path& changes) {
   std::filesystem::path file;
@@ -63,7 +63,7 @@ TEST(Extending, EveryBlockOfTheDocumentWorks) {
             std::filesystem::path(PELAGE_BINARY).lexically_normal().parent_path().string() + "' '" +
             changes.string() + "'";
         ASSERT_EQ(run_in(folder, build, binary), 0) << folder.read("stdout") << folder.read("stderr");
-        EXPECT_LE(touched.size(), 3u);  // an addition may change at most three existing files
+        EXPECT_LE(touched.size(), 3u);  // each example may change at most three existing files
         touched.clear();
         binary = changes / "pelage";
         changed = false;

@@ -1,5 +1,5 @@
-// Tests commands with harmful input. Earlier versions of pelage crashed, hung, used gigabytes of memory or
-// printed a wrong reason for such names, options and files.
+// Tests commands with harmful input. With these names, options and files, earlier versions of pelage crashed,
+// hung, used gigabytes of memory or printed a wrong reason.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -118,8 +118,8 @@ TEST(Hostile, ACaseThatEndsInAnErrorGivesCode1AndIsTriedAgain) {
   }
 }
 
-// If no results folder exists yet, an interrupted program must not advise the user to continue the run with
-// --resume. It may also end without a message.
+// A user can interrupt pelage before it creates the results folder. pelage must then not advise the user to
+// continue the run with --resume. It may end without any message.
 TEST(Hostile, AnInterruptBeforeTheFirstRowAdvisesNoFolder) {
   const Folder folder;
   folder.write("own.toml", experiment("[\"torus-24x12\"]"));

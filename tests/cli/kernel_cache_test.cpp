@@ -1,5 +1,5 @@
-// Tests commands with a damaged cache folder, in which PoCL keeps compiled kernels, and with a cache folder
-// on a full disk.
+// PoCL keeps compiled kernels in a cache folder. The tests run commands with a damaged cache folder, and with
+// a cache folder on a full disk.
 #include <gtest/gtest.h>
 
 #include "tests/cli/shell.hpp"

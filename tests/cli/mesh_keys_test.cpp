@@ -86,7 +86,7 @@ TEST(MeshKeys, AFileWhoseZAxisPointsUpIsTurned) {
 
 TEST(MeshKeys, RepairsArePrintedOnceAndByTheCommandMesh) {
   const Folder folder;
-  // The comment in the OBJ file makes its content unique, so that the mesh cache does not contain the mesh.
+  // The comment in the OBJ file makes its content unique, so that the mesh is not yet in the mesh cache.
   folder.write("t.obj", std::string(overlapping) + "f 1/1 3/2 2/3\n# " + folder.path().string() + "\n");
   const std::string render = std::string("render --pipeline reference -o a.png --model t.obj") + small;
   const Outcome first = pelage(folder, render), second = pelage(folder, render);

@@ -1,5 +1,5 @@
-// Tests commands on the results of a user's own experiment: which changes --resume refuses, how reports
-// separate measurements of different inputs, and where results can be written.
+// Tests commands on the results of a user's own experiment. The tests check which changes --resume refuses,
+// how reports separate measurements of different inputs, and where pelage can write results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +113,8 @@ TEST_F(Results, OtherInputsOfEqualNamesStandApart) {
   ASSERT_EQ(pelage(folder, "run own.toml -o second").code, 0);
   const Outcome report = pelage(folder, "report first second -o page");
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_NE(report.err.find("2 of 4 rows have the names of other rows but measured different inputs (scene)"),
+  EXPECT_NE(report.err.find("2 of 4 rows have the same names (case, variant, device and so on) as other rows "
+                            "but measured different inputs (scene)"),
             std::string::npos)
       << report.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/inputs-2/tables/all-phases.csv"));

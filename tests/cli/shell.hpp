@@ -43,11 +43,12 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Runs pelage inside the folder for at most 300 s. `arguments` has the syntax of the shell; `environment`
-/// contains assignments such as "A=1 B=2".
+/// Runs pelage inside the folder for at most 300 s. `arguments` is a text that the shell splits into
+/// arguments. `environment` contains assignments such as "A=1 B=2".
 inline Outcome pelage(const Folder& folder, const std::string& arguments, const std::string& environment = "",
                       const std::string& binary = PELAGE_BINARY) {
-  // Leaks inside the OpenCL libraries are ignored; other memory errors are still reported.
+  // The option detect_leaks=0 switches off the leak check, because the OpenCL libraries leak memory.
+  // AddressSanitizer still reports other memory errors.
   const std::string command = "cd '" + folder.path().string() + "' && ASAN_OPTIONS=detect_leaks=0 " +
                               environment + " timeout 300 '" + binary + "' >stdout 2>stderr " + arguments;
   const int status = std::system(command.c_str());

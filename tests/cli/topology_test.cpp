@@ -1,4 +1,5 @@
-// Tests that pelage topology prints the paper's numbers of masses and springs.
+// Tests that pelage topology prints the numbers of masses and springs that Banisch and Wuethrich 2006 give.
+// In this file, "the paper" is that paper.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -32,7 +33,8 @@ TEST(TopologyCommand, CountsThePapersModels) {
   EXPECT_EQ(row_of(elephant.out, "separable-prisms"), "6888 6888");
   EXPECT_EQ(row_of(elephant.out, "separable-sticks"), "6888 3444");
   EXPECT_NE(row_of(elephant.out, "sticks on vertex copies"), "");
-  // The paper's numbers are printed only for models and topologies for which the paper gives numbers.
+  // pelage topology must print the paper's numbers only for the models and topologies for which the paper
+  // gives them.
   const auto ends_with = [&](const std::string& name, const std::string& end) {
     return std::regex_search(elephant.out, std::regex("\n" + name + " [^\n]* " + end + "\n"));
   };
@@ -48,8 +50,8 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// The test counts lines in the drawing: every spring of the four topologies occurs once, and every triangle
-// once per panel.
+// The drawing has one panel for each of the four topologies. The test counts the SVG elements. Each panel
+// must contain every triangle of the mesh once, and every mass and spring of its topology once.
 TEST(TopologyCommand, DrawsWhatItCounts) {
   const Folder folder;
   const Outcome outcome = pelage(folder, "topology banisch-grass --draw grass.svg --length 0.4");

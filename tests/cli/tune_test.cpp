@@ -27,8 +27,8 @@ TEST(Tune, APlantedWrongConfigurationIsTriedAndNotStored) {
   const Folder folder;
   fs::copy(fs::path(PELAGE_SOURCE_DIR) / "kernels", folder.path() / "kernels", fs::copy_options::recursive);
   // The test inserts two bad configurations into a copy of the kernels. If TILE_W is 8, the inserted code
-  // regards a pixel as opaque at a transmittance of 0.9. This is fast but changes the picture. TILE_H = 7 is
-  // not a valid tile height.
+  // regards a pixel as opaque at a transmittance of 0.9. With this code the kernel is fast, but its picture
+  // is wrong. TILE_H = 7 is not a valid tile height.
   std::string params = folder.read("kernels/rasterize/params.h");
   const auto stop = params.find("#define OPAQUE ");
   ASSERT_NE(stop, std::string::npos);

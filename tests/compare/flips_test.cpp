@@ -1,5 +1,6 @@
-// Tests flipped pixels (pixels that differ by more than tolerance::flip): they are counted, their share is
-// limited, and the PSNR is reported with and without them.
+// Tests flipped pixels (pixels that differ by more than tolerance::flip). compare() counts them, and reports
+// the PSNR with and without them. within() accepts a picture only if its share of flipped pixels is small
+// enough.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,7 @@ Picture furry(int width, int height) {
   return picture;
 }
 
-/// Adds `by` to red and blue and subtracts `by` from green, similar to rounding errors.
+/// Simulates rounding errors: adds `by` to red and blue, and subtracts `by` from green.
 Picture rounded(Picture picture, float by) {
   for (glm::vec4& pixel : picture.pixel) pixel += glm::vec4(by, -by, by, 0);
   return picture;
@@ -34,8 +35,9 @@ std::string broken(const Agreement& agreement) {
   return names;
 }
 
-// Changes one pixel of a picture of 160 x 100 pixels. A change of 0.4 fails the check of the PSNR over all
-// pixels; a change of 0.1 passes. The PSNR without flipped pixels stays the same.
+// The test changes one pixel of a picture of 160 x 100 pixels. The check of the PSNR over all pixels must
+// fail after a change by 0.4, and must pass after a change by 0.1. The change by 0.4 must not affect the PSNR
+// without flipped pixels.
 TEST(Flips, OneOfASmallPicture) {
   const Picture reference = furry(160, 100);
   Picture ours = rounded(reference, 1e-5f);

@@ -1,5 +1,5 @@
-// Tests the comparison of tips and masks with the reference: small differences pass, and larger differences
-// fail.
+// Tests the comparison of strand tips and wetness masks with the reference: small differences pass, and
+// larger differences fail.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace pelage {
 namespace {
 
-constexpr double length = 0.1;  // length of a strand in R
+constexpr double length = 0.1;  // length of a strand, in units of the model's radius R
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<glm::vec3> tips(std::size_t count) {

@@ -1,5 +1,6 @@
-// Tests check_against_reference(). This function compares windows of the picture with the reference. If the
-// difference in the windows is too large, it compares the whole picture with the reference.
+// Tests check_against_reference(), which compares windows (squares of 16 x 16 pixels) of a picture with the
+// reference. If the windows differ too much from the reference, check_against_reference() compares the whole
+// picture.
 #include <gtest/gtest.h>
 
 #include "harness/compare/metrics.hpp"

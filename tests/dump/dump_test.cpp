@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 /// A dataset as described in the table of docs/frame.md or as found in a dump.
 struct Dataset {
   /// Scenes whose dump contains the dataset: "always" (all scenes), "silva" (scenes with Silva's strands) or
-  /// "topology" (scenes with a mass-spring topology). Empty if the dataset was read from a dump.
+  /// "topology" (scenes with a mass-spring topology). The text is empty if the dataset was read from a dump.
   std::string written;
   std::string type, units, description;
-  std::vector<std::string> shape;  ///< sizes of the axes: numbers, or symbols such as V
+  std::vector<std::string> shape;  ///< sizes: numbers, or symbols of docs/frame.md such as V
 };
 using Datasets = std::map<std::string, Dataset>;
 

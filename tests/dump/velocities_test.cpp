@@ -1,5 +1,5 @@
 // Tests the velocities in the dump of a frame that a device computed. They must agree with the velocities of
-// the reference, in the same unit (R/s) and in the same order.
+// the reference, in the same unit (the model's radius R per second) and in the same order.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Tests axes whose names the author of the experiment file chose, and the checks of all axes. The values of
-// such an axis are names of tables, which contain scene keys.
+// An axis of an experiment is a quantity that varies over the cases. These tests use axes with names that the
+// author of the experiment file chose, such as `mood`. Each value of such an axis is the name of a table in
+// the file. The table contains scene keys. The tests also cover the checks that apply to all axes.
 #include "harness/experiment/axes.hpp"
 
 #include <gtest/gtest.h>
@@ -60,6 +61,15 @@ TEST_F(Axes, TheCommandLineMayChooseAmongTheValuesOfTheFile) {
           {.set = {}, .axes = {{"mood", {"clam"}}}, .model = {}});
 }
 
+// pelage refuses an experiment file with a wrong scene key. It does so even if the command line selects only
+// cases that do not use the table with this key.
+TEST_F(Axes, AWrongSceneKeyIsRefusedWithItsLine) {
+  refuses(moods + storm + "[mood.calm]\nfur.lenght = 1\n" + quick,
+          "e.toml:10: fur.lenght: no such key; did you mean fur.length?",
+          {.set = {}, .axes = {{"mood", {"storm"}}}, .model = {}});
+  refuses(moods + "[mood.storm]\nfur.length = 99\n" + quick, "e.toml:7: fur.length: 99 is out of range");
+}
+
 TEST_F(Axes, ANameNeedsATable) {
   refuses(moods + quick, "axis mood: mood: no such key");
   refuses(moods + quick, "the file needs a table [mood.VALUE]");
@@ -90,7 +100,7 @@ TEST_F(Axes, ATableMustNotContradictAnAxis) {
   refuses(moods + "[model.torus]\nfur.layers = 4\n[mood.storm]\n" + quick, "[model.torus] sets fur.layers");
   refuses(moods + storm + quick, "--set fur.layers: the axis layers of e varies this key",
           {.set = {{"fur.layers", "4"}}, .axes = {}, .model = {}});
-  // A value from the command line overrides the value in a table.
+  // The command line may set the number of layers to 6, although the table [mood.storm] sets it to 4.
   const Experiment e =
       read("name = \"e\"\n[axes]\nmood = [\"storm\"]\n[mood.storm]\nfur.layers = 4\n" + quick);
   const auto cases =

@@ -1,4 +1,5 @@
-// Tests the division of the cases of a run among shards, according to earlier times.
+// Tests deal(), which divides the cases of a run among shards (parts of the run that separate processes
+// measure). deal() uses the times that the cases took in earlier runs.
 #include "harness/experiment/balance.hpp"
 
 #include <gtest/gtest.h>
@@ -31,15 +32,16 @@ TEST(Deal, WithoutTimesEveryCountThCaseBelongsToOneShard) {
   EXPECT_TRUE(deal(Times(), 5).empty());
 }
 
-// If the cases were assigned alternately to the two shards, the shards would take 22 s and 4 s.
+// deal() must give each of the two shards 13 s. If it assigned the cases alternately to the shards, the
+// shards would take 22 s and 4 s.
 TEST(Deal, ALongCaseDoesNotShareItsShardWithOthers) {
   const Times times{10.0, 1.0, 6.0, 1.0, 6.0, 2.0};
   const std::vector<int> shards = deal(times, 2);
   EXPECT_EQ(loads_of(times, shards, 2), (std::vector<double>{13, 13}));
 }
 
-// The case without a time counts as 2 s, the mean of the others. deal() assigns the cases in the order 4 s, 2
-// s, 1 s, 1 s.
+// The case without a time counts as 2 s, the mean of the times of the other cases. deal() assigns the cases
+// in the order 4 s, 2 s, 1 s, 1 s.
 TEST(Deal, ACaseWithoutATimeCountsAsTheMeanOfTheOthers) {
   EXPECT_EQ(deal({1.0, std::nullopt, 4.0, 1.0}, 2), (std::vector<int>{1, 1, 0, 1}));
 }
@@ -48,8 +50,9 @@ TEST(Deal, EqualTimesAreDealtInTurn) {
   EXPECT_EQ(deal({5.0, 5.0, 5.0, 5.0, 5.0}, 3), (std::vector<int>{0, 1, 2, 0, 1}));
 }
 
-// deal() gives each case to the shard with the smallest load (sum of times), which is at most the mean load.
-// Therefore no load exceeds the mean load plus the largest time.
+// The load of a shard is the sum of the times of its cases. deal() gives each case to the shard with the
+// smallest load. The smallest load is at most the mean load. Therefore no load exceeds the mean load plus the
+// largest time of a case.
 TEST(Deal, EveryCaseIsInOneShardAndTheLoadsAreBounded) {
   std::mt19937 random(18);
   for (int round = 0; round < 500; ++round) {

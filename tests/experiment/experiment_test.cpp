@@ -51,7 +51,7 @@ TEST(Experiment, TableOneIsThePapersThirtyTwoCells) {
     EXPECT_GT(scene.dynamics.wind.gust, 0);
     EXPECT_TRUE(scene.camera.framed);
   }
-  // The frame rates are copied by hand from the paper's table; 1 stands for "< 1".
+  // The frame rates are copied by hand from Table 1 of Silva et al. 2010. The number 1 stands for "< 1".
   EXPECT_EQ(sum, 267 + 117 + 256 + 117 + 154 + 80 + 78 + 63 + 66 + 52 + 24 + 22 + 25 + 21 + 3 + 3 +  //
                      90 + 35 + 84 + 34 + 51 + 24 + 28 + 21 + 23 + 17 + 8 + 8 + 7 + 7 + 1 + 1);
   EXPECT_EQ(censored, 2);

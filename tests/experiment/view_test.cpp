@@ -53,7 +53,7 @@ TEST(View, RowsStoreIt) {
   const View view{.blocks = {"reading"}, .x = "layers", .y = {"fps"}, .y_scale = "log"};
   EXPECT_EQ(view_from_json(to_json(view)), view);
   EXPECT_TRUE(to_json(View{}).empty());
-  // A user may have edited the rows. Values of a wrong type must be ignored.
+  // A user may have edited the rows. view_from_json() must ignore values of a wrong type.
   for (const char* text :
        {"null", "3", "[1]", "{\"x\": 3, \"y\": \"fps\", \"series\": [1, {}], \"other\": []}"})
     EXPECT_EQ(view_from_json(nlohmann::json::parse(text)), View{}) << text;

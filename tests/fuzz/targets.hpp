@@ -1,4 +1,4 @@
-// The fuzz targets. Each function passes untrusted bytes to one parser. A parser may refuse them with
+// The fuzz targets. Each function passes untrusted bytes to one parser. A parser may refuse the bytes with an
 // InputError. Any other exception, a failed expect() and a report of a sanitizer are errors. The folder
 // tests/fuzz/corpus/TARGET contains inputs of the target: examples, and all inputs with which the fuzzer has
 // found an error.
@@ -11,9 +11,9 @@
 
 namespace pelage::fuzz {
 
-void archive(std::string_view bytes);  ///< a member of a tar.gz archive of meshes
-void cached(std::string_view bytes);  ///< the content of a file of the mesh cache, without title and checksum
-void claims(std::string_view bytes);  ///< a file of claims
+void archive(std::string_view bytes);     ///< a member of a tar.gz archive of meshes
+void cached(std::string_view bytes);      ///< content of a mesh cache file; cached() adds title and checksum
+void claims(std::string_view bytes);      ///< a file of claims
 void experiment(std::string_view bytes);  ///< an experiment file
 void gltf(std::string_view bytes);     ///< the parts of a glTF file that pelage reads before it calls Assimp
 void journal(std::string_view bytes);  ///< a journal (rows of results); journal() adds the checksums

@@ -6,7 +6,7 @@
 namespace pelage::fuzz {
 
 // `pelage tune` writes new values into an existing tuning file. If read_tuning() accepts the existing file,
-// it must not crash on the changed file.
+// then read_tuning() must not crash on the file with the new values.
 void tuning(std::string_view bytes) {
   const MemoryFile file(bytes);
   may_refuse([&] {

@@ -161,8 +161,9 @@ TEST(House, PlantedTextsAreFound) {
   EXPECT_EQ(count(lines + "x\n"), 1u);
 }
 
-// rules.hpp describes two computations, each of which may occur in only one kernel file. The
-// lines of `copies` repeat these computations. copy_faults() must report each line in any other kernel file.
+// rules.hpp describes two computations, each of which may occur in only one kernel file. The lines of
+// `copies` repeat these computations. copy_faults() must report each of these lines if another kernel file
+// contains it.
 TEST(House, PlantedCopiesOfAComputationAreFound) {
   const char* const copies[] = {"  h.iw = fma(b2, iw2 - iw, fma(b1, iw1 - iw, iw));",
                                 "  h.b1 = b1 * iw1 * w;",
@@ -186,8 +187,9 @@ TEST(House, PlantedCopiesOfAComputationAreFound) {
   for (const char* other : others)
     EXPECT_TRUE(copy_faults("kernels/rasterize/tile/points.clh", other).empty()) << other;
   EXPECT_TRUE(copy_faults("harness/shells/reference/render.cpp", copies[1]).empty());
-  // copies[1] is perspective-correct interpolation, which belongs in perspective.clh. copy_faults() also
-  // reports a file from which its computation is missing.
+  // copies[1] is perspective-correct interpolation, so copy_faults() must accept it in perspective.clh.
+  // perspective.clh and surface.clh must each contain one of the two computations, so copy_faults() must
+  // report these files if they are empty.
   EXPECT_TRUE(copy_faults("kernels/rasterize/coverage/perspective.clh", copies[1]).empty());
   EXPECT_EQ(copy_faults("kernels/rasterize/coverage/perspective.clh", "").size(), 1u);
   EXPECT_EQ(copy_faults("kernels/rasterize/shading/surface.clh", "").size(), 1u);

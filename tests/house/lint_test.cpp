@@ -41,8 +41,8 @@ class Lint : public ::testing::Test {
     std::ofstream(folder_ / file) << text;
   }
   // Installs a stub of clang-tidy. The stub records the name of the source file that it should check, and
-  // then runs the shell code `body`. The stub of nproc reports one processor, so .ci/lint checks the files
-  // one after another, and the recorded names are in the order of these checks.
+  // then runs the shell code `body`. Also installs a stub of nproc that reports one processor, so .ci/lint
+  // checks the files one after another. The names are therefore recorded in the order of the checks.
   void clang_tidy(const std::string& body) const {
     write("bin/clang-tidy", fmt::format("#!/bin/sh\nfor file; do :; done\necho \"$file\" >>'{}'\n{}\n",
                                         notes().string(), body));
@@ -108,8 +108,9 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// After each commit, the lint starts at another file in the list of unchanged files. After enough commits, a
-// series of runs with a time limit has therefore checked every file.
+// A run of .ci/lint with a time limit may check only some of the unchanged files. The unchanged files form a
+// list, and .ci/lint therefore starts at another file of this list after each commit. After enough commits,
+// the runs have checked every file.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

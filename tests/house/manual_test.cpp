@@ -13,7 +13,7 @@
 
 namespace {
 
-using Options = std::map<std::string, std::set<std::string>>;  // command -> its long options, without --help
+using Options = std::map<std::string, std::set<std::string>>;  // command -> its long options except --help
 
 std::set<std::string> long_options(const std::string& text) {
   static const std::regex option("(^|[\\s,\"])--([a-z][a-z-]*)");

@@ -1,6 +1,6 @@
-// Tests that the mutants of tests/mutants still fit the sources. A mutant is a deliberate mistake: it
-// replaces a text of the sources by a wrong text. The text that it replaces must occur exactly once in the
-// sources. .ci/full applies the mutants and runs the tests that must detect them.
+// A mutant is a deliberate mistake: it replaces a text of the sources by a wrong text. .ci/full applies the
+// mutants of tests/mutants and runs the tests that must detect them. The tests in this file check that the
+// text that a mutant replaces occurs exactly once in the sources.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,7 @@
-// Tests that the name of each mapping, pipeline, solver, topology and shading model occurs only in its own
-// files, in one table and in at most two other places.
+// Each mapping (a way to distribute the pixels over work-items), pipeline, solver, topology and shading model
+// has a name. The name may occur in the files that implement the named part, and in the table of its kind
+// (for example, the table of all mappings). It may also occur in at most two other code lines of harness/ and
+// bench/. The script scripts/names.py checks this rule.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -22,9 +22,9 @@ bool starts_with(const std::string& text, const std::string& prefix) {
 /// Returns the lines of a source file that define a tolerance. `path` is relative to the repository.
 std::vector<std::string> written_tolerances(const std::string& path, std::istream& source) {
   if (path == "harness/compare/tolerances.hpp") return {};
-  // This expression finds, in a line of source code, a number that is the limit of a Check. Two kinds of
-  // limits are not tolerances: a limit of 0, and the limit of a count. A limit belongs to a count if the
-  // value before the limit is a conversion double(...).
+  // In a line that constructs a Check, this expression matches a limit that is written as a number. Two kinds
+  // of limits are not tolerances: a limit of 0, and the limit of a count. A limit is the limit of a count if
+  // the checked value before it has the form double(...).
   static const std::regex limit(R"((, double\([\w.()]*\))?,\s*([0-9][-+0-9.e /]*)\s*,\s*(true|false)\s*\})");
   static const std::regex constant(
       R"(constexpr (double|float) \w*(psnr|error|tolerance|difference|residual)\w* = *[0-9])");

@@ -37,8 +37,8 @@ TEST(HostileRows, AnUnchangedRowIsAccepted) {
   EXPECT_EQ(refusal(changed([](Json&) {})), "accepted");
 }
 
-// Copying and printing a JSON value need stack space for each level of nesting, so deep nesting would
-// overflow the stack.
+// A copy or a printout of a JSON value needs stack space for each level of nesting. A row with very deep
+// nesting would therefore overflow the stack.
 TEST(HostileRows, DeepNestingIsRefused) {
   const auto nested = [](std::size_t depth) {
     Json json = Json::parse(to_line(test::sample_row("a")));
@@ -68,7 +68,8 @@ TEST(HostileRows, NumbersOutOfRangeAreRefused) {
             std::string::npos);
 }
 
-// Commands read these keys without checking their types, so the parser of rows must check them.
+// Commands read these keys without checking the types of the values, so the parser of rows must check these
+// types.
 TEST(HostileRows, ProvenanceOfWrongTypesIsRefused) {
   EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"] = "x"; })),
             "the provenance of the row is not an object");

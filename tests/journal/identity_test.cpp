@@ -1,5 +1,6 @@
-// Tests the identity of rows (hashes of everything that determines what a row measured): which parts of two
-// identities differ, which rows are refused, which cases run again, and that copies of a row count once.
+// Tests the identity of rows, which consists of hashes of everything that determines what a row measured. The
+// tests check how two identities are compared, which rows pelage refuses, which cases run again, and that
+// several copies of a row count as one row.
 #include "harness/journal/identity.hpp"
 
 #include <gtest/gtest.h>
@@ -31,10 +32,11 @@ TEST(Identity, DifferencesNameEveryPartOnce) {
   const Identity a{{"mesh", "1111111111111111"}, {"scene", "2222222222222222"}, {"kernel a.cl", "3"}};
   const Identity b{{"mesh", "1111111111111111"}, {"scene", "4444444444444444"}, {"kernel b.cl", "3"}};
   EXPECT_EQ(differences(a, a), std::vector<std::string>{});
-  EXPECT_EQ(differing_parts(a, b), (std::vector<std::string>{"kernel a.cl", "kernel b.cl", "scene"}));
-  EXPECT_EQ(differences(a, b),
-            (std::vector<std::string>{"kernel a.cl was 3, is absent", "kernel b.cl was absent, is 3",
-                                      "scene was 2222222222222222, is 4444444444444444"}));
+  EXPECT_EQ(differing_parts(a, b), (std::vector<std::string>{"kernel a.cl with its includes",
+                                                             "kernel b.cl with its includes", "scene"}));
+  EXPECT_EQ(differences(a, b), (std::vector<std::string>{"kernel a.cl with its includes was 3, is absent",
+                                                         "kernel b.cl with its includes was absent, is 3",
+                                                         "scene was 2222222222222222, is 4444444444444444"}));
 }
 
 TEST(Identity, ItsHashDependsOnNamesAndContents) {
@@ -66,7 +68,8 @@ TEST(Identity, ARowThatContradictsItsChecksIsRefused) {
   EXPECT_NE(refusal([&] { row_from_line(to_line(row)); }).find("nothing was checked"), std::string::npos);
 }
 
-// The message must not advise the user to delete a good row that a newer version wrote.
+// A row that a newer version of pelage wrote is not damaged. The error message must not advise the user to
+// delete it.
 TEST(Journal, ARowOfANewerVersionIsNotCalledDamaged) {
   const Folder folder;
   Row row = sample_row("a");

@@ -167,8 +167,8 @@ TEST(Journal, ReadersPassOverATornTail) {
   EXPECT_FALSE(refusal([&] { read_journal(folder.path / "absent.jsonl"); }).empty());
 }
 
-// The functions below replace system calls of the journal. The variables select which calls fail. They are
-// global, because the journal takes plain function pointers.
+// The functions below replace system calls of the journal. The variables g_* select which calls fail. The
+// variables are global, because the journal takes plain function pointers.
 int g_interrupts = 0;
 std::size_t g_short = 0;
 int g_fail_write_after = -1;
@@ -243,8 +243,8 @@ TEST_F(BadCalls, AFailedSyncIsNotRetried) {
   EXPECT_FALSE(refusal([&] { journal.append(sample_row("b")); }).empty());
 }
 
-// The size of the file is limited. The operating system writes only a part of the second row and then reports
-// an error. The journal must remove this part.
+// The test limits the size of files with setrlimit(). The operating system then writes only a part of the
+// second row and reports an error. The journal must remove this part.
 TEST(Journal, ARealLimitOnTheFile) {
   const Folder folder;
   const fs::path file = folder.path / "j.jsonl";

@@ -1,5 +1,6 @@
-// Tests which rows a merge writes into one journal, leaves out, refuses, or writes into separate folders.
-// Also tests which files the merge writes, and their contents.
+// A merge copies the rows of several folders of results into one new folder. The tests check what the merge
+// does with rows: it writes them into one journal or into separate folders, leaves them out, or refuses them.
+// The tests also check which files the merge writes, and their contents.
 #include "harness/journal/merge.hpp"
 
 #include <gtest/gtest.h>
@@ -86,7 +87,8 @@ TEST(Merge, ShardsBecomeOneJournalAndRowsStayAsTheyAre) {
   const Inputs inputs;
   inputs.write("s0/own/gpu@node1.0-of-2.jsonl", {row_of("a"), row_of("c")});
   inputs.write("s1/own/gpu@node1.1-of-2.jsonl", {row_of("b", "run2")});
-  // The row's field `experiment` counts, not the name of the folder "other".
+  // This row also belongs to the experiment "own". The row's field `experiment` determines this, not the name
+  // "other" of the folder.
   inputs.write("s1/other/gpu@node2.jsonl", {row_of("b", "run3")});
   Merge merge = inputs.plan({"s0", "s1"});
   EXPECT_EQ(write_merge(merge, inputs.out()), 0u);
@@ -147,8 +149,8 @@ TEST(Merge, AChangedRowIsRefused) {
   EXPECT_NE(inputs.refusal({"a", "b"}).find("One of the files was changed"), std::string::npos);
 }
 
-// Two shards of a run contain no common case. Only properties that are equal for all cases of a run can
-// therefore show that shards come from different runs.
+// Two shards of one run have no case in common, so the merge cannot compare rows of the same case. It must
+// compare the properties that are equal for all cases of a run, for example the device.
 TEST(Merge, ShardsOfDifferentRunsAreRefusedAndNamed) {
   const auto refusal_of = [](const std::function<void(Row&)>& change) {
     const Inputs inputs;

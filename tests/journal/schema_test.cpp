@@ -53,8 +53,9 @@ TEST(Schema, HoldsRowsOfEveryStatus) {
   EXPECT_EQ(refused_lines(file, folder.path), 0);
 }
 
-// Earlier revisions wrote the rows in the repository's folder results/. Some rows have other phases, no CPU
-// times, or no picture. The schema must accept these rows, too.
+// Earlier revisions of pelage wrote the rows in the repository's folder results/. Some of these rows have no
+// CPU times or no picture, and not all rows have times of the same phases (parts of a frame). The schema must
+// accept all rows.
 TEST(Schema, HoldsTheRowsOfResults) {
   const test::Folder folder;
   int journals = 0;

@@ -1,4 +1,5 @@
-// Tests run_states(), which finds the missing shards and cases of a run.
+// Tests run_states(), which finds the shards and cases of a run that have no rows. A shard is a part of the
+// run that a separate process measures.
 #include "harness/journal/shards.hpp"
 
 #include <gtest/gtest.h>
@@ -123,8 +124,9 @@ TEST(Shards, EachProcessOfRepeatCounts) {
   EXPECT_EQ(run.gaps(), (Texts{"gpu@node1 run: 2 of 4 cases"}));
 }
 
-// The shards divided the cases by different earlier times. No shard has case 4, although each shard has the
-// right number of cases.
+// With the option --balance, each shard computes the division of the cases from the times of earlier runs.
+// Here, shard 1 used the times of other earlier runs than shards 0 and 2 did. It measured case 3 instead of
+// case 4. Each shard has the right number of cases, but no shard has case 4.
 TEST(Shards, ACaseThatBelongsToNoShardIsAGap) {
   FakeRun run;
   run.add(0, {0, 3});

@@ -1,4 +1,5 @@
-// Tests the trials of pelage aa-test with simulated timings.
+// Tests the trials of pelage aa-test with simulated timings. A trial applies the statistical test of pelage
+// compare to the times of two pipelines (a and b) whose true difference is known.
 #include "harness/measure/aa_test.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(AaTest, EqualSidesAreSeldomCalledDifferent) {
   const auto trials = trials_of(0, 1000);
   const TrialCounts counts = count_of(trials);
   EXPECT_EQ(counts.all(), 1000);
-  EXPECT_EQ(counts.same, 0);  // with the threshold 0
+  EXPECT_EQ(counts.same, 0);  // with the threshold 0, no verdict can be `same`
   EXPECT_LT(counts.faster + counts.slower, 40);
   for (const Trial& trial : trials) EXPECT_TRUE(trial.difference.paired);
 }

@@ -1,5 +1,5 @@
-// Tests the statistical test of `pelage compare`. Compares its p-values with those of R, and its simulated
-// error rates with the limit `alpha`.
+// Tests the statistical test of `pelage compare`. Its p-values must agree with those of R. In simulations,
+// its error rate must not exceed `alpha` by more than the random error of the simulation.
 #include "harness/measure/difference.hpp"
 
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 namespace pelage {
 namespace {
 
-/// Returns the timings of one process per value in `logs`. Each process has one sample, whose logarithm is
-/// the value.
+/// Returns the timings of several processes. Each value in `logs` is the logarithm of the only sample of one
+/// process.
 Timings timings_of(const std::vector<double>& logs, double first_start, double interval) {
   Timings timings;
   for (std::size_t i = 0; i < logs.size(); ++i) {
@@ -25,8 +25,8 @@ double p_of(const Difference& difference) {
   return decide(std::span(&difference, 1), 0, 0.05).front().p;
 }
 
-// The data set `sleep` of R. R's t.test(extra ~ group), with and without paired = TRUE, prints the expected
-// values of the next two tests.
+// The data set `sleep` of R. The next two tests expect the values that R's t.test(extra ~ group) prints
+// without and with paired = TRUE.
 const std::vector<double> first{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
 const std::vector<double> second{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
 
@@ -47,7 +47,7 @@ TEST(Difference, IsThePairedTestForProcessesThatTakeTurns) {
   EXPECT_EQ(d.degrees, 9);
   EXPECT_NEAR(p_of(d), 0.002833, 5e-7);
   Timings swapped = timings_of(second, 1, 2);
-  swapped.started_s[3] -= 1.5;  // in the fourth pair, the process of the second set now starts first
+  swapped.started_s[3] -= 1.5;  // now `second` starts before `first` in the fourth pair
   EXPECT_EQ(p_of(difference_of(timings_of(first, 0, 2), swapped)), p_of(d));
   swapped.started_s[3] += 3;
   EXPECT_FALSE(difference_of(timings_of(first, 0, 2), swapped).paired);
@@ -82,8 +82,8 @@ TEST(Decide, SidesOfTheLimits) {
 }
 
 TEST(Decide, CorrectsForTheNumberOfComparisons) {
-  // For alpha = 0.05, a p-value of 0.03 suffices for a single comparison, but not for the first of three
-  // comparisons.
+  // For alpha = 0.05, a p-value of 0.03 suffices for a single comparison. It does not suffice for each of
+  // three comparisons, because Holm's limit for the smallest p-value is 0.05 / 3.
   const double degrees = 1e6;
   const auto with_t = [&](double t) { return Difference{t * 0.01, 0.01, degrees, false, false}; };
   const std::vector<Difference> one{with_t(2.17)}, three{with_t(2.17), with_t(2.17), with_t(2.17)},
@@ -125,7 +125,7 @@ TEST(Decide, ErrsWithTheProbabilityAlpha) {
   const Rates equal = rates_of(0, 0, 0.02);
   EXPECT_GT(equal.decided, 50);  // 80 expected, standard deviation 9
   EXPECT_LT(equal.decided, 115);
-  // The true change equals the threshold, so every decision is wrong.
+  // The true change equals the threshold, so the decisions `within` and `above` are both wrong.
   EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);
 }
 
@@ -136,6 +136,32 @@ TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
   const int above = rates_of(change, 0.02, 0.05).above;
   EXPECT_GT(above, 3480);  // 3600 expected
   EXPECT_LT(above, 3720);
+}
+
+// processes_needed() must return the smallest number of processes, at least fewest_processes, with which the
+// detectable change is at most the estimated change.
+TEST(Decide, NeedsMoreProcessesForSmallerChanges) {
+  const auto needed = [](double change, std::size_t count) {
+    // Five pairs of processes whose differences have a standard deviation of 2%.
+    const Difference d{std::log1p(change), 0.02 / std::sqrt(5.0), 4, true, false};
+    return processes_needed(d, 5, count, 0, 0.05);
+  };
+  EXPECT_EQ(needed(0.5, 1), fewest_processes);
+  EXPECT_GT(needed(0.01, 1), needed(0.02, 1));
+  EXPECT_GT(needed(0.01, 32), needed(0.01, 1));
+  for (const double change : {0.01, 0.02, 0.05}) {
+    const std::size_t n = needed(change, 1);
+    const auto with = [&](std::size_t processes) {
+      return detectable_change({0, 0.02 / std::sqrt(double(processes)), double(processes - 1), true, false},
+                               1, 0, 0.05);
+    };
+    EXPECT_LE(with(n), change);
+    if (n > fewest_processes) {
+      EXPECT_GT(with(n - 1), change);
+    }
+  }
+  EXPECT_EQ(needed(1e-6, 1), 0u);
+  EXPECT_EQ(processes_needed({0.1, 0.07, 4, false, true}, 1, 1, 0, 0.05), 0u);
 }
 
 }  // namespace

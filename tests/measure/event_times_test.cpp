@@ -7,7 +7,7 @@ namespace {
 
 using Samples = std::map<std::string, PhaseSamples>;
 
-/// Returns the samples of frames that consist of the single phase "raster".
+/// Returns the times of frames that have only one phase (part of a frame), "raster".
 Samples samples_of(const std::vector<double>& event_ms, const std::vector<double>& wall_ms) {
   return {{"frame", {event_ms, wall_ms}}, {"raster", {event_ms, {}}}};
 }

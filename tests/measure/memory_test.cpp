@@ -1,4 +1,5 @@
-// Tests peak_memory(): it includes memory that was freed, and falls after a reset.
+// Tests peak_memory(): the returned peak includes memory that was freed, and is lower after
+// reset_peak_memory().
 #include "harness/measure/memory.hpp"
 
 #include <gtest/gtest.h>

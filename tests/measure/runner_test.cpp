@@ -158,8 +158,8 @@ TEST(Runner, ASpentBudgetLeavesTheRest) {
   EXPECT_EQ(run_cases(plan, fakes(), journal).ok, 3u);
 }
 
-/// A subject whose frames take at least 1 ms. The reported times grow steadily, so their median never reaches
-/// the required precision.
+/// A subject whose frames take at least 1 ms. The times that it reports grow from frame to frame, so their
+/// median never reaches the required precision.
 struct Endless : FakeSubject {
   Endless() : FakeSubject(10) {}
   FrameSample frame() override {
@@ -194,8 +194,8 @@ TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
   EXPECT_EQ(row.metrics.at("fragments_per_s").unit, "1/s");
 }
 
-/// Runs fake cases in a child process. Sends the signal `signal_number` to the child after `kill_after_ms`
-/// milliseconds unless that time is negative. Returns the wait status of the child.
+/// Runs fake cases in a child process. After `kill_after_ms` milliseconds, sends the signal `signal_number`
+/// to the child. Sends no signal if `kill_after_ms` is negative. Returns the wait status of the child.
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {

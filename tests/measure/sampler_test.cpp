@@ -5,7 +5,8 @@
 namespace pelage {
 namespace {
 
-/// A clock that advances only when a frame runs, by the length of that frame.
+/// A simulated clock. Each call of frame() advances the clock by the time of one frame, length_ms(i) for
+/// frame i.
 struct Clock {
   double now_s = 0;
   int frames = 0;

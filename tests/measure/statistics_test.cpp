@@ -23,9 +23,8 @@ TEST(Statistics, QuantilesAreThoseOfNumpy) {
   EXPECT_DOUBLE_EQ(quantile(v, 1), 50);
 }
 
-// The expected 95% intervals of the median are those in tables of the sign test (Conover, Practical
-// Nonparametric Statistics). The interval of n sorted values runs from the 2nd to the 9th value for n = 10,
-// from the 6th to the 15th value for n = 20, and from the 10th to the 21st value for n = 30.
+// The expected 95% intervals of the median come from the tables of the sign test in Conover, Practical
+// Nonparametric Statistics. For example, the interval of 10 sorted values runs from the 2nd to the 9th value.
 TEST(Statistics, OrderStatisticsOfTheTables) {
   for (const auto& [n, low, high] : {std::tuple{6, 1, 6}, {10, 2, 9}, {20, 6, 15}, {30, 10, 21}}) {
     std::vector<double> v{};
@@ -36,8 +35,8 @@ TEST(Statistics, OrderStatisticsOfTheTables) {
   }
 }
 
-// The expected ranks come from an earlier implementation without Boost.Math. They must not change, so that
-// the intervals of recorded results stay the same.
+// The expected ranks come from an earlier implementation without Boost.Math. median_interval() must return
+// the same ranks, because otherwise the intervals of recorded results would change.
 TEST(Statistics, OrderStatisticsOfManyValues) {
   for (const auto& [n, low] : {std::pair{7, 1}, {25, 8}, {40, 14}, {100, 40}, {500, 228}, {5000, 2431}}) {
     std::vector<double> v(std::size_t(n), 0);
@@ -69,8 +68,8 @@ TEST(Statistics, IntervalHoldsTheMedianAsOftenAsItSays) {
     const Interval interval = median_interval(v);
     held += interval.low <= truth && truth <= interval.high;
   }
-  // For n = 25 the interval from the 8th to the 18th value has a confidence of 95.7%. The lower limit of
-  // 94.7% is three standard errors below this value.
+  // For n = 25 the interval from the 8th to the 18th value has a confidence of 95.7%. The test's lower limit
+  // of 94.7% is three standard errors below this confidence.
   EXPECT_GE(held, int(trials * 0.947));
   EXPECT_LE(held, int(trials * 0.970));
 }
@@ -99,8 +98,8 @@ TEST(Statistics, FlagsOutliersOnly) {
   EXPECT_TRUE(outliers(std::vector<double>{10, 10.1, 9.9, 10}).empty());
 }
 
-// The median absolute deviation is 1, so the limit is 5 * 1.4826 = 7.41 from the median (5 standard
-// deviations).
+// The median is 10 and the median absolute deviation is 1, which corresponds to a standard deviation of
+// 1.4826. A value is an outlier if it differs from the median by more than 5 * 1.4826 = 7.41.
 TEST(Statistics, OutliersLieBeyondFiveStandardDeviations) {
   EXPECT_TRUE(outliers(std::vector<double>{3, 9, 9, 9, 10, 11, 11, 11, 17}).empty());
   EXPECT_EQ(outliers(std::vector<double>{2, 9, 9, 9, 10, 11, 11, 11, 18}), (std::vector<std::size_t>{0, 8}));

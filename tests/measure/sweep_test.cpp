@@ -1,5 +1,5 @@
-// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset smoke. Sweeps are
-// killed, resumed or divided among processes.
+// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset smoke. The tests
+// kill sweeps, resume them, and divide them among processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds unless that time is
-/// negative. Returns the wait status of the process.
+/// Runs pelage and discards its output. Kills the process after `kill_after_s` seconds, or never if
+/// `kill_after_s` is negative. Returns the wait status of the process.
 int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   words.insert(words.begin(), PELAGE_BINARY);
   const pid_t child = fork();
@@ -44,8 +44,8 @@ int pelage(std::vector<std::string> words, double kill_after_s = -1) {
   return status;
 }
 
-/// Returns all rows, without the values that differ between equal runs: times, paths and dates. Case, status,
-/// picture, checks and hashes remain.
+/// Returns all rows without the values that differ between two runs of the same experiment, such as times,
+/// paths and dates. The rows keep their case, status, picture, checks and hashes.
 std::set<std::string> said(const std::string& folder) {
   std::set<std::string> lines;
   for (FoundRow& found : read_results({folder})) {
@@ -87,8 +87,8 @@ struct Sweep : ::testing::Test {
   }
   test::Folder folder;
   std::string whole = (folder.path / "whole").string();
-  /// Compares the rows of `results` with the expected rows. Prints only rows that differ, because a row is
-  /// long.
+  /// Expects that the rows of `results` are equal to the rows of the undisturbed run `whole`. Prints only
+  /// rows that differ, because a row is long.
   void expect_same(const std::string& results) const {
     const std::set<std::string> lines = said(results);
     EXPECT_EQ(lines.size(), expected.size());
@@ -124,15 +124,16 @@ TEST_F(Sweep, ShardsRepeatsAndRefusals) {
     journals += entry.path().string().ends_with("-of-3.jsonl");
   EXPECT_EQ(journals, 3);
 
-  // Without --resume, an existing row of results is an error. With --resume, the row is kept.
+  // Without --resume, pelage must refuse a folder that already contains rows. With --resume, pelage must keep
+  // these rows.
   EXPECT_EQ(WEXITSTATUS(pelage(run({"-o", whole}))), 2);
   expect_same(whole);
   EXPECT_EQ(WEXITSTATUS(pelage(run({"--resume", whole}))), 0);
   expect_same(whole);
-  // A run of one preset cannot be resumed with another preset.
+  // pelage must refuse to resume a run with another preset.
   EXPECT_EQ(WEXITSTATUS(pelage({"run", "silva2010-table1", "--preset", "quick", "--resume", whole})), 2);
 
-  // Each repeat runs in its own process.
+  // Each repeat must run in its own process.
   const std::string repeated = (folder.path / "repeats").string();
   ASSERT_EQ(pelage(run({"-o", repeated, "--repeat", "2", "--filter", "torus-16"})), 0);
   std::set<std::string> runs;

@@ -1,4 +1,5 @@
-// For every bad mesh file, load_model() throws an error with a message of one line and does not crash.
+// Tests bad mesh files. For each file, load_model() must throw an error with a message of one line. It must
+// not crash.
 #include <gtest/gtest.h>
 
 #include "harness/error.hpp"
@@ -70,7 +71,7 @@ const std::vector<Bad> cases{
     {"ply_no_end", "a.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", ": the header has no end_header"},
     {"ply_huge_counts", "a.ply",
      "ply\nformat ascii 1.0\nelement vertex 3000000000\nproperty float x\nend_header\n",
-     ":3: too many elements for a file of 75 bytes"},
+     ":3: the number of elements is missing, negative or too large for a file of 75 bytes"},
     {"ply_property_first", "a.ply",
      "ply\nformat ascii 1.0\nproperty float x\nelement vertex 3\nelement face 1\nend_header\n",
      ":3: a property stands before the first element"},

@@ -12,8 +12,8 @@ void expect_near(glm::dvec3 a, glm::dvec3 b) {
   EXPECT_LT(glm::distance(a, b), 1e-6) << a.x << ' ' << a.y << ' ' << a.z;
 }
 
-// Rotations are right-handed: a rotation about x by 90 degrees maps y to z, about y it maps z to x, and about
-// z it maps x to y.
+// Rotations are right-handed. A rotation by 90 degrees about x maps y to z. A rotation by 90 degrees about y
+// maps z to x. A rotation by 90 degrees about z maps x to y.
 TEST(Rotation, turns_about_x_then_y_then_z) {
   expect_near(rotation_matrix({90, 0, 0}) * glm::dvec3(0, 1, 0), {0, 0, 1});
   expect_near(rotation_matrix({0, 90, 0}) * glm::dvec3(0, 0, 1), {1, 0, 0});

@@ -191,7 +191,8 @@ TEST(Formats, a_map_outside_the_unit_square_is_moved_into_it_and_it_is_said) {
   }));
 }
 
-// The texture coordinates of the triangle coincide or lie on a line, so the UV map has no area.
+// Each file contains one triangle. The texture coordinates of its corners coincide or lie on a line, so the
+// UV map has no area.
 TEST(Formats, a_map_without_an_area_is_not_kept) {
   const TempFolder folder;
   for (const char* uv : {"vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n", "vt 0 0\nvt 1 0\nvt 0.25 0\n",

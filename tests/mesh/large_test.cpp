@@ -1,6 +1,5 @@
-// Tests the computation of UV maps for large mesh files: the linear solver and the flattening, whose
-// computation times grow linearly with the number of triangles. The file also tests the progress messages of
-// load_model().
+// Tests the computation of UV maps for large mesh files: the linear solver LaplaceSolver, and flatten(). Also
+// tests the progress messages of load_model().
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -109,10 +108,10 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
   EXPECT_LE(told.back(), 1.0);
 }
 
-// The test writes a model of experiments/models.toml to a file and loads the file. flatten() computes the UV
-// map of the file, and CGAL computes the UV map of the named model. The range of
-// area scales, the overlaps and the flipped area of the file's map must not be much larger than those of the
-// named model's map.
+// CGAL computes the UV map of a model of experiments/models.toml. The test writes the model to a file and
+// loads the file. flatten() then computes a second UV map of the same mesh. The test compares three values of
+// the two maps: area_high / area_low, the overlapping area and the flipped area. For flatten(), these values
+// must not be much larger than for CGAL.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

@@ -27,9 +27,9 @@ TEST(Torus, is_72_by_65_quads_with_a_map_that_wraps) {
   EXPECT_EQ(mesh->position.size(), 73u * 66u);
   EXPECT_TRUE(mesh->periodic_uv);
   EXPECT_NEAR(uv_area(*mesh), 1.0, 1e-5);
-  // The torus has the major radius 1 and the minor radius 0.4, divided by 1.4 to fit into the unit sphere.
-  // Polygons of 72 and 65 edges approximate the two circles of the torus, and are slightly shorter than the
-  // circles.
+  // The torus has the major radius 1 / 1.4 and the minor radius 0.4 / 1.4, so that it fits into the unit
+  // sphere. Polygons of 72 and 65 edges approximate the two circles of the torus, and are slightly shorter
+  // than the circles.
   EXPECT_NEAR(mesh->length_per_uv.x, 2 * M_PI / 1.4, 0.01);
   EXPECT_NEAR(mesh->length_per_uv.y, 2 * M_PI * 0.4 / 1.4, 0.01);
   for (const glm::uvec3& t : mesh->triangle) {

@@ -9,8 +9,8 @@
 namespace pelage {
 namespace {
 
-// Returns a mesh of triangles in the plane z = 0, whose UV is (x, y). Every corner of a triangle has its own
-// vertex. Vertices at the same position share a surface point.
+// Returns a mesh of triangles in the plane z = 0. The UV of a vertex at (x, y, 0) is (x, y). Every corner of
+// a triangle has its own vertex. Vertices at the same position share a surface point.
 Mesh flat(const std::vector<std::array<glm::vec2, 3>>& triangles) {
   Mesh mesh;
   std::vector<glm::vec2> points;
@@ -45,7 +45,7 @@ TEST(Quality, of_two_triangles_that_make_the_square) {
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_EQ(q.charts, 2u);  // the two triangles share surface points, but no vertices
   EXPECT_EQ(q.flipped_faces, 0u);
-  EXPECT_EQ(q.overlapping, 0.0);  // texel centres on the common edge are counted once
+  EXPECT_EQ(q.overlapping, 0.0);  // the centres of texels on the common edge count only once
   EXPECT_NEAR(q.covered, 1.0, 1e-9);
   EXPECT_NEAR(q.area_low, 1.0, 1e-6);
   EXPECT_NEAR(q.area_high, 1.0, 1e-6);
@@ -84,7 +84,8 @@ TEST(Quality, knows_what_is_no_manifold) {
 TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
   Mesh mesh = flat({{o, x, xy}, {o, xy, y}});
   for (int k = 3; k < 6; ++k)
-    // The UV areas are scaled by 1 (first triangle) and 0.25 (second triangle); the mean is 0.625.
+    // The ratio of UV area to surface area is 1 in the first triangle and 0.25 in the second. The mean ratio
+    // is 0.625.
     mesh.uv[std::size_t(k)] *= 0.5f;
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);

@@ -61,7 +61,7 @@ TEST(Rotate, KeepsTheSurfaceAndTheMap) {
   ASSERT_EQ(turned->triangle.size(), plain->triangle.size());
   EXPECT_EQ(turned->welded, plain->welded);
   EXPECT_EQ(turned->length_per_uv, plain->length_per_uv);
-  // The test identifies a triangle by its UV and its side lengths, because a rotation does not change them.
+  // The test identifies a triangle by its UV and its side lengths, because a rotation changes neither.
   using Sides = std::array<float, 9>;
   const auto fingerprints = [](const Mesh& mesh) {
     std::vector<Sides> all;

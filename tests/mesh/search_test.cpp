@@ -41,7 +41,8 @@ TEST(SurfaceSearch, no_vertex_is_nearer_than_the_closest_place) {
     float nearest = std::numeric_limits<float>::max();
     for (const glm::vec3& q : mesh->position) nearest = std::min(nearest, glm::distance(p, q));
     EXPECT_LE(glm::distance(p, place.point), nearest + 1e-6f);
-    // No edge is longer than 0.08 R, so a vertex is within 0.08 R of every surface point.
+    // Lengths are in units of the model's radius R. No edge is longer than 0.1, so every surface point is
+    // less than 0.08 away from a vertex.
     EXPECT_GT(glm::distance(p, place.point), nearest - 0.08f);
   }
 }
@@ -53,7 +54,8 @@ TEST(SurfaceSearch, a_ray_meets_the_near_side_first_and_may_miss) {
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point.y, 0.0f, 1e-6f);
   EXPECT_NEAR(hit->point.x, 0.1f, 1e-6f);
-  // u increases with x, v increases with -z. The model is a square with the side sqrt(2) R.
+  // The model is a square with the side sqrt(2), in units of the model's radius. u increases with x, and v
+  // increases with -z. `scale` is the number of UV units per unit of length.
   const float scale = (1 - 2 * 2.0f / 256) / std::sqrt(2.0f);
   EXPECT_NEAR(hit->uv.x, 0.5f + 0.1f * scale, 1e-5f);
   EXPECT_NEAR(hit->uv.y, 0.5f - 0.2f * scale, 1e-5f);

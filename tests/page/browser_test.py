@@ -70,7 +70,7 @@ def rows():
     for variant in ("plain", "curly"):
         for layers in (9, 16, 100):
             for model in ("torus", HOSTILE):
-                # The times of the two models differ, because pelage rejects two rows with equal times.
+                # The rows of the two models have different times, because pelage rejects two rows with equal times.
                 factor = (2 if variant == "curly" else 1) * (1 if model == "torus" else 1.001)
                 times = [layers * (1 + 0.01 * i) * factor for i in range(8)]
                 yield {"schema": 2, "run_id": "20261123T000000Z-1", "experiment": "own",
@@ -85,7 +85,8 @@ def rows():
 
 
 def write_report(folder):
-    """Writes a report of the rows of rows() and of two experiments in results/, with pictures of two variants."""
+    """Writes a report of three experiments: the experiment of rows(), with pictures of two variants, and two recorded
+    experiments of the folder results/. Returns the path of the report's page."""
     own = folder / "results" / "own"
     own.mkdir(parents=True)
     (own / "a.jsonl").write_text("".join(map(line, rows())))
@@ -229,6 +230,17 @@ class Page(unittest.TestCase):
             self.assertGreater(self.run_script(
                 "return arguments[0].charts.reduce((n, c) => n + c.data.datasets.reduce((m, d) => m + d.data.length, 0), 0)",
                 figure), 1)
+
+    def test_a_print_shows_every_chart_and_every_column(self):
+        self.show(height=300)
+        self.assertIn(False, self.run_script("return [...document.querySelectorAll('figure.chart')].map(f => !!f.charts)"))
+        self.command("Page.printToPDF")
+        self.assertNotIn(False, self.run_script("return [...document.querySelectorAll('figure.chart')].map(f => !!f.charts)"))
+        self.command("Emulation.setEmulatedMedia", media="print")
+        hidden = self.run_script("return [...document.querySelectorAll('td, th')].filter(c => c.innerText.trim() === ''"
+                                 " && c.textContent.trim() !== '').length")
+        self.command("Emulation.setEmulatedMedia", media="")
+        self.assertEqual(hidden, 0)
 
     def test_a_click_on_a_point_opens_its_row(self):
         figure = self.chart()

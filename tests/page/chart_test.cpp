@@ -7,8 +7,9 @@
 namespace pelage {
 namespace {
 
-/// Returns a table with the columns variant, layers, median_ms and paper, and with the limits of the last
-/// two. Value::cell is the index of the line.
+/// Returns a table with the columns variant, layers, median_ms and paper. Further columns contain the lower
+/// and the upper limits of median_ms and of paper. For each value, Value::cell is the index of the value's
+/// line in the table.
 Table table() {
   Table table;
   table.columns = {{"variant", "variant"},      {"layers", "layers", "{} layers"}, {"median_ms", "ms"},
@@ -65,8 +66,8 @@ TEST(Chart, PanelsAndCategories) {
   EXPECT_EQ(chart.panels[0].lines[0].points.size(), 2u);
 }
 
-/// Published numbers are drawn as separate lines. If the paper gives only a lower bound,
-/// such as "> 50", the point has a lower end and no upper end.
+/// Published numbers are drawn as separate lines. If a published number is only a lower bound, such as ">
+/// 50", the error bar of its point has a lower limit and no upper limit.
 TEST(Chart, PublishedNumbersAreLinesOfTheirOwn) {
   PlotSpec spec = plot();
   spec.published = "paper", spec.published_label = "the paper";

@@ -25,7 +25,7 @@ std::size_t count(const std::string& text, const std::string& part) {
   return n;
 }
 
-/// Returns the nonce that the page's policy names, or "" if the policy has none.
+/// Returns the nonce in the Content-Security-Policy of the page, or "" if the policy has none.
 std::string nonce_of(const std::string& page) {
   const std::string policy = "script-src 'nonce-";
   const std::size_t at = page.find(policy);
@@ -86,7 +86,8 @@ TEST(Page, HostileNamesAreText) {
   EXPECT_EQ(json["rows"][0]["case"], hostile) << "the data are complete";
 }
 
-/// The policy forbids the network, and permits only the scripts that have the page's nonce.
+/// The Content-Security-Policy of the page forbids network access, and permits only scripts that have the
+/// page's nonce.
 TEST(Page, ThePolicyNamesEveryScript) {
   const Folder folder;
   PageParts parts;
@@ -101,7 +102,8 @@ TEST(Page, ThePolicyNamesEveryScript) {
   EXPECT_EQ(page.find(" href=\"http"), std::string::npos);
 }
 
-/// The tables refer to every cell by its index, and each cell refers to the rows that it combines.
+/// A cell combines the rows of one case. The tables of the page must refer to every cell by its index, and
+/// each cell must refer to its rows.
 TEST(Page, CellsLeadToRows) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows();
@@ -125,7 +127,8 @@ TEST(Page, CellsLeadToRows) {
   EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
 }
 
-/// If rows have the same names but measured different inputs, one page shows them as two sets.
+/// The test adds rows of the same cases, which were measured with another mesh. One page must show the two
+/// groups of rows as two sets of results.
 TEST(Page, OnePageHasAllSets) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows(), others = test::table1_rows(2);
@@ -174,8 +177,9 @@ TEST(Page, TheLibrarysVersionComesFromItsBanner) {
   EXPECT_EQ(library->banner, "Chart.js v3.9.1\nReleased under the MIT License");
 }
 
-/// The pictures of all cells that are ok are scaled down until their total size is within the limit. Pictures
-/// are left out only if they are too large at the smallest width.
+/// A page contains the pictures of the cells with the status ok. page_pictures() reduces their width until
+/// their total size is within the limit. It leaves out pictures only if their total size is too large even at
+/// the smallest width.
 TEST(Page, PicturesAreReducedToTheLimit) {
   const Folder folder;
   std::vector<FoundRow> rows = test::table1_rows();

@@ -1,5 +1,5 @@
-// Tests that a picture that was written and read again has the same pixels, within the precision of the
-// format, and that a failed write leaves no incomplete file.
+// Tests that a picture keeps its pixels, within the precision of the format, if it is written to a file and
+// read again. Also tests that a failed write leaves no incomplete file.
 #include "harness/picture/image_io.hpp"
 
 #include <gtest/gtest.h>
@@ -72,8 +72,8 @@ TEST_F(ImageIo, PngRoundsToTheNearestByteAndClamps) {
   EXPECT_EQ(again.at(1, 1), glm::vec4(1, 0, 128.0f / 255.0f, 1));
 }
 
-// Viewers rely on these chunks of a PNG file: the header (8-bit RGB, not interlaced), the sRGB chunk, and the
-// gamma and primaries for viewers that do not know the sRGB chunk.
+// A PNG file must contain the header (8-bit RGB, not interlaced) and the chunk sRGB. It must also contain the
+// chunks gAMA and cHRM (gamma and primaries) for viewers that do not know the chunk sRGB.
 TEST_F(ImageIo, PngSaysThatItIsSrgb) {
   using namespace std::string_literals;
   write_picture(folder / "a.png", gradient(3, 2));

@@ -1,5 +1,6 @@
-// Tests correct runs that resemble faulty ones. pelage must not refuse their results or put rows of the same
-// measurement into separate reports. The second table of docs/trust.md lists these tests.
+// Tests correct runs that resemble the faulty runs of the other tests in this folder. pelage must not refuse
+// the results of a correct run, and must not put rows of the same measurement into separate reports. The
+// second table of docs/trust.md lists these tests.
 #include <algorithm>
 
 #include "harness/journal/part_hashes.hpp"
@@ -12,15 +13,15 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Honest : Runs {
-  /// Runs the experiment `text` with the options, and expects that all rows are ok and that no row or case is
-  /// left out.
+  /// Runs the experiment `text` with the options. Expects that all rows are ok, and that a report would
+  /// contain every row and every case.
   void run(const std::string& text, const std::string& options = "", const std::string& results = "results") {
     folder.write("own.toml", text);
     const Outcome outcome = cli::pelage(folder, "run own.toml -o " + results + " " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     expect_whole({path(results)});
   }
-  /// Expects that all cases have a row with the status ok, and that a report would not separate the rows.
+  /// Expects that all cases have a row with the status ok, and that a report would put all rows into one set.
   static void expect_whole(const std::vector<fs::path>& places) {
     const std::vector<std::string> names(places.begin(), places.end());
     const Results results = read_all_results(names);

@@ -56,7 +56,9 @@ TEST_F(Planted, EditedLimitsOfSampling) {
   expect_refused(resume(), "measured something else: sampling was ");
 }
 
-// If the user has not set POCL_AFFINITY, pelage sets it to 1, and PoCL then pins its threads to CPU cores.
+// The test changes environment variables of pelage and PoCL. After each change, pelage must refuse to resume
+// the run, because it must regard the device as another device. If the user has not set POCL_AFFINITY, pelage
+// sets it to 1, and PoCL then pins its threads to CPU cores.
 TEST_F(Planted, ChangedEnvironment) {
   take("base");
   if (!rows().front().provenance.contains("pocl_affinity"))
@@ -74,7 +76,8 @@ TEST_F(Planted, RowsOfAnotherScene) {
     EXPECT_EQ(cell.timings.processes.size(), 1U);
   const Outcome report = cli::pelage(folder, "report results second -o page");
   EXPECT_EQ(report.code, 0) << report.err;
-  EXPECT_NE(report.err.find("2 of 4 rows have the names of other rows but measured different inputs (scene); "
+  EXPECT_NE(report.err.find("2 of 4 rows have the same names (case, variant, device and so on) as other rows "
+                            "but measured different inputs (scene); "
                             "their files are in the folder inputs-2"),
             std::string::npos)
       << report.err;

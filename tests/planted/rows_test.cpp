@@ -66,7 +66,7 @@ TEST_F(Planted, RowOfAnotherCase) {
     row.case_name = own.case_name;
     row.axes = own.axes;
   });
-  expect_unreadable("the seed of the row's check is not that of a case with the name ");
+  expect_unreadable("the seed of the row's check is not the seed of a case with the name ");
 }
 
 TEST_F(Planted, TornLastLine) {
@@ -122,8 +122,8 @@ TEST_F(Planted, RenamedDeviceAndProvenance) {
   expect_unreadable("but the provenance of the row gives");
 }
 
-/// A change of a row, which then gets a correct checksum. `text` is a part of the message with which pelage
-/// must refuse the row.
+/// The function `change` changes a row, and the test then writes the row with a correct checksum. pelage must
+/// refuse the row with a message that contains `text`.
 struct Contradiction {
   const char* name;
   std::function<void(Row&)> change;
@@ -238,7 +238,7 @@ TEST_F(Planted, FalseConvergence) {
     row.samples["frame"].event_ms.clear();
     std::erase_if(row.samples, [](const auto& phase) { return phase.first != "frame"; });
   });
-  // Both rows now have equal times, and pelage would refuse to read them together.
+  // Both rows now have equal times. pelage would refuse to read them together, so each row is read alone.
   for (const Row& row : rows()) {
     const std::vector<Cell> cells = cells_of({{row, journal()}});
     ASSERT_EQ(cells.size(), 1U);

@@ -1,5 +1,6 @@
-// Code that the tests of this folder share. It makes short runs of the pelage program, copies their results
-// into one folder per test, and changes files and rows in this folder. docs/trust.md lists the tests.
+// Functions that the tests of this folder share. They make short runs of the pelage program, copy the results
+// of a run into a temporary folder of the test, and change files and rows there. docs/trust.md lists the
+// tests.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -17,8 +18,8 @@ namespace pelage::planted {
 using cli::Folder;
 using cli::Outcome;
 
-/// Returns the text of an experiment file with these lines in the tables [axes] and [scene]. Each case has
-/// six timed frames.
+/// Returns the text of an experiment file with the lines `axes` in the table [axes] and the lines `scene` in
+/// the table [scene]. Each case has six timed frames.
 std::string experiment(const std::string& axes, const std::string& scene);
 
 /// Returns the experiment of the run "base": two cases, which draw a torus with 4 and with 8 layers of fur in
@@ -39,8 +40,8 @@ class Runs : public ::testing::Test {
     return cli::pelage(folder, options + " run own.toml --resume results", environment);
   }
   std::filesystem::path path(const std::string& name) const { return folder.path() / name; }
-  /// Replaces the first occurrence of `from` by `to` in a file of the folder. The test fails if there is
-  /// none.
+  /// Replaces the first occurrence of `from` by `to` in a file of the folder. The test fails if the file does
+  /// not contain `from`.
   void edit(const std::string& file, const std::string& from, const std::string& to) const;
   /// Copies the kernel sources into the subfolder mine, and replaces `from` by `to` in one of the copied
   /// files.
@@ -67,8 +68,8 @@ void expect_refused(const Outcome& outcome, const std::string& text);
 /// Returns the message of the InputError that `work` throws, or "" if `work` throws none.
 std::string refusal_of(const std::function<void()>& work);
 
-/// Returns one text for each set of rows that a report keeps separate from the first set (input_sets()). The
-/// text names the inputs that differ.
+/// A report separates rows that measured different inputs into several sets (input_sets()). Returns one text
+/// for each set except the first. The text names the inputs that differ from the first set.
 std::vector<std::string> kept_apart(const std::vector<std::filesystem::path>& results);
 
 /// Returns the table cells of a report of these results: each cell combines the rows of one case.

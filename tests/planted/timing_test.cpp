@@ -16,7 +16,8 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// Passes all calls to a real subject. Derived classes override one function to simulate a fault.
+/// A subject draws and times the frames of one case. This class passes all calls to a real subject. Derived
+/// classes override one function to simulate a fault.
 class Faulty : public Subject {
  public:
   explicit Faulty(std::unique_ptr<Subject> real) : real_(std::move(real)) {}
@@ -141,8 +142,8 @@ TEST_F(Planted, TextureEditedDuringTheRun) {
   EXPECT_EQ(refusal_of([&] { row_from_line(to_line(row)); }), "") << "the journal stays readable";
 }
 
-/// Simulates a driver with wrong event times. Every event time is `constant` if `constant` is above 0, and
-/// otherwise the true event time multiplied by `factor`.
+/// Simulates a driver with wrong event times. If `constant` is above 0, every event time is `constant`.
+/// Otherwise, every event time is `factor` times the true event time.
 struct FakeTimer : Faulty {
   FakeTimer(std::unique_ptr<Subject> real, double by, double same)
       : Faulty(std::move(real)), factor(by), constant(same) {}
@@ -189,8 +190,8 @@ TEST_F(Planted, CompileTimeInside) {
   EXPECT_GT(row.build_ms, 0) << "the time of the build stands apart, too";
 }
 
-/// The wall clock steps by a day (tests/planted/preload/clock.cpp). Every time in the row must be shorter
-/// than one hour, so no time may contain such a step.
+/// The library tests/planted/preload/clock.cpp makes the wall clock jump by days. Every time in the row must
+/// be shorter than one hour, which shows that the time contains no jump.
 TEST_F(Planted, WallClockThatSteps) {
   folder.write("own.toml", base_experiment());
   const Outcome outcome =

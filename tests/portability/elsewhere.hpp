@@ -1,5 +1,6 @@
-// Runs tests of this binary with another OpenCL compiler. Each test runs in a child process whose environment
-// selects the compiler.
+// Runs tests of this binary with other OpenCL compilers than the default one. Each test runs in a child
+// process whose environment selects the compiler. A mapping is a way to distribute the pixels over work-items
+// (docs/devices.md).
 #pragma once
 #include <fmt/format.h>
 #include <sys/wait.h>
@@ -23,7 +24,7 @@ namespace pelage::portability {
 /// `environment` make a child process use this compiler.
 struct Place {
   std::string name, platform, environment;
-  std::vector<std::string> mappings;  ///< mappings that this compiler supports (docs/devices.md)
+  std::vector<std::string> mappings;  ///< mappings that this compiler supports
   bool slow;                          ///< true: compiling takes minutes
 };
 
@@ -33,8 +34,9 @@ inline void PrintTo(const Place& place, std::ostream* out) {
 
 /// Returns the compilers. PoCL has several methods of combining work-items into a work-group. All other tests
 /// use its default method, which generates loops over the work-items and vectorizes them with LLVM. This list
-/// adds two methods: loops without vectorization ("loops"), and one copy of the kernel per work-item
-/// ("repl"), which needs small work-groups (docs/devices.md).
+/// adds two methods of PoCL. "loops" generates loops without vectorization. "repl" copies the code of the
+/// kernel for each work-item, so it needs small work-groups (docs/devices.md). The list also contains the
+/// platform rusticl.
 inline const std::vector<Place>& places() {
   static const std::string pocl = "Portable Computing Language";
   static const std::vector<Place> all{
@@ -85,8 +87,8 @@ class Elsewhere {
     const int status = std::system(command.c_str());
     std::ifstream stream(said);
     std::string text{std::istreambuf_iterator<char>(stream), {}};
-    // PoCL prints this message if it does not know the requested method. PoCL then uses its default method,
-    // so the child process did not test the requested method.
+    // PoCL prints this message if it does not know the method in POCL_WORK_GROUP_METHOD. PoCL then uses its
+    // default method, so the child process did not test the method of `place`.
     if (text.find("Unknown work group generation method") != std::string::npos)
       return "PoCL knows no such method";
     if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};

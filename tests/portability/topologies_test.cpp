@@ -1,5 +1,5 @@
-// Computes the motion of every topology with every solver and every compiler of kernels. The motion must
-// agree with the double-precision reference.
+// Computes the motion of every mass-spring topology with every solver and every OpenCL compiler. The motion
+// must agree with the double-precision reference.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Topologies : testing::TestWithParam<std::tuple<Place, Kind>> {};
 TEST_P(Topologies, MoveAsTheReferenceDoes) {
   const auto& [place, kind] = GetParam();
   // The source of the kernels of Kind::sticks is short, so even a slow compiler (place.slow) compiles them
-  // quickly. Therefore this topology is also tested where the other topologies are skipped.
+  // quickly. Therefore the test skips the slow compilers only for the other topologies.
   const std::string why = obstacle(place, place.slow && kind != Kind::sticks);
   if (!why.empty()) GTEST_SKIP() << why;
   const Elsewhere elsewhere;

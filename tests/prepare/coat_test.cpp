@@ -30,7 +30,7 @@ TEST(SurfaceMap, KnowsThePointUnderEachTexel) {
   for (int j = 0; j < size; ++j)
     for (int i = 0; i < size; ++i) {
       const glm::vec2 uv((float(i) + 0.5f) / size, (float(j) + 0.5f) / size);
-      // two_charts() maps the left half of a square to UV. p is the point that it maps to `uv`.
+      // `p` is the surface point at `uv` if `uv` is in the chart of the left half of the square.
       const glm::vec3 p(uv.x / chart_scale - 0.05f / chart_scale - half_side, 0,
                         half_side - (uv.y - 0.05f) / chart_scale);
       if (p.x < -half_side || p.x > 0 || p.z < -half_side || p.z > half_side) continue;

@@ -57,8 +57,8 @@ TEST(Droplets, KeepTheirDistanceInTheAtlasAndOnTheSurface) {
     const auto drops = droplets_of(wetness);
     ASSERT_GT(drops.size(), 100u);
     for (std::size_t i = 0; i < drops.size(); ++i)
-      // A new droplet keeps a least distance from the centres of the earlier droplets. This distance is
-      // `spacing` times the radius of the new droplet, here droplet i.
+      // The distance of droplet i from the centres of all earlier droplets j must be at least `spacing` times
+      // the radius of droplet i.
       for (std::size_t j = 0; j < i; ++j) {
         EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * spacing * drops[i].radius);
         EXPECT_GE(glm::distance(drops[i].point, drops[j].point),
@@ -98,7 +98,8 @@ TEST(Droplets, EvenlyOverOneTriangle) {
   glm::dvec2 mean(0);
   for (const Droplet& d : drops) mean += glm::dvec2(d.centre) / 2000.0;
   // The expected mean is the centroid of the triangle. The tolerance is four standard errors of the mean of
-  // 2000 droplets. A coordinate has the standard deviation sqrt(1 / 18) = 0.24.
+  // 2000 droplets. Each coordinate of a random point in the triangle has the standard deviation sqrt(1 / 18)
+  // = 0.24.
   EXPECT_NEAR(mean.x, 1.0 / 3, 0.021);
   EXPECT_NEAR(mean.y, 1.0 / 3, 0.021);
 }

@@ -1,4 +1,5 @@
-// Tests bytes of the fur texture: the coverage at the end of a strand, and the shade of mip levels.
+// Tests the coverages and shades that the fur texture stores: the coverage at the end of a strand, and the
+// shades in the mip levels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,12 +16,13 @@ double coverage(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][0] / 255.0;
 }
 
-// A slice represents the slab below it. If a strand ends inside the slab, its coverage in the slice is the
-// fraction of the slab's height that the strand fills.
+// A slice of the fur texture represents the slab of fur between this slice and the next lower slice. A strand
+// may end inside the slab and fill only a fraction of its height. The coverage of the strand in the slice
+// must be this fraction.
 TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
   FurScene fur;
-  // Coverages are computed for 16 layers and converted for other numbers of layers. No conversion is needed
-  // here.
+  // make_fur_texture() computes coverages for 16 layers, and converts them for other numbers of layers. With
+  // 16 layers the texture contains the unconverted coverages.
   fur.layers = 16;
   fur.strands = 1;
   fur.undercoat = 0;
@@ -48,8 +50,8 @@ TEST(FurTexture, AStrandThatEndsInASlabCoversItsShareOfIt) {
 
 TEST(FurTexture, MipLevelsShadeByCoverage) {
   FurScene fur;
-  // Coverages are computed for 16 layers and converted for other numbers of layers. No conversion is needed
-  // here.
+  // make_fur_texture() computes coverages for 16 layers, and converts them for other numbers of layers. With
+  // 16 layers the texture contains the unconverted coverages.
   fur.layers = 16;
   fur.strands = 1500;
   fur.undercoat = 500;
@@ -67,19 +69,19 @@ TEST(FurTexture, MipLevelsShadeByCoverage) {
         weighted += double(texel[0]) * texel[1];
         plain += 0.25 * texel[1];
       }
-      // If the sum of the coverage bytes is small, their rounding errors change the weighted mean too much.
+      // The test skips texels with a small sum of the coverages, because the rounding errors of the coverages
+      // would change the weighted mean too much.
       if (sum < 100) continue;
       const double expected = weighted / sum;
-      // Three kinds of bytes are rounded: the shade of level 1 (error 0.5), the shades of level 0 from which
-      // `expected` is computed (error 0.5), and the coverages of level 0. The tolerance covers the sum of the
-      // three errors.
+      // The tolerance covers the sum of three rounding errors: the error of the shade in level 1 (0.5), the
+      // error of the shades in level 0 (0.5), and the error of the coverages in level 0.
       EXPECT_NEAR(t.level[1][y * side / 2 + x][1], expected, 2.5) << x << ' ' << y;
       ++tested;
       uneven += std::abs(expected - plain) > 6;
     }
   EXPECT_GT(tested, 100);
-  // `uneven` is the number of texels whose mean shade weighted by coverage differs from the unweighted mean
-  // shade.
+  // `uneven` counts the texels where the coverage-weighted mean of the shades differs clearly from the
+  // unweighted mean. Only these texels show that the mip levels use the weights.
   EXPECT_GT(uneven, 10);
 }
 

@@ -33,15 +33,15 @@ double shade(const FurTexture& t, int layer, int x, int y) {
   return t.level[0][(std::size_t(layer) * side + std::size_t(y)) * side + std::size_t(x)][1] / 127.5;
 }
 
-/// The brightness and the opacity along a view ray, each averaged over parallel rays. The brightness of a
-/// fragment is shade * (0.5 + h/2); fragments are blended by source-over.
+/// The mean brightness and the mean opacity along parallel view rays. The brightness of a fragment at height
+/// h is shade * (0.5 + h/2). Fragments are blended by the source-over operator.
 struct Seen {
   double light = 0, opacity = 0;
 };
 
-/// Returns the mean brightness and opacity over parallel rays. `slope` is the tangent of the angle between
-/// the rays and the surface normal. `azimuth` is the direction of the rays projected onto the surface, in
-/// radians.
+/// Returns the mean brightness and the mean opacity along parallel view rays. `slope` is the tangent of the
+/// angle between the rays and the surface normal. `azimuth` is the direction of the rays projected onto the
+/// surface, in radians.
 Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double azimuth) {
   const double per_layer = slope * double(fur.length * fur.tile) * t.size / t.layers;  // texels
   Seen mean;
@@ -56,25 +56,25 @@ Seen along_rays(const FurTexture& t, const FurScene& fur, double slope, double a
         light += through * a * shade(t, n, i, j) * (0.5 + 0.5 * h);
         through *= 1 - a;
       }
-      mean.light += light + through * 0.3;  // 0.3 is the brightness of the skin
+      mean.light += light + through * 0.3;  // 0.3: the brightness of the skin
       mean.opacity += 1 - through;
     }
   const double texels = double(t.size) * t.size;
   return {mean.light / texels, mean.opacity / texels};
 }
 
-/// Returns the mean brightness and opacity over angles of 0 to 63 degrees between view ray and strand. The
-/// weights of the mean come from a picture of a furred sphere. The weight of an angle is proportional to the
-/// area of the picture that shows strands at this angle.
+/// Returns the mean brightness and the mean opacity over several view directions. The angle between view ray
+/// and strand is 0 to 63 degrees. In the picture of a furred sphere, each angle occurs in a certain area. The
+/// weight of an angle is approximately proportional to this area.
 Seen from_all_sides(const FurTexture& t, const FurScene& fur) {
   Seen sum;
   double weight = 0;
   for (const double slope : {0.0, 0.5, 1.0, 2.0})
     for (const double azimuth : {0.3, 2.5}) {
-      // Let t be the angle between view ray and strand. In the picture of a sphere, the area with angles
-      // between t and t + dt is proportional to cos(t) sin(t) dt. As a function of the slope s = tan(t), this
-      // area is proportional to s / (1 + s^2)^2 ds. The constant 0.1 is added so that rays along the
-      // strands (s = 0) have a weight above 0.
+      // Let a be the angle between view ray and strand. In the picture of a sphere, the area with angles
+      // between a and a + da is proportional to cos(a) sin(a) da. As a function of the slope s = tan(a), this
+      // area is proportional to s / (1 + s^2)^2 ds. The constant 0.1 is added so that rays along the strands
+      // (s = 0) have a weight above 0.
       const double shown = (slope + 0.1) / std::pow(1 + slope * slope, 2);
       const Seen seen = along_rays(t, fur, slope, azimuth);
       sum.light += shown * seen.light;
@@ -141,11 +141,11 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
   }
 }
 
-/// A strand's disc that crosses the border of the square texture continues at the opposite border, so the
-/// area of the disc does not depend on its position.
+/// In a slice, a strand is a disc. If the disc crosses the border of the square texture, it must continue at
+/// the opposite border. The area of the disc then does not depend on its position.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;
-  fur.layers = 16;  // the texture stores 1 - (1 - a)^(16 / layers), which is the coverage a itself here
+  fur.layers = 16;  // with 16 layers the texture stores unconverted coverages
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -299,7 +299,7 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
     shortest = std::min(shortest, s.length), longest = std::max(longest, s.length);
     mean += glm::normalize(tip) / 400.0;
   }
-  // The blades' bend exponents, lengths and directions vary over their whole ranges.
+  // The bend exponents, lengths and directions of the blades must vary over their whole ranges.
   EXPECT_NEAR(least, 1.5, 0.1);
   EXPECT_NEAR(most, 4.5, 0.1);
   EXPECT_NEAR(shortest, double(fur.least_length), 0.05);
@@ -309,16 +309,16 @@ TEST(FurStrands, BladesAreExponentialCurvesOfTheirOwn) {
 
 TEST(FurTexture, OfBladesComesInThePapersSizes) {
   FurScene fur;
-  // The blades are thicker than a texel at all texture sizes. A texel stores only the largest of the
-  // coverages by its blades. If blades thinner than a texel overlapped, the covered fraction would therefore
-  // depend on the texture size.
+  // At all texture sizes the blades are thicker than a texel. A texel stores only the coverage by the blade
+  // that covers the largest part of the texel. With thinner blades, several blades could cover parts of one
+  // texel, and the covered fraction would depend on the texture size.
   fur.strands = 110;
   fur.undercoat = 0;
   fur.radius = 4.5f;
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // the texture stores 1 - (1 - a)^(16 / layers), which is the coverage a itself here
+  fur.layers = 16;  // with 16 layers the texture stores unconverted coverages
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;
@@ -329,7 +329,7 @@ TEST(FurTexture, OfBladesComesInThePapersSizes) {
       for (int x = 0; x < size; ++x) sum += coverage(texture, 0, 2, x, y);
     opacity.push_back(sum / (size * size));
   }
-  // The covered fraction of a slice does not depend on its resolution.
+  // The covered fraction of a slice must not depend on the texture size.
   EXPECT_NEAR(opacity[0], opacity[2], 0.12 * opacity[2]);
   EXPECT_NEAR(opacity[1], opacity[2], 0.06 * opacity[2]);
   EXPECT_GT(opacity[2], 0.02);
@@ -339,7 +339,8 @@ TEST(FurStrands, LocksPullTogether) {
   FurScene fur;
   fur.lock_pull = 1;
   const auto strands = grow_strands(fur);
-  // With lock_pull = 1 every tip is at the centre of a lock, so 9000 strands have at most 700 different tips.
+  // With lock_pull = 1 every tip is at the centre of a lock. The 700 locks therefore allow at most 700
+  // different tips for the 9000 strands.
   std::vector<glm::dvec2> places;
   for (const FurStrand& s : strands) {
     const glm::dvec2 tip = glm::fract(strand_centre(s, fur, 1.0));

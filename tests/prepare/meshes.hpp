@@ -1,4 +1,4 @@
-// Small meshes of known geometry.
+// Small meshes of known geometry. R is the radius of a mesh, which is the unit of length.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace pelage::test {
 
-/// two_charts() is a square in the plane y = 0 with the normal +y. It has chart_cells cells per side, and
-/// half_side is half the length of a side in R.
+/// two_charts() is a square in the plane y = 0 with the normal +y. Each side of the square has chart_cells
+/// cells. half_side is half the length of a side, in units of R.
 inline constexpr int chart_cells = 20;
 inline constexpr float half_side = 0.7f;
 inline constexpr float chart_scale = 0.35f;  ///< UV units per R
@@ -27,8 +27,9 @@ inline std::shared_ptr<const Mesh> two_charts() {
         const int column = i + side * n / 2;
         const glm::vec3 p(x(column), 0.0f, x(j));
         mesh->position.push_back(p);
-        // In the left half, u increases with x and v increases with -z, so that the cross product of dX/du
-        // and dX/dv points along +y. In the right half, the directions of u and v are rotated by 90 degrees.
+        // X(u, v) is the surface point at (u, v). In the left half, u increases with x, and v increases with
+        // -z, so the cross product of dX/du and dX/dv points along +y. In the right half, the directions of u
+        // and v are rotated by 90 degrees.
         const glm::vec2 left(0.05f + chart_scale * (p.x + half_side),
                              0.05f + chart_scale * (half_side - p.z));
         const glm::vec2 right(0.45f + chart_scale * (p.z + half_side), 0.65f + chart_scale * p.x);

@@ -70,10 +70,10 @@ TEST(Strands, CombDoesNotJumpBetweenNeighbours) {
       worst = std::max(worst, bend - crease);
     }
   // The tilt of the strands changes fastest at points where the comb direction is normal to the surface. If
-  // the surface normal turns by a small angle there, the tangent of the tilt angle changes by fur.comb /
-  // least_grip = 0.6 / 0.25 = 2.4 times this angle (least_grip is defined in harness/prepare/strands.cpp).
-  // The normal changes by 5.5 degrees between adjacent faces. If the tilt were discontinuous at such a point,
-  // adjacent strands would differ by 90 degrees.
+  // the surface normal turns there by a small angle, the tangent of the tilt angle changes by 2.4 times this
+  // angle. The factor is fur.comb / least_grip = 0.6 / 0.25 (least_grip is defined in
+  // harness/prepare/strands.cpp). Between adjacent faces the normal turns by 5.5 degrees. If the tilt were
+  // discontinuous at such a point, adjacent strands would differ by 90 degrees.
   EXPECT_LT(worst * 180 / std::numbers::pi, 2.4 * 5.5);
 }
 

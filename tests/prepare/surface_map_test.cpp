@@ -39,8 +39,8 @@ TEST(SurfaceMap, ATexelHoldsThePointUnderItsCentre) {
     }
 }
 
-// Texel columns 0 to 7 are outside the triangles. The nearest covered column is 8, but on a periodic map
-// column 31 is nearer for columns 0 to 3.
+// Texel columns 0 to 7 are outside the triangles. The nearest covered column is column 8. On a periodic map,
+// however, columns 0 to 3 are nearer to column 31 than to column 8.
 TEST(SurfaceMap, TheGutterOfAPeriodicMapWraps) {
   for (const bool periodic : {false, true}) {
     const auto map = surface_map(strip(0.25f, periodic), size);

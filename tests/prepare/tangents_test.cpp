@@ -48,7 +48,8 @@ TEST(SurfaceTangents, AreTheAtlasGradient) {
     }
 }
 
-/// two_charts() with u -> 1 - u: u x v faces inwards.
+/// Returns two_charts() with every u replaced by 1 - u. X is the surface point at (u, v). The cross product
+/// of dX/du and dX/dv then points against the surface normal.
 std::shared_ptr<const Mesh> mirrored_charts() {
   auto mesh = std::make_shared<Mesh>(*test::two_charts());
   for (glm::vec2& uv : mesh->uv) uv.x = 1 - uv.x;
@@ -143,9 +144,9 @@ TEST(CurlFrame, PhaseVariesSmoothlyOverTheBody) {
     EXPECT_GT(glm::dot(glm::cross(varied.u[w], varied.v[w]), glm::vec3(skin.normal[w])), 0.99f);
   }
   EXPECT_GT(most, 45.0);
-  // Edges are 0.1 R long, and the noise of the curl's phase varies over distances of 0.4 R. Where the
-  // gradient of the noise is greatest, the vectors u of the tangent frames at the two ends of an edge differ
-  // by 84 degrees.
+  // In units of the model's radius R, edges are at most 0.1 long, and the noise of the curl's phase varies
+  // over distances of 0.4. At the edge with the greatest change of the noise, the vectors u at the two ends
+  // differ by 84 degrees.
   EXPECT_LT(worst_edge(skin, varied), 90.0);
 }
 

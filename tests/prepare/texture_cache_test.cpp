@@ -106,7 +106,8 @@ TEST_F(TextureCache, WhatWasNotUsedForLongestGoesFirst) {
 }
 
 // If this test fails after an intended change of a texture, increase texture_recipe and write the new hashes
-// here. If texture_recipe stays the same, programs continue to read the old textures from the cache.
+// into this test. If texture_recipe stays the same, programs continue to read the old textures from the
+// cache.
 TEST_F(TextureCache, TheRecipeHasTheseBytes) {
   EXPECT_EQ(texture_recipe, 1);
   EXPECT_EQ(hash(make_fur_texture(fur_)), 16436695362474114906u);

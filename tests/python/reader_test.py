@@ -3,7 +3,7 @@
 docs/results.md.
 
 usage: reader_test.py SOURCE PELAGE
-SOURCE is the source tree, PELAGE is the path of the program. The exit code is 77 if pandas is not installed.
+SOURCE is the source tree, and PELAGE is the path of the program. The exit code is 77 if pandas is not installed.
 """
 import io
 import json
@@ -43,7 +43,7 @@ def row(**changes):
             "build_ms": 1, "first_launch_ms": 1, "tuning": {}, "image_hash": "",
             "provenance": {"host": "here", "preset": "quick", "converged": True},
             "identity": {"scene": "0123456789abcdef"}}
-    if "case" in changes:  # because two real measurements never have equal times
+    if "case" in changes:  # changes a time, because pelage regards rows with equal times as copies
         base["samples"]["frame"]["wall_ms"][-1] += zlib.crc32(changes["case"].encode()) % 1000 / 1000
     return {**base, **changes}
 

@@ -79,8 +79,8 @@ TEST(Cells, MetricsOfSeveralProcessesAreCombined) {
   EXPECT_EQ(two.metrics.at("opengl_ratio").value, 9);
   EXPECT_EQ(two.metrics.at("opengl_ratio").low, 7.5);
   EXPECT_EQ(two.metrics.at("opengl_ratio").high, 10.5);
-  // The expected limits use Student's t for two degrees of freedom (4.3027) and the standard deviation of the
-  // logarithms of 8, 10 and 9 (0.11165).
+  // 4.3027 is the quantile of Student's t for two degrees of freedom. 0.11165 is the standard deviation of
+  // the logarithms of 8, 10 and 9.
   const Metric& ratio = three.metrics.at("opengl_ratio");
   EXPECT_EQ(ratio.value, 9);
   EXPECT_NEAR(*ratio.low, std::exp(std::log(720.0) / 3 - 4.3027 * 0.11165 / std::sqrt(3.0)), 1e-3);

@@ -39,6 +39,7 @@ TEST(Compare, DecidesFromSeveralProcesses) {
   for (const Pair& p : compared(a, slower, 0.05)) {
     EXPECT_EQ(p.verdict, Verdict::slower);
     EXPECT_NEAR(p.change, 0.2, 1e-9);
+    EXPECT_NEAR(p.b_ms / p.a_ms - 1, p.change, 1e-9);
     EXPECT_LT(p.interval.low, 0.2);
     EXPECT_GT(p.interval.low, 0.05);
     EXPECT_GT(p.interval.high, 0.2);
@@ -96,6 +97,7 @@ TEST(Compare, ACaseThatFailsNowIsLost) {
   const auto lost = std::find_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.b_ms == 0; });
   ASSERT_NE(lost, pairs.end());
   EXPECT_EQ(lost->verdict, Verdict::lost);
+  EXPECT_EQ(lost->reason, "failed-check");
   EXPECT_EQ(
       std::count_if(pairs.begin(), pairs.end(), [](const Pair& p) { return p.verdict == Verdict::lost; }), 1);
 }
@@ -109,6 +111,38 @@ TEST(Compare, AcrossDevicesAndWithinOneSet) {
   for (const Pair& p : layers) EXPECT_NEAR(p.change, 3, 1e-9) << p.name;
   EXPECT_THROW(CompareBy("axes."), InputError);
   EXPECT_THROW(CompareBy("host"), InputError);
+}
+
+TEST(Compare, DevicesWithDifferentDefaultMappingsArePaired) {
+  std::vector<Cell> tile = processes(3), group = processes(3, 0.5, "another device");
+  for (Cell& cell : tile) cell.variant = "opencl+tile";
+  for (Cell& cell : group) cell.variant = "opencl+group";
+  const auto pairs = compare_cells(tile, group, false, CompareBy("device"), {});
+  ASSERT_EQ(pairs.size(), 32u);
+  for (const Pair& p : pairs) {
+    EXPECT_NEAR(p.change, -0.5, 1e-9) << p.name;
+    EXPECT_TRUE(p.name.ends_with(" opencl+tile -> opencl+group")) << p.name;
+  }
+
+  // The results of both devices are now in one set. In each pair, `a` must then be the device whose name is
+  // first in alphabetical order.
+  std::vector<Cell> both = tile;
+  both.insert(both.end(), group.begin(), group.end());
+  for (const Pair& p : compare_cells(both, both, true, CompareBy("device"), {})) {
+    EXPECT_TRUE(p.a.starts_with("another device")) << p.a;
+    EXPECT_TRUE(p.name.ends_with(" opencl+group -> opencl+tile")) << p.name;
+  }
+
+  // The second set now contains two cells of the other device for each cell of the first set. The comparison
+  // must pair each cell only with the cell of the same variant.
+  std::vector<Cell> mixed = group;
+  for (const Cell& cell : processes(3, 0.7, "another device")) {
+    mixed.push_back(cell);
+    mixed.back().variant = "opencl+tile";
+  }
+  const auto exact = compare_cells(tile, mixed, false, CompareBy("device"), {});
+  ASSERT_EQ(exact.size(), 32u);
+  for (const Pair& p : exact) EXPECT_NEAR(p.change, -0.3, 1e-9) << p.name;
 }
 
 TEST(Compare, TwoMeasurementsOfOneNameInASetAreRefused) {

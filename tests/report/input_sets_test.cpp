@@ -39,7 +39,7 @@ TEST(InputSets, OtherInputsStandApartAndAreNamed) {
   ASSERT_EQ(sets.size(), 3u);
   EXPECT_EQ(sets[0].rows.size(), 32u);
   EXPECT_EQ(sets[1].rows.size(), 5u);
-  EXPECT_EQ(sets[1].differs, "kernel a.cl, scene");
+  EXPECT_EQ(sets[1].differs, "kernel a.cl with its includes, scene");
   EXPECT_EQ(sets[2].rows.size(), 32u);
   EXPECT_EQ(sets[2].differs, "identity incomplete");
 }

@@ -34,8 +34,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Python's csv module reads the files. All lines of a file must have the same number of columns. The numbers
-/// in a file must be equal to the numbers in `rows`.
+/// A Python script reads the two CSV files with the module csv. All lines of a file must have the same number
+/// of columns, and the numbers must be those of `rows`.
 TEST(Csv, PythonReadsIt) {
   const Folder folder;
   auto rows = table1_rows();
@@ -91,7 +91,7 @@ TEST(Report, WritesEverythingItPromises) {
   }
 }
 
-/// The bibliography contains the paper of every shipped experiment.
+/// The bibliography must contain the paper of every shipped experiment.
 TEST(Report, EveryExperimentsPaperCanBeCited) {
   std::vector<FoundRow> rows;
   for (const auto& file : experiment_files()) {

@@ -1,5 +1,5 @@
-// Rows of results with synthetic times, for tests of the report. The cases are those of the experiment
-// silva2010-table1 (Table 1 of Silva et al. 2010).
+// Functions that return rows of results with synthetic times. Tests of the report use them. The cases are
+// those of the experiment silva2010-table1 (Table 1 of Silva et al. 2010).
 #pragma once
 #include <fmt/format.h>
 
@@ -31,8 +31,9 @@ inline std::vector<FoundRow> bare_rows(const std::string& experiment, const std:
 }
 
 /// Returns one row for each of the 32 cases. Each row has 21 frame times. Their median is factor * (F + P) *
-/// N / 1e6 ms, an invented formula, where F is the number of triangles, P the number of pixels, and N the
-/// number of layers. The frame times of a row differ from their median by at most 1% and do not drift.
+/// N / 1e6 ms, where F is the number of triangles, P is the number of pixels, and N is the number of layers.
+/// This formula is invented. The frame times of a row differ from their median by at most 1% and do not
+/// drift.
 inline std::vector<FoundRow> table1_rows(double factor = 1, const std::string& device = "test device") {
   const Experiment e =
       read_experiment(std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments/silva2010-table1.toml");

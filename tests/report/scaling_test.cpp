@@ -1,5 +1,5 @@
-// Tests the report's text on the cost of more layers. Tests also that the fit of plots/scaling.py finds the
-// coefficients from which a synthetic table was computed.
+// Tests the report's text on how the frame time grows with the number of layers. Also tests that the fit of
+// plots/scaling.py finds the coefficients from which a synthetic table was computed.
 #include "harness/report/scaling.hpp"
 
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns cells with the frame time 1 ms + 40 ns * triangles + 2 ns * triangles * layers + 10 ns * pixels *
-/// layers, changed by up to 1%.
+/// Returns cells with synthetic frame times. The frame time is 1 ms + 40 ns * triangles + 2 ns * triangles *
+/// layers + 10 ns * pixels * layers, multiplied by a factor between 0.99 and 1.01.
 std::vector<Cell> cells() {
   std::vector<Cell> result;
   int i = 0;
@@ -140,7 +140,8 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
   EXPECT_NE(fit.find("fitted to 18 cases"), std::string::npos) << fit;
   EXPECT_NE(fit.find("9 cases held out"), std::string::npos) << fit;
   EXPECT_NE(fit.find("21 cases beyond the fit"), std::string::npos) << fit;
-  // The fit must use some of the cases of every picture size and every number of layers.
+  // The fit must hold out a third of the cases of every picture size, and a third of the cases of every
+  // number of layers.
   for (const char* axis : {"-400x300 ", "-800x600 ", "-1680x1050 ", "9360-16-", "9360-32-", "9360-64-"}) {
     int left_out = 0;
     for (std::size_t at = fit.find(axis); at != std::string::npos; at = fit.find(axis, at + 1)) {
@@ -150,7 +151,7 @@ TEST(Scaling, TheFitFindsTheCostsAndForetellsWhatItHasNotSeen) {
     EXPECT_EQ(left_out, std::string(axis).ends_with(' ') ? 3 : 1) << axis << fit;
   }
   EXPECT_NE(text_of(folder / "t.svg").find("128"), std::string::npos);
-  // With too few cases the program reports an error and fits nothing.
+  // With too few cases the plot program must report an error and must not compute a fit.
   std::vector<Cell> few = cells();
   few.resize(6);
   std::ofstream(folder / "few.csv") << scaling_csv(few);

@@ -1,5 +1,6 @@
 // Tests that the tables in the sections of a report contain every case, and that the descriptions of the
-// plots name the right columns. The rows have synthetic times.
+// plots name the right columns. The rows have synthetic times. An axis of an experiment is a quantity that
+// varies over the cases.
 #include "harness/report/sections.hpp"
 
 #include <gtest/gtest.h>
@@ -150,12 +151,12 @@ TEST(Sections, ChangedCasesHaveASectionOfTheirOwn) {
   EXPECT_NE(all[1].table.subtitle.find("changed: fur.length=0.1"), std::string::npos)
       << all[1].table.subtitle;
   EXPECT_EQ(all[1].table.lines.size(), 32u);
-  EXPECT_NE(all[0].table.stem, all[1].table.stem);
+  EXPECT_EQ(all[1].table.stem, all[0].table.stem + "-length-0.1");
   EXPECT_EQ(column_of(all[1].table, "ratio"), -1) << "the paper did not time this scene";
 }
 
-/// Axes that a user defined: the table contains every case, and the numeric axis is the horizontal axis of
-/// the plot.
+/// A user may define the axes of an experiment. The table must contain every case. The plot must show the
+/// numeric axis of the experiment along x.
 TEST(CaseSection, HasEveryCaseOfOwnAxes) {
   const auto rows = own_rows({{"model", {"mine.obj"}},
                               {"curl.radius", {"0.05", "0.01", "0.1"}},
@@ -254,14 +255,14 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   EXPECT_EQ(pivot.blocks[0].rows.front().cells[0]->data, "4");
   EXPECT_NEAR(number(table, line_with(table, {{"model", "torus"}, {"reading", "default"}}), "opengl_ms"), 40,
               1e-9);
-  // The expected geometric mean of the ratios is (4 * 9^7)^(1/8). The expected costs of curls are 10/8 in
-  // OpenCL and 10/8 * 1.5^(7/8) in OpenGL.
+  // With curls, the time of OpenGL is 4 times the time of OpenCL on 1 of the 8 models, and 9 times on the
+  // other 7 models. The expected geometric mean is (4 * 9^7)^(1/8). The cost of curls is the time with curls
+  // divided by the time of plain shells. It must be 10/8 in OpenCL and 10/8 * 1.5^(7/8) in OpenGL.
   for (const std::string& text : {text_of(table), html_of(table)})
     for (const std::string& part :
          {std::string("9.00 [8.00, 10.00]"),
-          fmt::format("geometric mean {:.2f} over 32 of 32 cells (no interval, because that needs three "
-                      "separate runs (--repeat "
-                      "3)), least 4.00 (torus, 16 layers, 800x600)",
+          fmt::format("geometric mean of the ratios {:.2f} over 32 of 32 cells (no interval, because that "
+                      "needs three separate runs (--repeat 3)), least ratio 4.00 (torus, 16 layers, 800x600)",
                       std::pow(4 * std::pow(9.0, 7), 1.0 / 8)),
           fmt::format("take 1.25 times the time of plain shells in OpenCL, and {:.2f} times in OpenGL "
                       "(geometric means "
@@ -282,7 +283,7 @@ TEST(RatioSection, CountsWhatHasNoRatio) {
       found.row.samples.clear();
     }
   const std::string text = text_of(sections(rows).at(0).table);
-  EXPECT_NE(text.find("geometric mean 9.00 over 28 of 32 cells"), std::string::npos) << text;
+  EXPECT_NE(text.find("geometric mean of the ratios 9.00 over 28 of 32 cells"), std::string::npos) << text;
   EXPECT_NE(text.find("failed-check"), std::string::npos);
 }
 
@@ -347,19 +348,19 @@ TEST(TopologySection, TellsWhatHasNoTime) {
   EXPECT_EQ(value(table, beside, "ratio").data, "");
 }
 
-/// A model given with --model has the same tables as the models of the experiment.
+/// A model given with --model must have the same tables as the models of the experiment. All cases then have
+/// the same number of triangles. The horizontal axis of the plot must therefore be the topology instead of
+/// the number of triangles.
 TEST(TopologySection, HasOwnModels) {
   std::vector<FoundRow> rows = sweep_rows();
   std::erase_if(rows, [](const FoundRow& found) { return found.row.axes.at("model") != "torus"; });
-  for (FoundRow& found : rows) {
-    found.row.axes["model"] = "mine.obj";
-    found.row.overrides["model"] = "mine.obj";
-  }
+  for (FoundRow& found : rows) found.row.axes["model"] = found.row.overrides["model"] = "mine.obj";
   const auto all = sections(rows);
   ASSERT_EQ(all.size(), 2u);
   EXPECT_EQ(all[0].table.lines.size(), 20u);
   EXPECT_NE(all[0].table.subtitle.find("changed: model=mine.obj"), std::string::npos);
-  EXPECT_FALSE(all[0].plots.empty());
+  EXPECT_EQ(all[0].plots.at(0).x, "dynamics.topology");
+  EXPECT_EQ(all[0].plots.at(1).y_label, "simulate, ms");
 }
 
 /// Returns a row for every case of rival-options.toml. The variant "byte" takes 5 ms per layer, "volume"

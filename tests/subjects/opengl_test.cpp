@@ -1,4 +1,5 @@
-// Tests the subject that times two pipelines alternately, and the experiments that use it.
+// A subject is an object whose frames an experiment times. This file tests the subject that draws frames with
+// two pipelines alternately, and the experiments that use this subject.
 #include "harness/subjects/opengl.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +75,7 @@ TEST(Duel, AlternatesAndGivesTheRatioOfEveryRound) {
 
 TEST(Duel, AnotherPictureHasNoTime) {
   std::string order;
-  const Row row = fought(0.498f, &order);  // differs by 54 dB
+  const Row row = fought(0.498f, &order);  // the PSNR between the two pictures is 54 dB
   EXPECT_EQ(row.status, Status::failed_check);
   EXPECT_NE(row.reason.find("psnr against opengl is 53.97"), std::string::npos) << row.reason;
   EXPECT_TRUE(row.samples.empty());
@@ -105,7 +106,8 @@ TEST(Pipelines, OfTheExperimentsAreThere) {
   EXPECT_GE(named.size(), 5u);
 }
 
-// The scenes of the experiments with the baseline must be exactly those of Table 1.
+// The experiments with the baseline must draw the scenes of silva2010-table1.toml (Table 1 of Silva et al.
+// 2010). The test skips cases in which the axis `reading` is not "default".
 TEST(Rivals, MeetOnTheSceneOfTable1) {
   const std::filesystem::path folder = std::filesystem::path(PELAGE_SOURCE_DIR) / "experiments";
   const Experiment table = read_experiment(folder / "silva2010-table1.toml");

@@ -37,8 +37,8 @@ inline Row sample_row(const std::string& name) {
   return row;
 }
 
-/// A subject that draws a grey picture of 2 x 2 pixels. The reported frame time begins at `first_ms` and
-/// grows by 0.001 ms per frame.
+/// A subject (an object whose frames an experiment times) that draws a grey picture of 2 x 2 pixels. The
+/// reported frame time begins at `first_ms` and grows by 0.001 ms per frame.
 class FakeSubject : public Subject {
  public:
   explicit FakeSubject(double first_ms, double psnr = 80) : next_ms_(first_ms), psnr_(psnr) {}

@@ -15,7 +15,7 @@ namespace pelage {
 struct UnderOclgrind {
   int status = 0;       ///< exit status of the tests
   std::string log;      ///< oclgrind's messages; they are needed because oclgrind's exit status is always 0
-  std::string printed;  ///< output of the tests; with --inst-counts, also that of oclgrind
+  std::string printed;  ///< output of the tests; with --inst-counts, also oclgrind's output
 };
 
 /// Runs the tests of this binary that match `filter`, including disabled tests. `checks` contains the options

@@ -10,8 +10,8 @@
 
 namespace pelage::pictures {
 
-/// Returns the input of a frame of 320 x 200 pixels: a named model with curly, wet fur in the wind. This is a
-/// smaller version of the scenes of Table 1 in Curling and Clumping Fur (Silva et al. 2010).
+/// Returns the input of a frame of 320 x 200 pixels: a named model with curly, wet fur in the wind. The frame
+/// is a smaller version of the scenes of Table 1 in Curling and Clumping Fur (Silva et al. 2010).
 std::shared_ptr<const FrameInput> model_frame(const std::string& model, int layers,
                                               const std::string& shading);
 

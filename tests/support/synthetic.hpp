@@ -21,14 +21,14 @@ Surface square(double side);
 Surface torus();
 
 /// Returns a grid of nu x nv quads over the surface, with two triangles per quad. On a periodic surface, a
-/// point on a border of the UV square also lies on the opposite border; it has one vertex on each of these
-/// borders.
+/// point on a border of the UV square also lies on the opposite border. Such a point has one vertex on each
+/// of these two borders.
 Mesh grid(const Surface& surface, int nu, int nv);
 
 /// Returns the complete input of a frame of `scene`. The mesh is a grid of nu x nv quads over `surface`. The
 /// fur texture contains upright cones and has mip levels. The coat is smooth. `droplets` is the number of
-/// random droplets. The following keys of the scene have no effect: the number of strands per fur slice, the
-/// coat's pattern, and the number of random droplets.
+/// random droplets. The scene's keys for the number of strands per fur slice, for the coat's pattern and for
+/// the number of random droplets have no effect.
 FrameInput frame(const Scene& scene, const Surface& surface, int nu, int nv, int droplets);
 
 /// Returns a scene of 16 layers and 160 x 100 pixels with combed, curly, wet and windy fur.

@@ -53,8 +53,8 @@ TEST(Contenders, HaveNoFaultAsTheyAre) {
   EXPECT_EQ(fault_of("wet"), "");
 }
 
-// The test changes a kernel so that it adds 1e-3 R to the x coordinate of the tips of the first 16 of about
-// 1500 strands. This error is larger than tolerance::usual_tip.
+// The test changes a kernel: for the first 16 of about 1500 strands, the kernel now adds 1e-3 of the mesh
+// radius to the x coordinate of the tip. This error is larger than tolerance::usual_tip.
 TEST(Contenders, MayMoveNoStrandElsewhere) {
   EXPECT_NE(fault_of("simulate", "simulate/simulate.cl", "  store_column3(a.tip, state, TIP_X",
                      "  if (block * LANES < 16) a.tip.x += 1e-3f;\n"

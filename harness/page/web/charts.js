@@ -199,6 +199,7 @@ const charts = (() => {
       if (isIntersecting && !target.charts) draw(target);
   }, {rootMargin: "400px"});
   figures.forEach(figure => seen.observe(figure));
+  addEventListener("beforeprint", () => figures.forEach(figure => figure.charts || draw(figure)));
   // The colours of the axes depend on the colour scheme.
   dark.addEventListener("change", () => {
     for (const figure of figures) if (figure.charts) { erase(figure); draw(figure); }

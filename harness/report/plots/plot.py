@@ -4,8 +4,8 @@
 usage: plot.py TABLE.csv OUT.svg [OUT.pdf ...]
 
 `pelage report` writes this program, the table (TABLE.csv) and the description (TABLE.json) into one folder. The program
-needs only matplotlib. If all values of x are numbers, it draws lines; otherwise it draws points. A picture size counts
-as its number of pixels. The error bars are the 95% intervals.
+needs only matplotlib. If all values of x are numbers, it draws lines; otherwise it draws points. A picture size
+such as 800x600 counts as a number, its number of pixels. The error bars are the 95% intervals.
 """
 import csv
 import itertools
@@ -22,9 +22,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 # Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # eight markers and seven colours give 56 different series
-MOST_COLUMNS = 4  # largest number of panels side by side
-MOST_LEGEND = 24  # largest number of series in the legend
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # Eight markers and seven colours give 56 different series.
+MOST_COLUMNS = 4  # This is the largest number of panels side by side.
+MOST_LEGEND = 24  # This is the largest number of series in the legend.
 
 
 def number(text):
@@ -94,9 +94,24 @@ def draw_published(axis, rows, x_of, published, style):
     return handle
 
 
+def least_step(rows, d):
+    """Returns the smallest distance between two values of x, or between their logarithms if the axis is logarithmic.
+
+    Returns 0 if x has only one value.
+    """
+    values = sorted({number(r[d["x"]]) for r in rows if number(r[d["x"]]) is not None})
+    if d["x_scale"] == "log":
+        values = [math.log(v) for v in values if v > 0]
+    return min((b - a for a, b in zip(values, values[1:])), default=0)
+
+
 def draw_panel(axis, rows, series, categories, keys, d):
-    """Draws the series of one panel. Returns the label -> artist map for the legend."""
+    """Draws the series of one panel. Returns a map from the labels of the legend to the drawn artists."""
     handles = {}
+    # Error bars at the same x would cover each other. They are therefore drawn beside each other. The distance between
+    # two neighbouring bars is 4% of the smallest distance between two values of x, and less if there are more than four
+    # series.
+    beside = 0 if categories or not d["low"] else 0.04 * least_step(rows, d) / max(1, len(series) / 4)
     for i, values in enumerate(series):
         colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
         style = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
@@ -109,8 +124,9 @@ def draw_panel(axis, rows, series, categories, keys, d):
         else:
             mine = sorted((r for r in mine if number(r[d["x"]]) is not None), key=lambda r: number(r[d["x"]]))
 
-            def x_of(r):
-                return number(r[d["x"]])
+            def x_of(r, shift=beside * (i - (len(series) - 1) / 2)):
+                x = number(r[d["x"]])
+                return x * math.exp(shift) if d["x_scale"] == "log" else x + shift
         have = [r for r in mine if number(r[d["y"]]) is not None]
         y = [number(r[d["y"]]) for r in have]
         label = keys.text(d["series"], values)
@@ -128,7 +144,8 @@ def draw_panel(axis, rows, series, categories, keys, d):
     return handles
 
 
-def decorate(axis, title, categories, d):
+def decorate(axis, title, categories, values, d):
+    """Sets the scales, ticks and title of a panel. If x is numeric, `values` contains its values."""
     axis.set_yscale(d["y_scale"])
     if categories:
         axis.set_xticks(range(len(categories)), categories, rotation=30 if len(categories) > 4 else 0,
@@ -136,6 +153,10 @@ def decorate(axis, title, categories, d):
         axis.set_xlim(-0.6, len(categories) - 0.4)
     else:
         axis.set_xscale(d["x_scale"])
+        if d["x_scale"] == "linear":
+            axis.xaxis.set_major_locator(matplotlib.ticker.FixedLocator(values) if 1 < len(values) <= 5 else
+                                         matplotlib.ticker.MaxNLocator(5))
+            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
     if "guide" in d:
         axis.axhline(d["guide"], color="0.4", linewidth=0.8)
     axis.set_title(title, fontsize=9)
@@ -166,6 +187,7 @@ def main(table, outputs):
     panels = keys.combinations(rows, d["panels"]) or [()]
     series = keys.combinations(rows, d["series"]) or [()]
     numeric = all(number(r[d["x"]]) is not None for r in rows if r[d["x"]])
+    numbers = sorted({number(r[d["x"]]) for r in rows if r[d["x"]]}) if numeric else []
     in_order = list(dict.fromkeys(r[d["x"]] for r in rows))
     categories = [] if numeric else sorted(in_order, key=lambda v: (keys.place(d["x"], v)[0], in_order.index(v)))
 
@@ -183,7 +205,7 @@ def main(table, outputs):
         mine = [r for r in rows if tuple(r[c] for c in d["panels"]) == values]
         for label, handle in draw_panel(axis, mine, series, categories, keys, d).items():
             handles.setdefault(label, handle)
-        decorate(axis, keys.text(d["panels"], values), categories, d)
+        decorate(axis, keys.text(d["panels"], values), categories, numbers, d)
     plain_ticks(axes[0][0])
     for i, row in enumerate(axes):
         row[0].set_ylabel(d["y_label"])

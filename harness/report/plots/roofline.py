@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the time of each kernel of a frame, and a roofline plot of the kernels with the device's measured peak rates.
+"""Draws the time of each kernel of a frame, and a roofline plot from the device's measured peak rates.
 
 usage: roofline.py TABLE.csv OUT.svg [OUT.pdf ...]
 
@@ -71,7 +71,8 @@ def main(table, outputs):
             roof.plot(float(r["operations_per_byte"]), float(r["gflop_s"]), marker=MARKERS[i % 6],
                       color=COLOURS[i % 6], markersize=6, markeredgecolor="white", markeredgewidth=0.6,
                       linestyle="none", zorder=3)
-    # A kernel's name is drawn below its lowest point. A name above the points could overlap the roofline.
+    # Each kernel's name is drawn below the lowest point of the kernel. A name above the points could overlap the
+    # roofline.
     for kernel in dict.fromkeys(r["kernel"] for r in counted):
         least = min((r for r in counted if r["kernel"] == kernel), key=lambda r: float(r["gflop_s"]))
         roof.annotate(kernel, (float(least["operations_per_byte"]), float(least["gflop_s"])), xytext=(0, -13),

@@ -12,9 +12,8 @@ The model is this sum of costs with coefficients that are not negative:
 The fit minimizes the squared relative errors. The intervals of the coefficients are percentiles over 1000 resamplings
 of the cases. A case is larger if it has more than 64 layers, more pixels than 1680 x 1050, or more than a million
 triangles. All other cases are smaller. The fit uses two thirds of the smaller cases. The remaining smaller cases and
-all larger cases test the fit. The smaller cases are divided so that every number of triangles, every number of layers
-and every picture size of the smaller cases occurs in the fit and also in the test. The program
-needs only matplotlib and numpy.
+all larger cases test the fit. Every number of triangles, every number of layers and every picture size of the smaller
+cases occurs both in the fit and in the test. The program needs only matplotlib and numpy.
 """
 import csv
 import os
@@ -40,7 +39,9 @@ def features(case):
 def fitted(cases):
     """Returns the fitted coefficients.
 
-    As long as a coefficient is negative, the function removes the term of the most negative one and fits again.
+    If a coefficient is negative, the function removes one term and fits again, until no coefficient is negative.
+    It removes the term whose coefficient is most negative. For this comparison, the function multiplies each
+    coefficient by a scale: the term divided by the frame time, in the case where this quotient is largest.
     """
     rows = np.array([features(c) / c["ms"] for c in cases])
     kept = list(range(len(TERMS)))

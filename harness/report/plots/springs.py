@@ -104,8 +104,8 @@ def work_precision(rows):
             x, y = [float(r["median_ms"]) for r in line], [value(r, "metric.error_rms") for r in line]
             axis.plot(x, y, label=s, **style(s, SOLVERS))
             for r, a, b in zip(line, x, y):
-                # Labels give the first and the last time step. The labels of one solver are enough, because all solvers
-                # have the same time steps.
+                # Labels give the time step of the first and the last point of the line. Only the line of RK4 has
+                # labels, because all solvers have the same time steps.
                 if s == "rk4" and r in (line[0], line[-1]):
                     axis.annotate(f"{value(r, 'metric.step_ms'):.3g} ms", (a, b), xytext=(4, 4),
                                   textcoords="offset points", fontsize=6.5, color="0.35")

@@ -1,12 +1,12 @@
-// Build options of the OpenCL kernels.
+// Build options of the OpenCL kernels. A tuning axis is a build-time parameter of the kernels.
 #pragma once
 #include <map>
 #include <string>
 
 namespace pelage::shells {
 
-/// Values of tuning axes by name. A tuning axis is a build-time parameter of the kernels. The files
-/// kernels/*/tuning.toml list the axes. An axis that is not in the map keeps its default value.
+/// Values of tuning axes by name. The files kernels/*/tuning.toml list the axes. An axis that is not in the
+/// map keeps its default value.
 using Tuning = std::map<std::string, int>;
 
 /// Returns the value of `axis` in `tuning`, or `otherwise` if `tuning` does not contain the axis.

@@ -17,7 +17,7 @@ namespace {
 int padded(std::size_t count) {
   if (count > (std::size_t(1) << 28) - 16)
     throw InputError(
-        fmt::format("{} vertices or triangles to draw, but at most 2^28 are possible: reduce the mesh "
+        fmt::format("{} vertices or triangles to draw, but at most 2^28 - 16 are possible: reduce the mesh "
                     "(pelage mesh --faces)",
                     count));
   return static_cast<int>((count + 15) / 16 * 16);
@@ -28,8 +28,8 @@ void set_column3(std::vector<float>& table, int first, int stride, int row, glm:
     table[std::size_t(first + k) * std::size_t(stride) + std::size_t(row)] = value[k];
 }
 
-// A drawn vertex: the index of its vertex in the mesh, the triangles whose strands displace it, and the
-// weights of these strands.
+// Describes a drawn vertex. `copy` is the index of this vertex in the mesh. The strands of the triangles
+// `faces` displace the vertex, with the weights `weights`.
 struct Vertex {
   std::uint32_t copy;
   std::span<const std::uint32_t> faces;

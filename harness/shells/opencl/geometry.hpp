@@ -18,7 +18,8 @@ struct Geometry {
   /// UV coordinates at which the vertices sample the wetness mask: first u of all vertices, then v of all
   /// vertices.
   std::vector<float> mask_uv;
-  std::vector<float> tangent;  ///< RECORD floats per vertex: dX/du, dX/dv and two unused floats
+  /// RECORD floats per vertex: derivatives of the position with respect to u and v, then two unused floats.
+  std::vector<float> tangent;
   /// Four values per triangle. The first three values are the indices of its vertices. A kernel writes the
   /// fourth value: the number of layers in which the triangle is drawn.
   std::vector<std::int32_t> corner;
@@ -27,8 +28,8 @@ struct Geometry {
   std::vector<std::uint32_t> stick;
   // The next three arrays store a sparse matrix for Silva's strands. The tip offset of a vertex is the
   // weighted mean of the tip offsets of the strands around the vertex. The matrix has one row per vertex. An
-  // entry of the row is the index and the weight of one of these strands. Within a block of `lanes` vertices,
-  // all rows are padded to the same length with entries of weight 0.
+  // entry of the row is the index and the weight of one of these strands. Within a block of `lanes` vertices
+  // (see lay_out()), all rows are padded to the same length with entries of weight 0.
 
   /// For each block of `lanes` vertices, the index of the block's first entry in `strand` and `weight`,
   /// divided by `lanes`. One more value follows: the size of `strand`, divided by `lanes`.
@@ -39,9 +40,9 @@ struct Geometry {
 };
 
 /// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of vertices
-/// that a work-item computes at once, 1 or 16. Throws InputError for more than about 2^28 vertices or
-/// triangles. Also throws InputError if the scene has a mass-spring topology and `input` does not have one
-/// stick normal per surface point.
+/// that a work-item computes at once, 1 or 16. Throws InputError if there are more than 2^28 - 16
+/// triangles or more than 2^28 - 17 drawn vertices. Also throws InputError if the scene has a mass-spring
+/// topology and `input` does not have one stick normal per surface point (Mesh::weld).
 Geometry lay_out(const FrameInput& input, int lanes);
 
 }  // namespace pelage::shells

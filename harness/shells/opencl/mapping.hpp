@@ -1,5 +1,5 @@
 // A mapping assigns the pixels of a frame to the work-items of a device. Each mapping is a class that
-// implements the interface `Mapping`.
+// implements the interface `Mapping`. A tile is a rectangle of pixels.
 #pragma once
 #include <map>
 #include <memory>
@@ -19,12 +19,14 @@ namespace pelage::shells {
 class Mapping {
  public:
   virtual ~Mapping() = default;
-  /// Lists the triangles that may touch each tile, in the mesh's order. Reads buffers.corner and buffers.box.
-  /// Writes the lists to buffers.list_start and buffers.list, which it enlarges if necessary. Throws
-  /// DeviceError if all lists together have 2^31 entries or more.
+  /// Makes one list per tile: the triangles that may touch the tile, in the order of the mesh. Reads
+  /// buffers.corner and buffers.box. Writes the lists to buffers.list_start and buffers.list. Enlarges
+  /// these two buffers if they are too small. Throws DeviceError if all lists together have so many entries
+  /// that their indices need more than 31 bits.
   virtual void bin(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
                    PhaseEvents* events) = 0;
-  /// Draws one pass: the range of layers that `params` contains. Uses the lists that bin() wrote.
+  /// Draws one pass: the layers from params.first_layer to params.end_layer - 1. Uses the lists that bin()
+  /// wrote.
   virtual cl::Event draw(const cl::Queue& queue, const RasterParams& params,
                          const RasterBuffers& buffers) = 0;
   /// Returns the number of elements of buffers.covered, in which draw() counts fragments. A mapping has one
@@ -37,7 +39,7 @@ class Mapping {
 struct MappingSetup {
   const cl::Device& device;
   const cl::Program& geometry;  ///< program built from rasterize/geometry/geometry.cl
-  std::string options;          ///< build options of the mapping's programs: LANES and the tuning axes
+  std::string options;          ///< the mapping's build options: LANES and tuning axes (build_options.hpp)
 };
 
 struct MappingKind {
@@ -47,8 +49,8 @@ struct MappingKind {
   /// True if the kernel computes the view direction once per pixel. False if the kernel computes it for every
   /// fragment.
   bool one_eye_per_pixel;
-  int (*lanes)(const cl::DeviceInfo&);  ///< lanes of the mapping's kernels and of the vertex kernels: 1 or 16
-  Tuning (*tuning)(Tuning);             ///< adds the values of tuning axes that the mapping needs or prefers
+  int (*lanes)(const cl::DeviceInfo&);  ///< fragments or vertices that a work-item computes at once: 1 or 16
+  Tuning (*tuning)(Tuning);             ///< adds to a Tuning the values that the mapping needs or prefers
   std::unique_ptr<Mapping> (*make)(const MappingSetup&);
 };
 
@@ -62,7 +64,7 @@ extern const std::span<const MappingKind* const> mapping_kinds;  ///< all mappin
 const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device);
 
 /// Makes a mapping that draws a random sample of the pixels, about one in `every`. For each of these pixels
-/// it counts the covered, shaded and blended fragments in three counters.
+/// the mapping counts the covered, shaded and blended fragments in three counters.
 std::unique_ptr<Mapping> tally_mapping(MappingSetup setup, int every);
 
 }  // namespace pelage::shells

@@ -14,7 +14,8 @@ std::vector<std::int32_t> packed_fur(const FurTexture& fur);
 
 /// Packs the coat texture into two 32-bit words per texel. The first word holds red and green of texel (x,
 /// y), then red and green of texel (x, y + 1). The second word holds blue of both texels in bytes 0 and 2. A
-/// border of one texel copies the texels of the opposite side, because the texture repeats.
+/// border of one texel surrounds the texture. It holds copies of the texels of the opposite side, because the
+/// texture repeats.
 std::vector<std::int32_t> packed_coat(const CoatTexture& coat);
 
 }  // namespace pelage::shells

@@ -10,8 +10,8 @@ namespace pelage::shells {
 namespace {
 
 // Limit of the memory for screen positions, in bytes. A mesh of 5 million triangles in 16 layers needs less
-// and is drawn in one pass. The largest model of the papers, the lion in 64 layers, needs a fifth of the
-// limit.
+// memory than this limit and is drawn in one pass. The largest case of experiments/silva2010-table1.toml, the
+// lion in 64 layers, needs a fifth of the limit.
 constexpr std::size_t most_screen_bytes = std::size_t(1) << 30;
 constexpr std::size_t screen_bytes = 16;  // bytes per vertex and layer
 

@@ -15,17 +15,18 @@
 namespace pelage::shells {
 namespace {
 
-// Returns the default number of layers per layer batch. The kernels select the visible triangles of a tile
-// once per layer batch. Smaller batches repeat this selection more often. Larger batches select more
-// triangles that are invisible on some layers of the batch.
+// Returns the default number of layers per layer batch. A layer batch is a group of consecutive layers. For
+// each tile, the kernels select the visible triangles once per layer batch. Smaller batches repeat this
+// selection more often. Larger batches select more triangles that are invisible on some layers of the batch.
 int default_batch(int layers) {
   return std::max(4, (layers + 5) / 6);
 }
 
-// Returns the value of the tuning axis `axis`: the width or the height of a tile in pixels. The value must be
-// a multiple of 4, because tiles consist of pixel blocks of 4 x 4. The value must be at most 32, because the
-// kernels compute coverage exactly only in tiles of at most 32 x 32 pixels (edge_from() in
-// kernels/rasterize/coverage/coverage.clh). Throws InputError for other values.
+// Returns the width or the height of a tile in pixels. The result is the value of the tuning axis `axis`, a
+// compile-time constant of the kernels: "TILE_W" or "TILE_H". The value must be a multiple of 4, because
+// tiles consist of pixel blocks of 4 x 4. The value must be at most 32, because the kernels compute coverage
+// exactly only in tiles of at most 32 x 32 pixels (edge_from() in kernels/rasterize/coverage/coverage.clh).
+// Throws InputError for other values.
 int tile_side(const Tuning& tuning, const std::string& axis, int otherwise) {
   const int side = tuned(tuning, axis, otherwise);
   if (side < 4 || side > 32 || side % 4 != 0)
@@ -96,8 +97,8 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.image = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
   const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
-  // The kernels run twice, because the first launch includes compilation on some platforms. per_mask_ms_
-  // keeps the time of the second run.
+  // prepare_mask() runs twice, because on some platforms the first launch of a kernel includes its
+  // compilation. per_mask_ms_ keeps the time of the second run.
   for (int i = 0; i < 2; ++i) prepare_mask(queue, mask_uv);
 }
 
@@ -105,9 +106,9 @@ MappingSetup RasterStage::setup(const cl::Device& device, const std::string& opt
   return {device, geometry_, options};
 }
 
-// Runs the kernels that are needed once per wetness mask. They compute the dryness and the curl frame of each
-// vertex. They also compute the number of layers in which each triangle is drawn, and write it as the fourth
-// value of the triangle to buffers_.corner.
+// Runs the kernels that are needed once per wetness mask. These kernels compute the dryness of each vertex
+// and, if fur.substeps > 1, the curl frame of each vertex. They also compute the number of layers in which
+// each triangle is drawn, and write it as the fourth value of the triangle to buffers_.corner.
 void RasterStage::prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv) {
   const auto begin = std::chrono::steady_clock::now();
   const auto vertices = std::size_t(params_.vertices);

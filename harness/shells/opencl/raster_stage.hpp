@@ -17,7 +17,8 @@ class RasterStage {
               const ShellOptions& options);
   /// Computes the tip offset B of every vertex (docs/frame.md, section 3). B is the weighted mean of the tip
   /// offsets q of the strands around the vertex. `strands` is the state of the strands in STATE_COLUMNS
-  /// columns of length `stride`. Returns the columns x, y and z of B, in R.
+  /// columns of length `stride`. Returns the columns x, y and z of B. The unit of B is the radius of the
+  /// mesh's bounding sphere.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        PhaseEvents* events);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
@@ -25,28 +26,29 @@ class RasterStage {
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events);
   const RasterParams& params() const { return params_; }
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }  ///< VERTEX_COLUMNS columns
-  /// Returns the number of covered fragments of the last frame in all layers. It draws the frame again to
-  /// count them.
+  /// Returns the number of covered fragments of the last frame in all layers. The function draws the frame
+  /// again to count them.
   std::uint64_t count(const cl::Queue& queue);
-  /// Returns the fragment counts of the last frame, as Shells::tally() describes. It does not change the
-  /// picture.
+  /// Returns the fragment counts of the last frame, as Shells::tally() describes. The function does not
+  /// change the picture.
   Tally tally(const cl::Queue& queue, int every);
   Picture read(const cl::Queue& queue) const;
   /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
-  /// run. They compute the dryness and the curl frame of each vertex, and the number of layers in which each
-  /// triangle is drawn.
+  /// run. These kernels compute the dryness of each vertex, the curl frame of each vertex (only if
+  /// fur.substeps > 1), and the number of layers in which each triangle is drawn.
   double per_mask_ms() const { return per_mask_ms_; }
   std::vector<const cl::Program*> programs() const;
 
  private:
   void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
-  // Draws all passes with `mapping`, which must count fragments. Returns the kernels' fragment counters: one
-  // per tile, or one or three per pixel. The kernels write picture and counts to temporary buffers, so the
-  // last frame's picture does not change.
+  // Draws all passes with `mapping`, which must count fragments. Returns the kernels' fragment counters.
+  // `mapping` determines whether there is one counter per tile, one per pixel, or three per pixel. The
+  // kernels write picture and counts to temporary buffers, so the last frame's picture does not change.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
-  // Returns the number of passes. There are several if the screen positions of all layers do not fit in
-  // memory. Pass 0 has the innermost layers and is drawn last.
+  // Returns the number of passes. There are several passes if the screen positions of all layers do not fit
+  // in memory. Passes with higher numbers contain layers farther outside and are drawn earlier. Pass 0
+  // contains the innermost layers and is drawn last.
   int passes() const;
   void set_pass(int number);
   // Transforms and bins the layers of pass `number`. The caller then calls mapping.draw().
@@ -65,9 +67,9 @@ class RasterStage {
   double per_mask_ms_ = 0;
 };
 
-/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. If this
-/// number is less than the number of all layers but more than params.layer_batch, it is rounded down to a
-/// multiple of params.layer_batch.
+/// Returns the number of layers per pass: `wanted` if it is above 0, else as many as fit in memory. The
+/// result is at most params.layers. If the result is above params.layer_batch, but below params.layers, the
+/// function rounds it down to a multiple of params.layer_batch.
 int layers_at_once(const RasterParams& params, int wanted, const cl::Device& device);
 
 }  // namespace pelage::shells

@@ -26,23 +26,23 @@ std::string default_mapping(const cl::DeviceInfo& device);
 
 struct ShellOptions {
   std::string mapping;                ///< a name from mappings(); "": the device's default_mapping()
-  std::map<std::string, int> tuning;  ///< values of tuning axes (kernels/*/tuning.toml), e.g. {"TILE_W", 16}
-  int layers_at_once = 0;             ///< number of layers per pass; 0: as many as fit in memory
+  std::map<std::string, int> tuning;  ///< kernel constants (kernels/*/tuning.toml), e.g. {"TILE_W", 16}
+  int layers_at_once = 0;             ///< number of layers that one pass draws; 0: as many as fit in memory
 };
 
 /// Fragment counts of a frame, summed over all layers. Fragments of the base surface are not counted.
 struct Tally {
   /// Number of covered fragments. Each triangle of a layer has one fragment in every pixel that it covers.
-  /// Hidden fragments are counted, too.
+  /// Fragments behind the base surface or behind opaque fur are counted, too.
   std::uint64_t covered = 0;
-  /// Number of covered fragments that are not behind the base surface and are in a pixel that is not yet
+  /// Number of covered fragments that are not behind the base surface and are drawn before their pixel is
   /// opaque.
   std::uint64_t shaded = 0;
-  /// Number of shaded fragments whose fur is not fully transparent. Only these are lit and blended.
+  /// Number of shaded fragments whose fur is not fully transparent. Only these fragments are lit and blended.
   std::uint64_t blended = 0;
 };
 
-/// One kernel launch of a frame.
+/// The time of one kernel launch of a frame.
 struct KernelTime {
   std::string kernel, phase;
   double ms = 0;
@@ -60,6 +60,7 @@ struct FrameTiming {
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the
 /// wetness mask. frame() advances the strands by scene.dynamics.substeps substeps and draws one picture.
 /// read() copies the picture to the host. Lengths are in R, the radius of the mesh's bounding sphere.
+/// Velocities are in R per second.
 class Shells {
  public:
   Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options = {});
@@ -75,13 +76,14 @@ class Shells {
   /// Returns the wetness mask, with wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
   /// r of a clump, and the wetness rho.
   std::vector<glm::vec4> mask() const;
-  /// Returns the tip minus the root of each strand, or the top minus the base of each stick, in R.
+  /// Returns the vector from the root to the tip of each strand. If the scene has a mass-spring topology, the
+  /// function returns the vector from the base to the top of each stick instead.
   std::vector<glm::vec3> tips() const;
-  std::vector<glm::vec3> velocities() const;  ///< velocities of the tips of strands or sticks, R/s
-  /// Counts the fragments of the last frame in all layers. It draws the frame again with the pixel mapping,
-  /// but only in a random sample of about one in `every` pixels. It multiplies the counts by `every`. With
-  /// every = 1 the counts are exact, but slow to compute. With every = 0 the sample has about 8192 pixels,
-  /// and the error is about 1%.
+  std::vector<glm::vec3> velocities() const;  ///< velocities of the end points of the vectors of tips()
+  /// Counts the fragments of the last frame in all layers. The function draws the frame again with the pixel
+  /// mapping, but only in a random sample of about one in `every` pixels. The function then multiplies the
+  /// counts by `every`. With every = 1 the counts are exact, but slow to compute. With every = 0 the sample
+  /// has about 8192 pixels, and the relative error of the counts is about 1%.
   Tally tally(int every = 0);
   /// Returns the number of floating-point operations of each kernel in the last frame, by kernel name.
   /// `tally` has the frame's fragment counts. `wet_share` is the wet fraction of the surface, 0 to 1.
@@ -90,8 +92,9 @@ class Shells {
   double build_ms() const;  ///< build time of all kernels, ms
   double wet_ms() const;    ///< wall time of the kernel that computes the wetness mask, ms
   /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
-  /// run. They compute the dryness and the curl frame of each vertex, and the number of layers in which each
-  /// triangle is drawn. FrameTiming does not include this time.
+  /// run. These kernels compute the dryness of each vertex, the curl frame of each vertex (only if
+  /// fur.substeps > 1), and the number of layers in which each triangle is drawn. FrameTiming does not
+  /// include this time.
   double per_mask_ms() const;
   std::string kernel_hash() const;  ///< hash of the sources of all built programs, including their headers
   std::vector<const cl::Program*> programs() const;  ///< the programs of all stages

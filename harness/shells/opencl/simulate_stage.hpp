@@ -1,4 +1,4 @@
-// The simulation stage of Silva's strands.
+// The stage that simulates the strands of Silva et al. 2010 (Curling and Clumping Fur).
 #pragma once
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/build_options.hpp"
@@ -8,7 +8,8 @@
 
 namespace pelage::shells {
 
-/// Simulates all strands. S Eq. 2 moves the tips, and S Eq. 3 limits their positions.
+/// Simulates all strands. Eq. 2 of Silva et al. 2010 (Curling and Clumping Fur) moves the tips, and Eq. 3
+/// limits their positions.
 class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,

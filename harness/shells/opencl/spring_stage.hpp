@@ -1,5 +1,5 @@
-// The simulation stage of a mass-spring topology. It is used instead of SimulateStage, which simulates
-// Silva's strands.
+// The stage that simulates a mass-spring topology (docs/topology.md). Scenes with a mass-spring topology use
+// this stage instead of SimulateStage, which simulates the strands of Silva et al. 2010.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,23 +15,24 @@
 
 namespace pelage::shells {
 
-/// Simulates a mass-spring topology on the device.
+/// Simulates a mass-spring topology on the device. Lengths are in R, the radius of the mesh's bounding
+/// sphere. Velocities are in R per second.
 class SpringStage {
  public:
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
-  /// Advances the masses by one frame. It takes dynamics.substeps steps, or steps of adaptive length if
-  /// dynamics.tolerance is above 0.
+  /// Advances the masses by one frame, in dynamics.substeps steps. If dynamics.tolerance is above 0, the
+  /// steps have adaptive length instead.
   void frame(const cl::Queue& queue, PhaseEvents* events);
   /// Computes the tip offset B of every drawn vertex (docs/frame.md, section 3). `vertex` is the vertex table
-  /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, in R, with one value per vertex.
+  /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
                                 const cl::Buffer<float>& vertex, PhaseEvents* events);
   /// Waits for the queue. Then throws springs::Diverged if a mass has diverged in any step that frame() has
   /// enqueued so far.
   void check(const cl::Queue& queue) const { masses_.check(queue); }
-  /// Returns the top minus the base of every stick, in R.
+  /// Returns the vector from the base to the top of every stick.
   std::vector<glm::vec3> offsets(const cl::Queue& queue) const { return masses_.offsets(queue); }
-  /// Returns the velocity of the top of every stick, in R/s.
+  /// Returns the velocity of the top of every stick.
   std::vector<glm::vec3> speeds(const cl::Queue& queue) const { return masses_.speeds(queue); }
   std::vector<const cl::Program*> programs() const { return {&program_, &masses_.program()}; }
 

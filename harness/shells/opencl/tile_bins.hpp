@@ -13,8 +13,8 @@ class TileBins {
  public:
   /// `geometry` is the program built from rasterize/geometry/geometry.cl.
   explicit TileBins(const cl::Program& geometry);
-  /// Makes the lists that Mapping::bin() describes. It waits until the device has computed the total length
-  /// of the lists.
+  /// Makes the lists that Mapping::bin() describes. The function waits until the device has computed the
+  /// total length of the lists.
   void make(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers, PhaseEvents* events);
   /// Returns the buffer with the number of the next tile to draw. Work-items increment this number
   /// atomically. make() sets it to 0.

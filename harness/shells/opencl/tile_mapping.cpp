@@ -24,8 +24,8 @@ class TileMapping : public Mapping {
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p, shown_, bins_.next_tile());
     // Each work-item draws tiles until no tile is left. Some platforms assign several work-items to a CPU
-    // thread at once. Many more work-items than threads are enqueued, so that all threads have work until the
-    // end.
+    // thread at once. Therefore up to 32 work-items are enqueued per compute unit, so that all threads have
+    // work until the end.
     const std::size_t items = 32 * std::size_t(queue.device().info().compute_units);
     return draw_.enqueue(queue, std::min(counters(p), items), 1);
   }
@@ -40,7 +40,9 @@ class TileMapping : public Mapping {
   cl::Program raster_;
   cl::Kernel draw_;
   std::size_t lanes_;
-  cl::Buffer<std::int32_t> shown_;  // visible triangles of the current layer batch of each tile
+  // For each tile: the triangles that are visible in the current layer batch (the group of layers that the
+  // work-item draws).
+  cl::Buffer<std::int32_t> shown_;
 };
 
 }  // namespace

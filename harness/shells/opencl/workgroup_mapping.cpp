@@ -1,6 +1,7 @@
 // The workgroup mapping, called "group" in options and files (kernels/rasterize/workgroup/). A work-group
 // draws a tile of 8 x 8 pixels, and each of its work-items draws one pixel. There is one list of triangles
-// per tile and layer batch. The lists are made by prefix sums and a stable sort.
+// per tile and layer batch. A layer batch is a group of consecutive layers. The lists are made by prefix sums
+// and a stable sort.
 #include <fmt/format.h>
 
 #include <bit>
@@ -45,13 +46,12 @@ class WorkgroupMapping : public Mapping {
     count_.with(p, b.corner, b.box, offset_);
     keep(count_.enqueue(queue, items));
     const std::int32_t total = sort_.scan(queue, offset_, items, noted, true);
-    // The sort kernels divide the entries into runs of equal length. Above this limit, the end index of the
-    // last run would overflow an int.
+    // The sort kernels divide the entries of all triangle lists into runs of equal length. If `total` is
+    // above the following limit, the end index of the last run overflows an int.
     if (total > std::numeric_limits<std::int32_t>::max() - 4096)
       throw DeviceError(
-          "the triangle lists of the tiles would have 2^31 entries or more: use a smaller picture or more "
-          "layers "
-          "per batch (axis GROUP)");
+          "the triangle lists of the tiles would have 2^31 - 4096 entries or more: use a smaller picture or "
+          "more layers per batch (tuning axis GROUP)");
     const auto count = std::size_t(total);
     const std::size_t lists = std::size_t(p.tiles_x) * std::size_t(p.tiles_y) * std::size_t(p.layer_batches);
     if (b.list_start.size() < lists + 1) b.list_start = cl::Buffer<std::int32_t>(queue.device(), lists + 1);

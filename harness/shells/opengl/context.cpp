@@ -20,8 +20,8 @@ bool lists(const char* extensions, std::string_view name) {
   return padded.find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
-/// Returns the client extensions of EGL. Throws InputError if libEGL or an EGL driver is missing. Without
-/// this test, libepoxy would end the program in these cases.
+/// Returns the client extensions of EGL. Throws InputError if libEGL or an EGL driver is missing. Without the
+/// exception, libepoxy would end the program in these cases.
 const char* client_extensions() {
   // libEGL is never closed, because libepoxy continues to use it.
   if (dlopen("libEGL.so.1", RTLD_LAZY | RTLD_GLOBAL) == nullptr)

@@ -7,10 +7,11 @@
 
 namespace pelage::rivals {
 
-/// An OpenGL 4.5 core context without a surface. It uses the first hardware device that EGL lists. If there
-/// is none, it uses Mesa's surfaceless platform, which draws with llvmpipe on a machine without a GPU. The
-/// constructor makes the context current. The constructor throws InputError if no such context can be
-/// created.
+/// An OpenGL 4.5 core context without a surface. The constructor tries EGL's hardware devices in turn, and
+/// uses the first device that supports such a context. If no hardware device supports such a context, the
+/// constructor uses Mesa's surfaceless platform. On a machine without a GPU, this platform draws with
+/// llvmpipe. The constructor makes the context current. The constructor throws InputError if no such context
+/// can be created.
 class Context {
  public:
   Context();

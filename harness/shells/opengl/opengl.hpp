@@ -1,6 +1,6 @@
-// The OpenGL baseline. It is the pipeline of S, section 4, which draws the mesh once per layer with a vertex
-// shader and a fragment shader. It runs on a GPU, or on the CPU with Mesa's llvmpipe. docs/rival.md describes
-// the baseline.
+// The OpenGL baseline. It is the pipeline of section 4 of Silva et al. 2010, Curling and Clumping Fur. This
+// pipeline draws the mesh once per layer with a vertex shader and a fragment shader. It runs on a GPU, or on
+// the CPU with Mesa's llvmpipe. docs/rival.md describes the baseline.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -13,16 +13,16 @@
 
 namespace pelage {
 
-/// Implementation choices of the baseline. The defaults are the fastest choices on llvmpipe whose pictures
-/// agree with those of the reference renderer.
+/// Implementation choices of the baseline. With the defaults, the pictures agree with those of the reference
+/// renderer. docs/rival.md compares the times of all choices.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
   /// Triangles share vertices ("indexed"), or each triangle has three vertices of its own ("corners").
   std::string vertices = "indexed";
   /// The vertex shader rounds positions to 1/256 pixel ("shader"), or the driver does ("driver"). With
-  /// "driver", rounded positions determine only the coverage. Attributes are then interpolated from unrounded
-  /// positions.
+  /// "driver", rounded positions determine only the coverage. The driver interpolates attributes from the
+  /// unrounded positions.
   std::string snap = "shader";
   /// Type of the fur texture: a 2D array ("array"), a 3D texture whose mip levels merge neighbouring layers
   /// ("volume"), or one 2D texture per layer, bound before the layer's draw call ("slices").
@@ -53,11 +53,12 @@ std::string to_text(const OpenGlOptions& options);
 /// A scene that OpenGL draws. The constructor uploads the scene and builds the shaders. bend() sets the tips
 /// of the strands. frame() draws a picture into a framebuffer object. read() copies the picture to the host.
 /// The constructor throws InputError if EGL or OpenGL 4.5 is missing, if pelage was built without OpenGL, or
-/// if the baseline does not support the scene. The functions throw DeviceError if OpenGL reports an error.
+/// if the baseline does not support the scene. The constructor and the member functions throw DeviceError if
+/// OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the wetness mask (Algorithm 1 of S and W) with wetness.size^2 texels. A texel holds the centre
-  /// (c_u, c_v) and the radius r of a clump, and the wetness rho.
+  /// `mask` is the wetness mask (docs/frame.md, section 2) with wetness.size^2 texels. A texel holds the
+  /// centre (c_u, c_v) and the radius r of a clump, and the wetness rho.
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
   ~OpenGl();
@@ -65,10 +66,11 @@ class OpenGl {
   OpenGl& operator=(OpenGl&&) noexcept;
 
   /// Bends the fur. For each vertex, the host computes the weighted mean of the tips of the strands around
-  /// the vertex. `tips` has one entry per strand: tip minus root, in R.
+  /// the vertex. `tips` has one entry per strand: the vector from the root to the tip. Its unit is the radius
+  /// of the mesh's bounding sphere.
   void bend(const std::vector<glm::vec3>& tips);
-  /// Draws one frame: it uploads the bent vertices, draws the base and all layers, and calls glFinish.
-  /// Returns the wall time in ms.
+  /// Draws one frame: it uploads the bent vertices, draws the base surface and all layers, and calls
+  /// glFinish. Returns the wall time in ms.
   double frame();
   Picture read() const;  ///< copies the picture of the last frame to the host
   /// Returns the time to compile and link the shaders, in ms. It does not include work that the driver
@@ -80,12 +82,12 @@ class OpenGl {
   std::unique_ptr<State> state_;
 };
 
-/// Returns the renderer's name, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa
+/// Returns the renderer's name, for example "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core Profile) Mesa
 /// 22.3.6". Throws InputError if there is no OpenGL.
 std::string opengl_renderer();
 
-/// Returns a hash of the names and the contents of the shader files, 16 hexadecimal digits. Throws InputError
-/// if the folder of the shaders is missing.
+/// Returns a hash of the names and the contents of the shader files as 16 hexadecimal digits. Throws
+/// InputError if the folder of the shaders is missing.
 std::string shader_hash();
 
 }  // namespace pelage

@@ -23,9 +23,9 @@ std::vector<Constant> scene_constants(const FrameInput& input);
 /// the mask is wet.
 std::string scene_defines(const FrameInput& input, const OpenGlOptions& options, bool wet);
 
-/// Returns three vectors per layer. The vector "bend" has the factors for the positions of the vertices,
-/// "step" has the factors for the strand direction, and "look" has the values for the clump and the light.
-/// shaders/layers.glsl describes their components.
+/// Returns three vectors per layer, which shaders/layers.glsl calls "bend", "step" and "look". The shaders
+/// compute the positions of the vertices from "bend", the strand direction from "step", and the displacement
+/// by clumps and the self-shadow from "look". shaders/layers.glsl describes the components of the vectors.
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
 /// A linked GLSL program. Move-only.

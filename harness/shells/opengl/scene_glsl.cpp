@@ -25,7 +25,8 @@ std::vector<float> scaled(const glm::vec4& row, double factor) {
   return out;
 }
 
-/// Returns the weights x and y of the strand's curve B(t) = x a + y b at height h (S, section 3.2.1).
+/// The control points of a strand's Bezier curve are the root, root + a and root + b (docs/frame.md, section
+/// 3). Returns x and y such that x a + y b is the point of the curve at height h, relative to the root.
 glm::dvec2 bezier_at(double h, const std::string& spacing) {
   const double t = spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;
   return {2.0 * t * (1.0 - t), t * t};

@@ -17,15 +17,16 @@ void repeat(GLuint texture, GLint minify, GLint magnify) {
   glTextureParameteri(texture, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
 }
 
-/// Returns the texture format of `texels` with four channels if `four` is true, else with two.
+/// Returns the texture format with four channels if `four` is true, else with two. `texels` is the number
+/// type of a channel: "half", "float" or "byte".
 GLenum format_of(const std::string& texels, bool four) {
   if (texels == "half") return four ? GL_RGBA16F : GL_RG16F;
   if (texels == "float") return four ? GL_RGBA32F : GL_RG32F;
   return four ? GL_RGBA8 : GL_RG8;
 }
 
-/// Averages neighbouring slices, so that `layers` slices of side x side texels become `depth` slices. A 3D
-/// texture needs this, because each of its mip levels has fewer slices than the level before.
+/// Averages neighbouring slices, so that `layers` slices of side x side texels become `depth` slices. Only
+/// 3D textures need the averages, because each of their mip levels has fewer slices than the level before.
 Texels merged(const Texels& texels, int side, int layers, int depth) {
   const std::size_t area = std::size_t(side) * std::size_t(side);
   Texels result(std::size_t(depth) * area);

@@ -13,7 +13,8 @@ namespace pelage::rivals {
 /// layer.
 std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
 Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
-/// Returns the wetness mask as a texture of floats (c_u, c_v, r, rho) with NEAREST filtering.
+/// Returns the wetness mask as a texture of floats with NEAREST filtering. The four floats of a texel are the
+/// centre (u, v) and the radius of a clump, and the wetness.
 Object mask_texture(const std::vector<glm::vec4>& mask, int size);
 
 }  // namespace pelage::rivals

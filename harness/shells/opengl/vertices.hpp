@@ -1,4 +1,5 @@
-// The mesh and its strands as vertex arrays (docs/frame.md, section 3).
+// The mesh and its strands as vertex arrays (docs/frame.md, section 3). Lengths are in R, the radius of the
+// mesh's bounding sphere.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -12,24 +13,24 @@ namespace pelage::rivals {
 
 /// The attributes of a vertex that are the same in all frames.
 struct Vertex {
-  glm::vec3 position;  ///< in R
+  glm::vec3 position;
   glm::vec2 uv;
-  glm::vec3 a;               ///< A (docs/frame.md, section 3), in R
-  glm::vec3 curl_u, curl_v;  ///< axes u and v of the curl, each times (1 - rho) K_alpha, in R
-  glm::vec3 dx_du, dx_dv;    ///< R per UV unit
+  glm::vec3 a;               ///< fur.length times the weighted mean of the normals of the strands
+  glm::vec3 curl_u, curl_v;  ///< axes of the curl, multiplied by the curl's radius and the dryness
+  glm::vec3 dx_du, dx_dv;    ///< derivatives of the position with respect to u and v
 };
 
 class Vertices {
  public:
   /// Makes one OpenGL vertex for each vertex of the mesh. If `corners` is true or fur.binding is "separate",
-  /// makes three OpenGL vertices for each triangle instead.
+  /// makes three OpenGL vertices for each triangle instead, so triangles share no vertices.
   Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
 
   const std::vector<Vertex>& fixed() const { return fixed_; }
   /// Returns three vertex indices per triangle. The triangles are in the order of the mesh.
   const std::vector<std::uint32_t>& index() const { return index_; }
-  /// Returns the tip offset B of every vertex, in R. B is the weighted mean of the tips of the strands around
-  /// the vertex. `tips` has one entry per strand: tip minus root, in R.
+  /// Returns the tip offset B of every vertex. B is the weighted mean of the tips of the strands around the
+  /// vertex. `tips` has one entry per strand: the vector from the root to the tip.
   std::vector<glm::vec3> bent(const std::vector<glm::vec3>& tips) const;
 
  private:
@@ -38,7 +39,7 @@ class Vertices {
 
   const FrameInput* input_;
   bool separate_;
-  std::vector<std::uint32_t> copy_;  ///< for each vertex of `fixed_`, the index of the mesh's vertex
+  std::vector<std::uint32_t> copy_;  ///< for each vertex of `fixed_`, the index of its vertex in the mesh
   std::vector<Vertex> fixed_;
   std::vector<std::uint32_t> index_;
 };

@@ -13,8 +13,8 @@ double row(const glm::vec4& r, const glm::dvec3& p) {
 }
 
 /// Returns the point where the segment from `in` (distance >= 0) to `out` (distance < 0) meets the clip plane
-/// (distance = 0). The first argument is always the end with distance >= 0, so that both triangles of a
-/// shared edge compute the same rounded point.
+/// (distance = 0). The first argument is always the end with distance >= 0, so that two triangles with a
+/// common edge compute the same rounded point on this edge.
 ClippedVertex crossing(const ClippedVertex& in, double d_in, const ClippedVertex& out, double d_out) {
   const double t = d_in / (d_in - d_out);
   const auto mix = [t](double a, double b) { return a + t * (b - a); };

@@ -13,7 +13,7 @@
 namespace pelage::reference {
 
 /// A point in homogeneous screen coordinates. (x / w, y / w) is the position relative to the image centre, in
-/// pixels, with y pointing down. w is the view depth in R.
+/// pixels, with y pointing down. w is the view depth. Its unit is the radius of the mesh's bounding sphere.
 struct ClipPoint {
   double x, y, w;
 };

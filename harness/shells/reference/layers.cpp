@@ -10,8 +10,8 @@
 namespace pelage::reference {
 namespace {
 
-/// Returns the displacement of layer n by the bend, without the curl, in R. It is 0 for the base surface, n =
-/// -1.
+/// Returns the displacement of a vertex from the base surface to layer n due to the bend alone (without the
+/// curl). It is 0 for the base surface, n = -1.
 glm::dvec3 bent(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
   const FurScene& fur = input.scene.fur;
   const double h = n < 0 ? 0.0 : layer_height(n, fur.layers, mutant);

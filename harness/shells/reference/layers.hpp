@@ -1,5 +1,7 @@
-// Positions of the layers. Silva's strands use S Eq. 1 and 4 and a Bezier curve. The sticks of a mass-spring
-// topology use B Eq. 3 and 4.
+// Positions of the layers. S is Silva et al. 2010, Curling and Clumping Fur; B is Banisch and Wuethrich 2006,
+// Making Grass and Fur Move. On the strands of S, the positions are computed by S Eq. 1 and 4 and a Bezier
+// curve. On the sticks of a mass-spring topology, the positions are computed by B Eq. 3 and 4. Lengths are in
+// R, the radius of the mesh's bounding sphere.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,16 +18,17 @@ namespace pelage::reference {
 /// height 0.
 double layer_height(int n, int layers, Mutant mutant = Mutant::none);
 
-/// Returns the Bezier parameter t of height h. It is h for the spacing "paper", and 1 - sqrt(1 - h) for the
-/// spacing "uniform".
+/// Returns the Bezier parameter t at height h. If `spacing` is "paper", t is h. If `spacing` is "uniform", t
+/// is 1 - sqrt(1 - h).
 double bezier_parameter(double h, const std::string& spacing);
 
 /// Returns the point at parameter t of a strand's quadratic Bezier curve, relative to the strand's root. The
 /// control points of the curve are the root, p0 = root + a and p = root + b.
 glm::dvec3 bezier(const glm::dvec3& a, const glm::dvec3& b, double t);
 
-/// Returns the curl offset of S Eq. 4 at height h, in R, with alpha(h) = (1 - rho) K_alpha h. `rho` is the
-/// wetness, `radius` is K_alpha in R, `turns` is omega / (2 pi), and u and v are the axes of the curl.
+/// Returns the offset of a strand by its curl at height h (S Eq. 4). At this height, the radius of the curl
+/// is (1 - rho) h times `radius`. `rho` is the wetness. `turns` is the number of turns from the root (h = 0)
+/// to the tip (h = 1). u and v are the axes of the curl.
 glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dvec3& u, const glm::dvec3& v);
 
 /// The bend of a vertex, as two vectors. For a strand, they are the control points p0 and p of the Bezier
@@ -33,21 +36,21 @@ glm::dvec3 curl(double h, double rho, double radius, double turns, const glm::dv
 /// n the surface normal and s the stick's direction. If dynamics.bend is "tangent", the second vector of a
 /// stick is L0 times the sum of n and the tangential part of s.
 struct Bend {
-  /// In R: for a strand, the vector from the root to p0; for a stick, the vector L0 n.
+  /// For a strand, the vector from the root to p0. For a stick, the vector L0 n.
   glm::dvec3 a{0.0};
-  /// In R: for a strand, the vector from the root to the tip p; for a stick, the vector L0 s (or its variant
-  /// for "tangent").
+  /// For a strand, the vector from the root to the tip p. For a stick, the vector L0 s, or if
+  /// dynamics.bend is "tangent", L0 times the sum of n and the tangential part of s.
   glm::dvec3 b{0.0};
 };
 
-/// Returns the bend of a stick by B Eq. 3. `top` is the stick's top minus its base; only the direction s of
-/// `top` is used. `length` is L0, in R. `normal` is the unit surface normal n. If dynamics.bend is "tangent",
-/// the component of s - n along n is removed.
+/// Returns the bend of a stick (B Eq. 3). `top` is the vector from the stick's base to its top. The function
+/// uses only the direction s of `top`. `length` is L0. `normal` is the unit surface normal n. If
+/// dynamics.bend is "tangent", the component of s - n along n is removed.
 Bend stick_bend(const DynamicsScene& dynamics, double length, const glm::dvec3& normal,
                 const glm::dvec3& top);
 
-/// Returns the displacement of a layer at height h by B Eq. 4, in R: h L0 n + h^k L0 (s - n). The exponent k
-/// is dynamics.bend_power, or 1 if dynamics.bend is "linear".
+/// Returns the displacement of a layer at height h, which is h a + h^k (b - a) (B Eq. 4). a and b are the
+/// vectors of `bend`. The exponent k is dynamics.bend_power, or 1 if dynamics.bend is "linear".
 glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, double h,
                               Mutant mutant = Mutant::none);
 
@@ -57,9 +60,9 @@ glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, d
 class Geometry {
  public:
   /// Computes the bend and the wetness of each slot (mesh vertex or triangle corner) after `frames` frames.
-  /// `wanted` has one entry per face, which is 0 if the face is not needed. If `wanted` is empty, all faces
-  /// are computed. With a mass-spring topology, the bend comes from `sticks`, and no strands are simulated.
-  /// Options::sticks describes the entries of `sticks`.
+  /// `wanted` has one entry per face. The entry is 0 if the caller does not need the face. If `wanted` is
+  /// empty, the constructor computes the slots of all faces. With a mass-spring topology, the bend comes from
+  /// `sticks`, and no strands are simulated. Options::sticks describes the entries of `sticks`.
   Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted = {},
            Mutant mutant = Mutant::none, const std::vector<glm::dvec3>& sticks = {});
 
@@ -70,9 +73,9 @@ class Geometry {
   /// parts() is true. Otherwise a slot is the index of a mesh vertex, and the function returns `slot`.
   std::uint32_t vertex(std::size_t slot) const;
   const Bend& bend(std::size_t slot) const { return bend_[slot]; }
-  glm::dvec3 position(std::size_t slot, int n) const;  ///< position on layer n, in R; n = -1: base surface
-  /// Returns the curl offset of S Eq. 4 on layer n, in R, for a slot (the index of a mesh vertex or of a
-  /// triangle corner). It is 0 for the base surface, n = -1.
+  glm::dvec3 position(std::size_t slot, int n) const;  ///< position on layer n; n = -1: base surface
+  /// Returns the offset by the curl on layer n for a slot (the index of a mesh vertex or of a triangle
+  /// corner). The offset is 0 for the base surface, n = -1.
   glm::dvec3 curl_offset(std::size_t slot, int n) const;
 
  private:
@@ -84,11 +87,11 @@ class Geometry {
   std::vector<double> rho_;  ///< for each slot, the wetness of the mask at its surface point
 };
 
-/// Returns the vector along the strand from layer n - 1 to layer n, in R: B(t_n) - B(t_(n-1)), without the
-/// curl. Shading uses the direction of this vector as the strand's tangent at layer n.
+/// Returns the vector from the strand's point on layer n - 1 to its point on layer n, both without the curl.
+/// Shading uses the direction of this vector as the strand's tangent at layer n.
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant = Mutant::none);
 
-/// Returns the three corner positions of every triangle on layer n, in R. n = -1 is the base surface.
+/// Returns the three corner positions of every triangle on layer n. n = -1 is the base surface.
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n);
 
 }  // namespace pelage::reference

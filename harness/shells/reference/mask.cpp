@@ -21,13 +21,14 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
-/// Applies one droplet to the mask by Algorithm 1 of S and W. It changes a texel if the texel's centre is at
-/// most droplet.radius from the droplet's centre in UV, and the texel's surface point is at most
-/// droplet.reach from droplet.point.
+/// Applies one droplet to the mask (docs/frame.md, section 2). The droplet changes a texel if two distances
+/// are small enough. The distance in UV from the texel's centre to the droplet's centre must be at most
+/// droplet.radius. The distance from the texel's surface point to droplet.point must be at most
+/// droplet.reach.
 void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
   const int size = mask.size;
-  // `first` and `last` give the range of rows or columns that the disc can touch, plus one texel on either
-  // side.
+  // `first` and `last` compute the range of texel rows or columns that the droplet's disc can touch, plus one
+  // texel on either side. `c` is the coordinate of the disc's centre.
   const auto first = [&](float c) {
     return std::clamp(int(std::floor(double(c - droplet.radius) * double(size))) - 1, 0, size);
   };

@@ -1,5 +1,6 @@
-// Computes the wetness mask (Algorithm 1 of S and W), and the clumping of fragments that are wet in the mask
-// (S Eq. 5 and S Algorithm 2).
+// Computes the wetness mask and the clumping of wet fragments (docs/frame.md). S is Silva et al. 2010,
+// Curling and Clumping Fur. W is Silva et al. 2010, Real-Time Rendering of Wet Fur. The mask is computed by
+// Algorithm 1 of S and W. The clumping is computed by S Eq. 5 and S Algorithm 2.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -19,7 +20,7 @@ struct Clump {
   bool operator==(const Clump&) const = default;
 };
 
-/// Applies Algorithm 1 of S and W for one droplet to a texel in the droplet's disc. Returns the new texel.
+/// Blends one droplet into a texel in the droplet's disc (docs/frame.md, section 2). Returns the new texel.
 Clump blend(const Clump& texel, const Droplet& droplet);
 
 struct Mask {
@@ -27,23 +28,23 @@ struct Mask {
   std::vector<Clump> texel;  ///< size x size texels; row j is at v = (j + .5) / size
   /// Returns the texel that contains uv. The mask repeats outside 0..1.
   const Clump& nearest(const glm::dvec2& uv) const;
-  /// Returns the mask at uv with bilinear interpolation. The mask repeats outside 0..1. Only
-  /// Mutant::mask_bilinear uses this function.
+  /// Returns the mask at uv with bilinear interpolation. The mask repeats outside 0..1. Only the deliberate
+  /// mistake Mutant::mask_bilinear needs this function.
   Clump bilinear(const glm::dvec2& uv) const;
 };
 
 Mask wetness_mask(const FrameInput& input, Mutant mutant = Mutant::none);
 
-/// Returns the factor (1 - w) h + w (1 + ln h / ln N) of S Eq. 5, where N = `layers`. The factor is in [0, 1]
-/// for h in [1/N, 1].
+/// Returns the factor of a clump's displacement at the height h (S Eq. 5): (1 - w) h + w (1 + ln h / ln N).
+/// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].
 double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none);
 
 /// The result of S Algorithm 2 for a fragment: whether it is discarded, and the shift of its texture
 /// coordinates.
 struct Displacement {
   bool discarded = false;
-  glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, UV
-  glm::dvec2 delta_d{0.0};  ///< W Eq. 4: d(h_n) - d(h_(n-1)), with d = 0 below the first layer
+  glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, in UV units
+  glm::dvec2 delta_d{0.0};  ///< d minus the value of d on the layer below (W Eq. 4); on layer 0 equal to d
   double wetness = 0.0;     ///< rho at uv
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,

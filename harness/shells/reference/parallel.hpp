@@ -21,8 +21,8 @@ void for_each_index(std::size_t count, const Work& work) {
   second.join();
 }
 
-/// Calls work(i) once for every i below `count`. A thread takes `grain` consecutive indices at a time, which
-/// has less overhead if each call is short.
+/// Calls work(i) once for every i below `count`. A thread takes `grain` consecutive indices at a time, to
+/// reduce the overhead of short calls.
 template <class Work>
 void for_each_index(std::size_t count, std::size_t grain, const Work& work) {
   for_each_index((count + grain - 1) / grain, [&](std::size_t run) {

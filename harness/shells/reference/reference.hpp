@@ -1,6 +1,6 @@
-// The reference renderer. It draws the frame of docs/frame.md in double precision. It draws the mesh once per
-// layer, from the innermost layer to the outermost. It is written for clarity, not for speed, and shares no
-// code with kernels/.
+// The reference renderer. It draws the frame that docs/frame.md defines, in double precision. It draws the
+// mesh once per layer, from the innermost layer to the outermost. It is written for clarity, not for speed,
+// and shares no code with kernels/. docs/frame.md defines the symbols and the papers S, W and B.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -23,19 +23,20 @@ enum class Mutant {
   uv_swapped,          ///< u and v are swapped in every texture lookup of a fragment
   mask_bilinear,       ///< the wetness mask is sampled bilinearly
   droplets_reversed,   ///< the droplets are blended into the mask from last to first
-  log_negated,         ///< mistake: k = -ln N in S Eq. 5, as the paper prints; correct is k = ln N
+  log_negated,         ///< mistake: k = -ln N in S Eq. 5, as printed in S; the correct value is k = ln N
   sticks_straight,     ///< k = 1 in B Eq. 4, so that layers lie along the stick
   corners_turned,      ///< mistake: corner c of a triangle uses the stick of corner (c + 1) % 3
 };
 
 struct Options {
-  int frames = 0;               ///< number of frames that the strands have moved since rest
+  int frames = 0;               ///< number of frames for which the strands move, from rest
   bool eight_bit = false;       ///< round the framebuffer to 8 bits after every layer, as GPUs did in 2010
   std::vector<Window> windows;  ///< the parts of the picture to draw; empty: the whole picture
-  /// The sticks of a mass-spring topology, each as its top minus its base, in R. There is one stick per
-  /// surface point, or one per triangle corner if the topology is "separable-sticks" or "separable-prisms".
-  /// The renderer does not simulate sticks; harness/springs/reference/reference.hpp computes their motion. If
-  /// `sticks` is empty, the sticks of the topology are at rest. In this case `frames` must be 0.
+  /// The sticks of a mass-spring topology, each as the vector from its base to its top. The unit is the
+  /// radius of the mesh's bounding sphere. There is one stick per surface point, or one per triangle corner
+  /// if the topology is "separable-sticks" or "separable-prisms". The renderer does not simulate sticks;
+  /// harness/springs/reference/reference.hpp computes their motion. If `sticks` is empty, the sticks of the
+  /// topology are at rest. In this case `frames` must be 0.
   std::vector<glm::dvec3> sticks;
   Mutant mutant = Mutant::none;
 };

@@ -1,4 +1,5 @@
-// Draws the base and then N layers, back to front (docs/frame.md, sections 5 to 7; S, section 4).
+// Draws the base surface and then the layers from the innermost to the outermost (docs/frame.md, sections 5
+// to 7, and section 4 of Silva et al. 2010, Curling and Clumping Fur).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,9 +47,9 @@ class Painter {
   Painter(const FrameInput& input, const Options& options, const Mask& mask, const Geometry& geometry)
       : input_(input), options_(options), mask_(mask), geometry_(geometry), point_(geometry.slots()) {}
 
-  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. Here a vertex is a
-  /// mesh vertex, or a triangle corner if the triangles of a layer do not share vertices (a slot of
-  /// Geometry). A vertex is omitted if no drawn face uses it (Geometry::wanted() is false).
+  /// Projects the vertices of layer n to the screen. n = -1 is the base surface. If the triangles of a layer
+  /// do not share vertices, each triangle has three vertices of its own. The function omits a vertex if no
+  /// drawn face uses it (Geometry::wanted() is false).
   void move_to(int n) {
     layer_ = n;
     for_each_index(point_.size(), 1024, [&](std::size_t s) {
@@ -146,13 +147,13 @@ class Painter {
     });
   }
 
-  /// Samples the fur texture for a fragment with the texture coordinates `where`. If k = scene.fur.substeps
-  /// is 1, it takes one sample. If k is above 1, it takes k samples between the fragment's layer and the
-  /// layer below. The strand that the view ray meets at the layer below is not the strand of the fragment.
-  /// shift() returns the vector from the root of the fragment's strand to the root of that strand, in UV.
-  /// clump.delta_d is the clump's displacement at the fragment's layer minus the clump's displacement at the
-  /// layer below, in UV. From the fragment's layer to the layer below, the texture coordinates therefore
-  /// change by shift() - clump.delta_d.
+  /// Samples the fur texture for a fragment with the texture coordinates `where`. With
+  /// scene.fur.substeps = 1, the function takes one sample. With k > 1 sub-steps, the function takes k
+  /// samples between the fragment's layer and the layer below. At the layer below, the view ray meets a
+  /// different strand than at the fragment's layer. shift() returns the vector, in UV, from the root of the
+  /// fragment's strand to the root of this different strand. clump.delta_d is the clump's displacement at the
+  /// fragment's layer minus the clump's displacement at the layer below, in UV. From the fragment's layer to
+  /// the layer below, the texture coordinates therefore change by shift() - clump.delta_d.
   template <class Shift>
   FurSample look(const glm::dvec2& where, const Displacement& clump, double level, const Shift& shift) const {
     const auto sampled = [&](const glm::dvec2& uv) {

@@ -16,15 +16,15 @@ double wrapped(const glm::dvec3& normal, const glm::dvec3& light) {
   return std::max(0.0, (glm::dot(normal, light) + 0.4) / 1.4);
 }
 
-/// Returns g_l: the light's intensity times a factor that decreases with the angle between the normal and the
-/// light. The factor is 1 if shading.wrap is 0.
+/// Returns g_l (docs/frame.md, section 6), the light's intensity times a factor that decreases with the angle
+/// between the normal and the light. The factor is 1 if shading.wrap is 0.
 double intensity(const ShadingScene& shading, const LightScene& light, const glm::dvec3& normal,
                  const glm::dvec3& towards) {
   return double(light.intensity) * (1.0 + double(shading.wrap) * (wrapped(normal, towards) - 1.0));
 }
 
 /// Returns [(T.L)(T.E) + sin(T,L) sin(T,E)]^p with the base clamped at 0. This is Kajiya and Kay's highlight,
-/// which S and W use.
+/// which both papers of Silva et al. 2010 use.
 double highlight(const glm::dvec3& t, const glm::dvec3& l, const glm::dvec3& e, double p) {
   const double base =
       glm::dot(t, l) * glm::dot(t, e) + glm::length(glm::cross(t, l)) * glm::length(glm::cross(t, e));
@@ -47,7 +47,8 @@ double curling_shadow(const ShadingScene& shading, double h) {
   return (double(shading.shadow) - 1.0 + h) / double(shading.shadow);
 }
 
-/// Returns the product of the factors gamma_occ and gamma_wet of W Eq. 5.
+/// Returns the product of the self-shadow factor gamma_occ and the wet-darkening factor gamma_wet (Eq. 5 of
+/// Silva et al. 2010, Real-Time Rendering of Wet Fur).
 double wet_shadow(const ShadingScene& shading, double h, double rho) {
   return (1.0 + double(shading.occlusion) * (h - 1.0)) * (1.0 - double(shading.darkening) * rho);
 }

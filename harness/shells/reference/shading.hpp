@@ -1,4 +1,6 @@
-// The colour of a fragment: S Eq. 6 and W Eq. 2-5, with the lights of docs/frame.md, section 6.
+// The colour of a fragment (docs/frame.md, section 6). Papers: S = Curling and Clumping Fur Represented by
+// Texture Layers, W = Real-Time Rendering of Wet Fur (both Silva et al. 2010), B = Making Grass and Fur Move
+// (Banisch and Wuethrich 2006). Lengths are in R, the radius of the mesh's bounding sphere.
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -10,10 +12,10 @@ namespace pelage::reference {
 /// The inputs of the shading models. Directions are unit vectors.
 struct Fragment {
   glm::dvec3 colour;   ///< K, the coat's colour times the strand's shade
-  glm::dvec3 tangent;  ///< strand direction: T (curling model) or T_ws (wet model)
+  glm::dvec3 tangent;  ///< direction of the strand: T in S (model "curling"), T_ws in W (model "wet")
   glm::dvec3 normal;   ///< nu, the surface normal
   glm::dvec3 view;     ///< E, the direction from the eye to the surface
-  double height = 0;   ///< h, the layer's height; base surface: 0, or 1 where shows_back()
+  double height = 0;   ///< h, the layer's height; for the base surface 0, or 1 if shows_back() is true
   double wetness = 0;  ///< rho
 };
 
@@ -26,15 +28,16 @@ bool shows_back(const ShadingScene& shading, const glm::dvec3& normal, const glm
 /// the eye, it returns -normal, else `normal`. `view` points from the eye to the surface.
 glm::dvec3 lit_normal(const ShadingScene& shading, const glm::dvec3& normal, const glm::dvec3& view);
 
-/// Returns the fragment's colour, computed by S Eq. 6 with the shadow factor gamma = (K_shadow - 1 + h) /
-/// K_shadow.
+/// Returns the fragment's colour, computed by S Eq. 6. The shadow factor of Eq. 6 is gamma = (K_shadow - 1 +
+/// h) / K_shadow, where K_shadow is shading.shadow and h is fragment.height.
 glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the fragment's colour, computed by W Eq. 2, 3 and 5.
 glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& fragment);
 
-/// Returns the colour of the model of B, section 3: Lambert's law per pixel, times a factor that rises
-/// linearly from 1 - sigma_occ at the base surface to 1 at the tips.
+/// Returns the fragment's colour by the model of B, section 3. The colour is the result of Lambert's law,
+/// multiplied by a factor. The factor increases linearly from 1 - shading.occlusion at the base surface to 1
+/// at the tips.
 glm::dvec3 plain_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the colour of a fragment of a layer, computed by the shading model shading.model.
@@ -46,7 +49,7 @@ glm::dvec3 fur_colour(const ShadingScene& shading, const Fragment& fragment);
 glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the unit direction T_ws of the strand in object space (W Eq. 4). `bend` is the vector from the
-/// strand's point on the layer below to the strand's point on the fragment's layer, in R. t and b are the
+/// strand's point on the layer below to the strand's point on the fragment's layer, in R. `t` and `b` are the
 /// surface tangents dX/du and dX/dv, in R per unit of UV. `delta_d` is the clump's displacement at the
 /// fragment's layer minus the clump's displacement at the layer below, in UV.
 glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,

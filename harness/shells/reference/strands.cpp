@@ -11,7 +11,8 @@
 namespace pelage::reference {
 namespace {
 
-/// Returns the wind force W(t) = dir * strength * (1 + gust * sin(2 pi f t - phase)), in newtons.
+/// Returns the wind force at `time` in newtons: d * strength * (1 + gust * sin(2 pi frequency * time - p)). d
+/// is the unit vector of wind.direction. `phase` contains the cosine and the sine of the angle p.
 glm::dvec3 wind_force(const WindScene& wind, const glm::dvec2& phase, double time) {
   const double turn = 2.0 * std::numbers::pi * double(wind.frequency) * time;
   const double sine = std::sin(turn) * phase.x - std::cos(turn) * phase.y;  // phase: (cos, sin)

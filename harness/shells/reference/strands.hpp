@@ -1,4 +1,5 @@
-// The strand model of S, section 3.2.1. Each triangle has one strand, which is a mass on a spring.
+// The strand model of section 3.2.1 of S (Silva et al. 2010, Curling and Clumping Fur). Each triangle has one
+// strand, which is a mass on a spring. Lengths are in R, the radius of the mesh's bounding sphere.
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -14,19 +15,21 @@ struct Strand {
   glm::dvec3 velocity{0.0};  ///< R/s
 };
 
-/// Applies S Eq. 3. It moves the tip into the half ball of radius `length` on the side of the unit vector
-/// `normal`, and removes the component of the velocity that points out of the half ball. It projects the tip
-/// first to the half space and then to the ball. The second projection keeps the tip in the half space.
+/// Applies S Eq. 3, by which the tip stays in a half ball. The half ball has its centre at the root and the
+/// radius `length`. It lies on the side to which the unit vector `normal` points. The function projects the
+/// tip first to the half space and then to the ball; the second projection keeps the tip in the half space.
+/// The function also removes the component of the velocity that points out of the half ball.
 Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 
 /// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
-/// Advances `strand`, the strand of the triangle `face`, by one substep: S Eq. 2 by semi-implicit Euler, then
-/// S Eq. 3. `index` is the number of earlier substeps since rest. It determines the time in the wind force.
+/// Advances `strand`, the strand of the triangle `face`, by one substep. Integrates S Eq. 2 by semi-implicit
+/// Euler and then applies S Eq. 3. `index` is the number of earlier substeps since rest. `index` determines
+/// the time in the wind force.
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index);
 
-/// Simulates one strand for `frames` frames of scene.dynamics.substeps substeps, from rest.
+/// Simulates one strand for `frames` frames from rest. A frame has scene.dynamics.substeps substeps.
 Strand simulate(const FrameInput& input, std::size_t face, int frames);
 
 /// Simulates all strands. Returns one entry per triangle.

@@ -10,10 +10,11 @@
 namespace pelage::reference {
 
 /// The view ray meets one strand at the top of the slab and another strand at the bottom. Returns the offset
-/// from the root of the first strand to the root of the second, in R: D - ((D.nu) / e) * E. `step` is D, the
-/// vector along a strand from the bottom to the top, in R. `normal` is the unit normal nu, and `eye` is the
-/// unit direction E of the ray. e is E.nu, changed to a magnitude of at least .25: min(E.nu, -.25) if E.nu <
-/// 0, else max(E.nu, .25). If |E.nu| >= .25, the offset is in the tangent plane.
+/// from the root of the first strand to the root of the second strand, in R (the radius of the mesh's
+/// bounding sphere). `step` is D, the vector along a strand from the bottom of the slab to its top, in R.
+/// `normal` is the unit normal nu of the surface, and `eye` is the unit direction E of the ray. The offset is
+/// D - ((D.nu) / e) * E. Here e is E.nu with a magnitude of at least .25: min(E.nu, -.25) if E.nu < 0, else
+/// max(E.nu, .25). If |E.nu| >= .25, the offset is in the tangent plane.
 glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const glm::dvec3& eye);
 
 /// Returns the coordinates (u, v) of `delta` in the basis of the surface tangents t = dX/du and b = dX/dv. If
@@ -21,9 +22,9 @@ glm::dvec3 root_shift(const glm::dvec3& step, const glm::dvec3& normal, const gl
 /// and b are in R per UV unit. Returns 0 if t or b is 0, or if t and b are nearly parallel.
 glm::dvec2 uv_shares(const glm::dvec3& delta, const glm::dvec3& t, const glm::dvec3& b);
 
-/// Combines the k >= 1 samples of a fragment, with the coverages a_i, into one sample. Its coverage is 1 -
-/// (product of (1 - a_i))^(1/k). Its shade is the mean of the samples' shades weighted by a_i, or 0 if all
-/// a_i are 0.
+/// Combines the k >= 1 samples of a fragment into one sample. Let a_i be the coverages of the samples. The
+/// coverage of the result is 1 - (product of (1 - a_i))^(1/k). The shade of the result is the mean of the
+/// samples' shades, weighted by a_i, or 0 if all a_i are 0.
 FurSample combined(const std::vector<FurSample>& samples);
 
 }  // namespace pelage::reference

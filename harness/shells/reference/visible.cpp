@@ -18,10 +18,10 @@ struct Plane {
   }
 };
 
-/// Returns the half space of the points p with sign * (dot(row, (p, 1)) - bound * w(p)) >= 0, where sign is 1
-/// or -1. In front of the eye, the half space contains the points whose screen coordinate in pixels is at
-/// least `bound` (if sign is 1) or at most `bound` (if sign is -1). The screen coordinate is x / w if `row`
-/// is row_x of the camera, and y / w if it is row_y.
+/// Returns the half space of the points p with sign * (dot(row, (p, 1)) - bound * w) >= 0. Here w is
+/// dot(row_w, (p, 1)), and `sign` is 1 or -1. In front of the eye, the half space contains the points whose
+/// screen coordinate in pixels is at least `bound` (if sign is 1) or at most `bound` (if sign is -1). The
+/// screen coordinate is x / w if `row` is row_x of the camera, and y / w if it is row_y.
 Plane side(const glm::vec4& row, const glm::vec4& row_w, double bound, double sign) {
   const glm::dvec4 r = sign * (glm::dvec4(row) - bound * glm::dvec4(row_w));
   return {glm::dvec3(r), r.w};
@@ -55,10 +55,12 @@ std::vector<std::uint32_t> visible_faces(const FrameInput& input, const Window& 
       side(camera.row_y, camera.row_w, top, 1.0),
       side(camera.row_y, camera.row_w, top + window.height + 2.0, -1.0),
       Plane{glm::dvec3(camera.row_w), double(camera.row_w.w) - double(camera.near)}};
-  // A vertex of a layer is at most L0 (the fur's length) plus the curl's radius away from the vertex of the
-  // base surface. The Bezier curve stays in the convex hull of its control points, and S Eq. 3 keeps the
-  // control points within L0 of the root. The factor 1.01 allows for strand weights whose sum is not exactly
-  // 1. A stick moves a vertex of a layer by at most L0, or sqrt(2) L0 if dynamics.bend is "tangent".
+  // `reach` is an upper bound of the distance between a vertex on a layer and the same vertex on the base
+  // surface. Curls add at most the curl's radius to this distance. Strands of Silva et al. 2010 (Curling and
+  // Clumping Fur) add at most L0, the fur's length. Eq. 3 of that paper keeps the control points of a
+  // strand's Bezier curve within L0 of the root. The curve stays in the convex hull of its control points.
+  // Sticks of a mass-spring topology add at most L0, or sqrt(2) L0 if dynamics.bend is "tangent". The factor
+  // 1.01 allows for strand weights whose sum is not exactly 1.
   const double lean = input.scene.dynamics.bend == "tangent" ? std::sqrt(2.0) : 1.0;
   const double reach =
       1.01 * (lean * double(input.scene.fur.length) + std::abs(double(input.scene.curl.radius))) + 1e-6;

@@ -1,35 +1,38 @@
-// Arrays of the serial baselines: one array per vector component, as in a plain C++ program.
+// The arrays of the serial C++ solvers, which are baselines of the OpenCL solvers. Each component of a vector
+// has its own array. Lengths are in R, the radius of the mesh's bounding sphere. On shared prisms, adjacent
+// prisms share their sticks.
 #pragma once
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
 
 namespace pelage::springs {
 
-/// Pointers to the arrays of the conjugate-gradient solver, with which backward Euler on shared prisms solves
-/// the equations A x = b. There is one array per vector component or matrix element; a symmetric 3 x 3 matrix
-/// has the elements xx, yy, zz, xy, xz and yz. `product` and `diagonal` have separate arrays for each of two
-/// threads. The arrays of the second thread contain zeros except while the threads add their results.
+/// Pointers to the arrays of the conjugate-gradient solver. Backward Euler on shared prisms uses this solver
+/// for its linear equations A x = b. Each component of a vector and each element of a matrix has its own
+/// array. A symmetric 3 x 3 matrix has the elements xx, yy, zz, xy, xz and yz. `product` and `diagonal` have
+/// separate arrays for each of two threads. The arrays of the second thread contain zeros except while the
+/// threads add their results.
 template <class T>
 struct Gradients {
   T *change[3]{}, *load[3]{}, *residual[3]{}, *precond[3]{},
-      *way[3]{};                       ///< x, b, r = b - A x, z, direction d
+      *way[3]{};                       ///< x, b, r = b - A x, preconditioned r, search direction d
   T* product[2][3]{};                  ///< A d
   T *diagonal[2][6]{}, *inverse[6]{};  ///< 3 x 3 diagonal blocks of A, and their inverses
-  T* coupling[4]{};                    ///< each edge's block of A is -(even I + g g^T); stores even and g
+  T* coupling[4]{};  ///< for each edge, `even` and the vector g; the edge's block of A is -(even I + g g^T)
 };
 
 /// Pointers to the arrays of a system; the struct owns no memory. fast_loops.cpp is compiled with
-/// -march=native and -ffast-math. This struct and the loops therefore use no types of the standard library.
-/// Otherwise the compiler would compile inline functions of the standard library with these flags, and the
-/// linker could use the compiled functions in files that are compiled without these flags.
+/// -march=native and -ffast-math. This struct and the loops in loops.inl therefore use no types of the
+/// standard library. Otherwise the compiler would compile inline functions of the standard library with these
+/// flags, and the linker could use the compiled functions in files that are compiled without these flags.
 template <class T>
 struct Arrays {
   int sticks = 0, edges = 0;
   const T *root[3]{}, *normal[3]{}, *phase_cos = nullptr, *phase_sin = nullptr;
-  /// On shared prisms (adjacent prisms share their sticks): for each edge (a spring between two top masses)
-  /// the indices of its two sticks and its rest length in R. On separable prisms, `from` and `to` are not
-  /// used. Separable prisms on F triangles have 3 F sticks: stick c * F + f belongs to corner c of triangle
-  /// f. rest[c * F + f] is the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
+  /// An edge is a spring between two top masses. On shared prisms, `from` and `to` hold the indices of the
+  /// two sticks of each edge, and `rest` holds the edge's rest length in R. Separable prisms do not use
+  /// `from` and `to`. Separable prisms on F triangles have 3 F sticks: stick c*F+f belongs to corner c of
+  /// triangle f. rest[c*F+f] is the rest length of the edge between corners c and (c + 1) % 3 of triangle f.
   const int *from = nullptr, *to = nullptr;
   const T* rest = nullptr;
   T *q[3]{}, *v[3]{};  ///< state: top mass relative to its base (R), velocity of the top mass (R/s)
@@ -51,11 +54,12 @@ struct Course {
   int most_iterations = 500;  ///< largest number of conjugate gradient iterations per step
 };
 
-/// Functions that advance the state by the steps of a Course, one function per kind of topology. All are
-/// compiled with the same compiler flags.
+/// Functions that advance the state by the steps of a Course, one function per kind of topology. All
+/// functions of one object are compiled with the same compiler flags.
 template <class T>
 struct Loops {
-  /// Advances sticks and separable-sticks (no springs between top masses) by any of the four solvers.
+  /// Advances the topologies sticks and separable-sticks by the steps of `Course` with any of the four
+  /// solvers. Neither topology has springs between top masses.
   void (*sticks)(const Arrays<T>&, const Course&);
   /// Advances separable prisms by the steps of `Course` with any of the four solvers.
   void (*triangles)(const Arrays<T>&, const Course&);

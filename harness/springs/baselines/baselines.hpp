@@ -11,7 +11,8 @@
 
 namespace pelage::springs {
 
-/// State of the top masses, per stick: position relative to the base in R, velocity in R/s.
+/// State of the top masses, per stick: position relative to the base in R (the radius of the mesh's bounding
+/// sphere), velocity in R/s.
 struct Motions {
   std::vector<glm::vec3> offset, speed;
 };
@@ -36,11 +37,12 @@ struct NamedRival {
   std::unique_ptr<SolverRival> rival;
 };
 
-/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The sparse direct
-/// factorization takes seconds and gigabytes on large systems, so it is included only for fewer than
-/// `most_direct` sticks. Some baselines are compiled for the processor of the machine that built pelage. They
-/// are omitted if the processor that runs pelage does not support the same vector instructions. If
-/// `dynamics.full_jacobian` is set, no baseline is available for backward Euler.
+/// Returns all baselines that solve the equations of `dynamics.solver` on `topology`. The baseline with a
+/// sparse direct factorization takes seconds and gigabytes on large systems. The function returns this
+/// baseline only for fewer than `most_direct` sticks. Some baselines are compiled for the processor of the
+/// machine that built pelage. If the processor that runs pelage does not support the vector instructions of
+/// such a baseline, the function omits the baseline. If `dynamics.full_jacobian` is set, no baseline is
+/// available for backward Euler.
 std::vector<NamedRival> solver_rivals(const SpringNetwork& topology, const Dynamics& dynamics,
                                       std::size_t most_direct = 5000);
 

@@ -204,8 +204,9 @@ class Whole : public Base<T> {
   };
 
   // Computes the sparsity pattern. The matrix consists of 3 x 3 blocks; row i of blocks belongs to the top
-  // mass of stick i. For each row of blocks, lists the columns of the blocks in ascending order, and for each
-  // block the edge that it belongs to (-1 for the diagonal block). Then writes the pattern to the matrix.
+  // mass of stick i. For each row, lists the columns of its blocks in ascending order. Also lists, for each
+  // block, the edge that the block belongs to (-1 for the diagonal block). Then writes the pattern to the
+  // matrix.
   void lay_out() {
     for (int e = 0; e < this->edges_; ++e)
       ++first_[this->ends_[2 * e] + 1], ++first_[this->ends_[2 * e + 1] + 1];

@@ -1,4 +1,5 @@
-// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native.
+// Baselines that compute backward Euler with the library Eigen 3.4, compiled with -O3 -march=native. Lengths
+// are in R, the radius of the mesh's bounding sphere.
 #pragma once
 #include <memory>
 
@@ -41,7 +42,8 @@ struct EigenSystem {
 };
 
 /// Returns a solver that holds a copy of the system and uses `threads` OpenMP threads. Conjugate gradients
-/// stop when |r| / |b| is at most `residual`.
+/// stop when |r| / |b| is at most `residual`, where r is the residual and b is the right-hand side of the
+/// linear equations.
 std::unique_ptr<EigenSolver<float>> eigen_solver(const EigenSystem<float>& system, EigenWay way, int threads,
                                                  double residual);
 std::unique_ptr<EigenSolver<double>> eigen_solver(const EigenSystem<double>& system, EigenWay way,

@@ -126,11 +126,13 @@ PELAGE_INLINE Row<T> stick_row(const Constants<T>& p, const Place<T>& at, V<T> q
 }
 
 // An edge is a spring between two top masses. This struct contains the terms that one edge adds to the
-// equations of backward Euler. The 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of
-// both ends and subtracted from the two blocks that couple the ends. The vector `drawn` is added to the
-// right-hand side of the first end and subtracted from the right-hand side of the second end. It is h^2 K dv.
-// h is the time step. K is the edge's stiffness matrix: h^2 K is the above matrix without the damping part of
-// `along`. dv is the velocity of the second end minus the velocity of the first end.
+// equations of backward Euler. The unit vector s points from the first end of the edge to the second end. The
+// 3 x 3 matrix even * I + along * s s^T is added to the diagonal blocks of both ends and subtracted from the
+// two blocks that couple the ends. The vector `drawn` is added to the right-hand side of the first end and
+// subtracted from the right-hand side of the second end. `drawn` is h^2 K dv, where h is the time step, K is
+// the edge's stiffness matrix, and dv is the velocity of the second end minus the velocity of the first end.
+// `along` is the sum of a stiffness term and a damping term. Without the damping term, even * I + along * s
+// s^T is equal to h^2 K.
 template <class T>
 struct Coupling {
   V<T> s, drawn;

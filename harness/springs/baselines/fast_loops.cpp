@@ -1,4 +1,4 @@
-// The serial loops, compiled with -O3 -march=native -ffast-math (set in CMakeLists.txt).
+// The loops of loops.inl, compiled with -O3 -march=native -ffast-math (set in CMakeLists.txt).
 #include <cmath>
 
 #include "harness/springs/baselines/arrays.hpp"

@@ -1,10 +1,11 @@
-// Backward Euler on shared prisms. Each step solves the equations of all top masses by conjugate gradients.
-// The preconditioner consists of the inverses of the 3 x 3 diagonal blocks. loops.inl includes this file. The
-// edge between two top masses couples their equations by the matrix even I + g g^T. The length of g is the
-// square root of `along` from coupling_of(), which is not negative.
+// Backward Euler on shared prisms (adjacent prisms share their sticks). Each step solves the equations of all
+// top masses by conjugate gradients. The preconditioner consists of the inverses of the 3 x 3 diagonal
+// blocks. loops.inl includes this file. The edge between two top masses couples their equations by the matrix
+// even I + g g^T. coupling_of() computes `even`, `along` and s, the unit vector along the edge. The vector g
+// is sqrt(along) * s. `along` is not negative.
 
-// Computes the coupling of the edges first to end - 1. For each edge, adds terms to the diagonal blocks and
-// to the right-hand sides of the two sticks at its ends, in the arrays of the thread `part`.
+// Computes the coupling of the edges `first` to `end` - 1. For each edge, adds terms to the diagonal blocks
+// and to the right-hand sides of the two sticks at its ends, in the arrays of the thread `part`.
 template <class T>
 void edge_rows(const Arrays<T> a, const Constants<T> p, int part, int first, int end) {
   const Gradients<T>& g = a.gradients;
@@ -34,9 +35,9 @@ void edge_rows(const Arrays<T> a, const Constants<T> p, int part, int first, int
   }
 }
 
-// Computes the diagonal blocks, their inverses and the right-hand sides of the sticks first to end - 1. Adds
-// the sums over the edges, which edge_rows() has stored in the arrays of both threads, and sets the arrays of
-// the second thread to 0.
+// Computes the diagonal blocks, their inverses and the right-hand sides of the sticks `first` to `end` - 1.
+// The diagonal blocks and the right-hand sides include the terms of the edges, which edge_rows() has stored
+// in the arrays of both threads. Sets the arrays of the second thread to 0.
 template <class T>
 void stick_rows(const Arrays<T> a, const Constants<T> p, int threads, int first, int end) {
   const Gradients<T>& g = a.gradients;
@@ -68,7 +69,7 @@ PELAGE_INLINE Symmetric<T> block_at(T* const column[6], int i) {
   return {column[0][i], column[1][i], column[2][i], column[3][i], column[4][i], column[5][i]};
 }
 
-// For the sticks first to end - 1, sets product[0] to the product of the stick's diagonal block and its
+// For the sticks `first` to `end` - 1, sets product[0] to the product of the stick's diagonal block and its
 // vector in `x`.
 template <class T>
 void diagonal_product(const Arrays<T> a, T* const x[3], int first, int end) {
@@ -76,8 +77,8 @@ void diagonal_product(const Arrays<T> a, T* const x[3], int first, int end) {
 #pragma GCC ivdep
   for (int i = first; i < end; ++i) put(g.product[0], i, block_at(g.diagonal[0], i) * at(x, i));
 }
-// For the edges first to end - 1, multiplies the coupling of the edge by the vectors `x` of the sticks at its
-// ends. Subtracts the results from product[part].
+// For each edge from `first` to `end` - 1, multiplies the edge's coupling matrix by the vectors of its two
+// ends in `x`. Subtracts each product from the element of product[part] that belongs to the opposite end.
 template <class T>
 void edge_product(const Arrays<T> a, T* const x[3], int part, int first, int end) {
   const Gradients<T>& g = a.gradients;
@@ -115,7 +116,7 @@ void product(const Arrays<T>& a, T* const x[3], int threads) {
     });
 }
 
-// Returns the sum of the dot products of the vectors `a` and `b` of the sticks first to end - 1.
+// Returns the sum of the dot products of the vectors `a` and `b` of the sticks `first` to `end` - 1.
 template <class T>
 T dots(T* const a[3], T* const b[3], int first, int end) {
   T sum = 0;
@@ -123,7 +124,7 @@ T dots(T* const a[3], T* const b[3], int first, int end) {
   return sum;
 }
 
-// For the sticks first to end - 1, computes the residual r -= alpha * product[0] and the preconditioned
+// For the sticks `first` to `end` - 1, computes the residual r -= alpha * product[0] and the preconditioned
 // residual z = inverse * r. Sets `rz` to the sum of r . z, and `rr` to the sum of r . r.
 template <class T>
 void advance_residual(const Arrays<T> a, T alpha, int first, int end, T& rz, T& rr) {
@@ -138,8 +139,8 @@ void advance_residual(const Arrays<T> a, T alpha, int first, int end, T& rz, T& 
   }
   rz = sum_z, rr = sum_r;
 }
-// For the sticks first to end - 1, computes the solution x += alpha * way and then the new search direction
-// way = z + beta * way.
+// For the sticks `first` to `end` - 1, computes the solution x += alpha * way and then the new search
+// direction way = z + beta * way.
 template <class T>
 void turn_way(const Arrays<T> a, T alpha, T beta, int first, int end) {
   const Gradients<T>& g = a.gradients;
@@ -176,7 +177,7 @@ long gradient_step(const Arrays<T>& a, const Constants<T>& p, const Course& cour
     edge_rows<T>(a, p, part, begin_of(part, threads, a.edges), begin_of(part + 1, threads, a.edges));
   });
   in_parts(threads, a.sticks, [&](int part) { stick_rows<T>(a, p, threads, share(part), share(part + 1)); });
-  product<T>(a, g.change, threads);  // the initial guess of x is the solution of the previous step
+  product<T>(a, g.change, threads);  // A x; the initial guess of x is the solution of the previous step
   in_parts(threads, a.sticks, [&](int part) {
     sum[1][part] = dots<T>(g.load, g.load, share(part), share(part + 1));
     for (int i = share(part); i < share(part + 1); ++i) put(g.residual, i, at(g.load, i));

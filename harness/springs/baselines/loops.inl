@@ -1,6 +1,7 @@
-// The serial loops, compiled once per set of flags (plain_loops.cpp, fast_loops.cpp). The loops over sticks
-// and over triangles run all steps for one tile of 256 sticks or triangles before they start the next tile,
-// so that the tile's state stays in the first-level cache. Several threads divide the tiles among themselves.
+// The loops of the plain and fast baseline solvers, which run on the CPU without OpenCL. plain_loops.cpp and
+// fast_loops.cpp include this file and are compiled with different flags. The loops over sticks and over
+// triangles run all steps for one tile of 256 sticks or triangles before they start the next tile, so that
+// the tile's state stays in the first-level cache. Several threads divide the tiles among themselves.
 
 constexpr int tile = 256;
 
@@ -139,8 +140,8 @@ inline int begin_of(int part, int threads, int count) {
   return int(std::int64_t(part) * count / threads);
 }
 
-// Computes all time steps of the independent systems first to end - 1 (single sticks if N = 1, triangles if N
-// = 3).
+// Computes all time steps of the independent systems `first` to `end` - 1 (single sticks if N = 1, triangles
+// if N = 3).
 template <class T, int N, Scheme scheme, bool moving>
 void through_tile(const Arrays<T> a, const Constants<T> constants, const Course& course, int first, int end) {
   Constants<T> p = constants;
@@ -180,8 +181,8 @@ void through_blocks(const Arrays<T>& a, const Course& course) {
   });
 }
 
-// Sets force[0] for the sticks first to end - 1 of shared prisms (adjacent prisms share their sticks). The
-// springs between top masses are not included.
+// Sets force[0] to the forces on the top masses of the sticks `first` to `end` - 1 of shared prisms (adjacent
+// prisms share their sticks). The forces of the springs between top masses are not included.
 template <class T, bool moving>
 void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment& moment, const Lists<T> state,
                   int first, int end) {
@@ -193,8 +194,9 @@ void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment&
     put(a.force[0], i, stick_force(p, t, place(a, i), at(state.q, i), at(state.v, i)));
 }
 
-// Adds the forces of the springs between top masses to `force`, for the edges first to end - 1. For each tile
-// of edges, it computes the spring forces and then adds them to the forces on both ends of the edges.
+// Adds the forces of the springs between top masses to `force`, for the edges `first` to `end` - 1. For each
+// tile of edges, one loop computes the spring forces, and a second loop adds them to the forces on both ends
+// of the edges.
 template <class T>
 void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, T* const force[3], int first,
                  int end) {
@@ -216,7 +218,7 @@ void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, 
   }
 }
 
-// For the sticks first to end - 1, adds the vectors in `other` to those in `sum`, and sets `other` to 0.
+// For the sticks `first` to `end` - 1, adds the vectors in `other` to those in `sum`, and sets `other` to 0.
 template <class T>
 void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
   for (int c = 0; c < 3; ++c) {
@@ -227,8 +229,8 @@ void gather_parts(T* const sum[3], T* const other[3], int first, int end) {
 }
 
 // Sets force[0] to the forces on all top masses of shared prisms. With two threads, each thread processes
-// half of the edges; the second thread adds its forces to force[1]. Before and after the call, force[1]
-// contains zeros.
+// half of the edges. The second thread adds its forces to force[1]. Then gather_parts() adds force[1] to
+// force[0] and sets force[1] to 0. Before the call, force[1] must contain zeros.
 template <class T, bool moving>
 void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment, const Lists<T>& state,
                 int threads) {
@@ -245,7 +247,7 @@ void all_forces(const Arrays<T>& a, const Constants<T>& p, const Moment& moment,
     });
 }
 
-// Advances the top masses first to end - 1 by one step of explicit or semi-implicit Euler.
+// Advances the top masses `first` to `end` - 1 by one step of explicit or semi-implicit Euler.
 template <class T>
 void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end) {
 #pragma GCC unroll 3
@@ -261,7 +263,7 @@ void euler_move(const Arrays<T> a, T h, T rate, bool in_turn, int first, int end
   }
 }
 
-// Computes one of the four stages of an RK4 step for the top masses first to end - 1.
+// Computes one of the four stages of an RK4 step for the top masses `first` to `end` - 1.
 template <class T>
 void rk4_move(const Arrays<T> a, const Lists<T> state, T h, T inverse_mass, int stage, int first, int end) {
   T *const *stage_q = a.work, *const *stage_v = a.work + 3, *const *sum_q = a.work + 6,

@@ -1,4 +1,4 @@
-// The serial loops, compiled with -O3 (set in CMakeLists.txt).
+// The loops of loops.inl, compiled with -O3 (set in CMakeLists.txt).
 #include <cmath>
 
 #include "harness/springs/baselines/arrays.hpp"

@@ -39,31 +39,17 @@ void direction(const char* what, glm::vec3 v) {
     throw InputError(fmt::format("{}: (0, 0, 0); a direction must not be the zero vector", what));
 }
 
-// Rotates v by -angle (rad) about the unit vector `axis`, by Rodrigues' formula. This transforms a vector
-// from the world frame to the frame of the rotated object.
-glm::dvec3 seen_turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
-  return v * std::cos(angle) - glm::cross(axis, v) * std::sin(angle) +
-         axis * glm::dot(axis, v) * (1 - std::cos(angle));
-}
-
 Moment moment(const Dynamics& d, double time) {
   constexpr double turn = 2 * std::numbers::pi;
-  const Motion& m = d.motion;
-  const glm::dvec3 axis = glm::normalize(glm::dvec3(m.axis));
-  const double a = turn * double(m.shake_frequency), b = turn * double(m.swing_frequency);
-  const glm::dvec3 speed = glm::dvec3(m.velocity) + a * std::sin(a * time) * glm::dvec3(m.shake);
-  const glm::dvec3 acceleration = a * a * std::cos(a * time) * glm::dvec3(m.shake);
-  const double angle = double(m.spin) * time + double(m.swing) * std::sin(b * time);
-  const double rate = double(m.spin) + double(m.swing) * b * std::cos(b * time);
-  const double rate_up = -double(m.swing) * b * b * std::sin(b * time);
+  const Pose pose = pose_at(d.motion, time);
   const glm::dvec3 air = double(d.wind.speed) * glm::normalize(glm::dvec3(d.wind.direction));
 
-  const auto seen = [&](glm::dvec3 v) { return glm::vec3(seen_turned(v, axis, angle)); };
+  const auto seen = [&](glm::dvec3 v) { return glm::vec3(turned(v, pose.axis, -pose.angle)); };
   const double drag = double(d.drag);
   const glm::vec3 steady =
-      seen(double(d.mass) * (glm::dvec3(d.gravity) - acceleration) + drag * (air - speed));
+      seen(double(d.mass) * (glm::dvec3(d.gravity) - pose.acceleration) + drag * (air - pose.velocity));
   const glm::vec3 gusts = seen(drag * double(d.wind.gust) * air);
-  const glm::vec3 o(rate * axis), u(rate_up * axis);
+  const glm::vec3 o(pose.rate * pose.axis), u(pose.rate_up * pose.axis);
   const double gust = turn * double(d.wind.frequency) * time;
   return {
       steady.x, steady.y, steady.z, gusts.x, gusts.y, gusts.z, float(std::sin(gust)), float(std::cos(gust)),
@@ -85,7 +71,7 @@ void check(const Dynamics& d) {
   if (d.most_iterations < 1)
     throw InputError(
         fmt::format("limit of conjugate gradient iterations: {}; it must be at least 1", d.most_iterations));
-  finite("limit of a stick's length (rest lengths)", d.lost_stretch);
+  finite("limit of a stick's length (in rest lengths)", d.lost_stretch);
   if (!(d.lost_stretch > 1))
     throw InputError(
         fmt::format("limit of a stick's length: {} rest lengths; it must be above 1", d.lost_stretch));

@@ -7,40 +7,17 @@
 #include <vector>
 
 #include "harness/scene/spring_kinds.hpp"
+#include "harness/springs/model/motion.hpp"
 #include "kernels/springs/params.h"
 
 namespace pelage::springs {
-
-/// The wind blows along `direction`. Let d be the unit vector of `direction`, and let x be the position of a
-/// stick's base at time 0. At time t the wind at this stick has the speed `speed` * (1 + gust * sin(2 pi
-/// (frequency * t - x . d / wavelength))).
-struct Wind {
-  glm::vec3 direction{1, 0, 0};  ///< any length except 0
-  float speed = 0;               ///< mean speed in m/s; R, the radius of the bounding sphere, counts as 1 m
-  float gust = 0;                ///< amplitude as a fraction of `speed`; 0 for steady wind
-  float frequency = 1;           ///< Hz
-  float wavelength = 1;          ///< R
-};
-
-/// The object's motion: a rotation by theta(t) about `axis` through the origin, followed by the translation
-/// T(t). T = velocity * t + shake * (1 - cos(2 pi shake_frequency * t)), theta = spin * t + swing * sin(2 pi
-/// swing_frequency * t).
-struct Motion {
-  glm::vec3 velocity{0};      ///< R/s
-  glm::vec3 shake{0};         ///< R
-  float shake_frequency = 0;  ///< Hz
-  glm::vec3 axis{0, 1, 0};    ///< any length except 0
-  float spin = 0;             ///< rad/s
-  float swing = 0;            ///< rad
-  float swing_frequency = 0;  ///< Hz
-};
 
 /// A stick has diverged if it is longer than this many rest lengths.
 inline constexpr float most_stretch = 100;
 
 /// Constants of the simulation. The defaults describe plausible fur of length 0.05 R. The length unit R, the
-/// radius of the mesh's bounding sphere, counts as 1 m. With the defaults, upright fur leans 18.0 degrees
-/// under its weight, and 31.5 degrees in a steady horizontal wind of 3 m/s.
+/// radius of the mesh's bounding sphere, counts as 1 m. In equilibrium, upright fur with these defaults leans
+/// 18.0 degrees under its weight, and 31.5 degrees in a steady horizontal wind of 3 m/s.
 struct Dynamics {
   Solver solver = default_solver;
   float step = 1.0f / 240;      ///< dt, s
@@ -50,11 +27,12 @@ struct Dynamics {
   float edge_stiffness = 2;     ///< stiffness of the springs between top masses in N/m
   float edge_damping = 0.004f;  ///< damping of the springs between top masses in N s/m
   float drag = 0.004f;          ///< drag coefficient of a top mass in air, in N s/m
-  float return_weight = 0.2f;   ///< weight w of B Eq. 5 in N
-  float residual = 1e-5f;       ///< conjugate gradients stop at this relative residual |r| / |b|
+  float return_weight = 0.2f;   ///< weight w of the return force in N (Eq. 5 of Banisch and Wuethrich 2006)
+  float residual = 1e-5f;       ///< relative residual |r| / |b| of A x = b at which conjugate gradients stop
   int most_iterations = 500;    ///< largest number of conjugate gradient iterations per step
-  /// true: backward Euler uses all terms of the derivatives of the forces. false: it omits the terms that
-  /// would make its matrix asymmetric or indefinite (docs/topology.md, section Solvers).
+  /// If true, backward Euler uses all terms of the derivatives of the forces. If false, backward Euler omits
+  /// the terms that would make the matrix of its equations asymmetric or indefinite (docs/topology.md,
+  /// section Solvers).
   bool full_jacobian = false;
   /// If a stick is longer than this many rest lengths, the simulation stops and reports that it has diverged.
   /// Must be above 1.
@@ -72,12 +50,12 @@ void check(const Dynamics& dynamics);
 bool turns(const Dynamics& dynamics);
 
 /// Returns wind, gravity and the object's motion at the times (first + i / 2) * dt for i = 0 to 2 * substeps.
-/// dt is the time step, so the times are half a time step apart. All values are computed in double precision
-/// and then rounded to float.
+/// `first` is the index of the first step and dt is the time step, so the times are half a time step apart.
+/// All values are computed in double precision and then rounded to float.
 std::vector<Moment> moments(const Dynamics& dynamics, long first, int substeps);
 
-/// Returns the kernels' parameters for sticks of `length` R. Members that depend on the launch or the layout,
-/// such as `substeps` and `blocks`, are 0.
+/// Returns the kernels' parameters. `length` is the length of the sticks in R. Members that depend on the
+/// launch or the layout, such as `substeps` and `blocks`, are 0.
 TopologyParams params(const Dynamics& dynamics, float length);
 
 }  // namespace pelage::springs

@@ -27,8 +27,8 @@ std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
   return found;
 }
 
-// Sorts the sticks of each window of 256 by descending number of neighbours. Returns the index of each stick
-// in the sorted order.
+// Divides the sticks into windows of 256 and sorts the sticks of each window by descending number of
+// neighbours. Returns the index of each stick in the new order of all sticks.
 std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour>>& around) {
   std::vector<std::uint32_t> order(around.size()), place(around.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -110,15 +110,17 @@ Layout lay_out(const SpringNetwork& topology, const Wind& wind) {
 }
 
 std::size_t memory(const Layout& layout, Solver solver) {
-  // All values have 4 bytes. `columns` is the number of floats that are stored for each stick, padding
-  // included: SITE_COLUMNS floats in the buffer sites, and 3 floats each in the buffers push, offset and
-  // speed. `values` is the number of values in all other buffers: diverged_at (one value per stick, padding
-  // included), first (one value) and sides (rest lengths, only for the topology separable-prisms).
+  // All values have 4 bytes. `columns` is the number of floats per place (a place holds a stick or padding):
+  // SITE_COLUMNS floats in the buffer `sites`, and 3 floats in each of the buffers `push`, `offset` and
+  // `speed`. `values` is the number of values in all other buffers. The buffer diverged_at has one value per
+  // place, and `first` has one value. `sides` has the rest lengths of the topology separable-prisms and is
+  // empty for the other topologies.
   std::size_t columns = SITE_COLUMNS + 9;
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
-  // Only the topology prisms reaches this line. For this topology, the speed of a top mass takes a row of
-  // four floats, of which three are already counted. The position of a top mass (tip) takes another four.
+  // From here on, the topology is prisms. This topology stores the speed of a top mass in a row of four
+  // floats, three of which are already counted. It also stores the position of a top mass (tip) in a row of
+  // four floats.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
@@ -129,9 +131,10 @@ std::size_t memory(const Layout& layout, Solver solver) {
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tip and speed after the step, 4 floats each
-    // RK4 computes a step in four stages. It needs one more tip and one more speed (4 floats each). It also
-    // stores three vectors of 3 floats each: the offset at the current stage, and two sums, which add the
-    // weighted rates of the stages to the offset and to the speed at the start of the step.
+    // RK4 computes a step in four stages. It needs one more buffer of tips and one more buffer of speeds,
+    // each with 4 floats per stick. For each stick it also stores three vectors of 3 floats. One vector is
+    // the offset at the current stage. The other two vectors accumulate the result of the step: they start
+    // with the offset and the speed before the step, and each stage adds its weighted derivatives.
     if (solver.multistage()) columns += 8 + 9;
   }
   return 4 * (columns * layout.places() + values);

@@ -1,5 +1,5 @@
 // Networks of masses and springs over a surface: the four topologies of Banisch and Wuethrich 2006,
-// section 4.
+// section 4. R is the radius of the mesh's bounding sphere.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -17,8 +17,8 @@ namespace pelage::springs {
 
 /// Selects the places of the sticks in the topologies sticks and prisms. `points` places one stick on each
 /// surface point, so that the topology is connected across UV seams. `copies` places one stick on each vertex
-/// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so the topology is split
-/// along the seams. Banisch and Wuethrich do not state whether they count surface points or vertices
+/// of the mesh. A surface point on a UV seam has one vertex per side of the seam, so `copies` splits the
+/// topology along the seams. Banisch and Wuethrich do not state whether they count surface points or vertices
 /// (docs/topology.md). The topologies separable-sticks and separable-prisms always have one stick at each
 /// corner of each triangle, so they ignore this choice.
 enum class Vertices { points, copies };
@@ -26,15 +26,16 @@ enum class Vertices { points, copies };
 /// Selects the position at which the gusts on a stick are computed. `sticks` selects the base of the stick,
 /// so all sticks at one surface point have the same wind. `triangles` selects the centroid of the triangle to
 /// which the stick belongs, so the sticks at one surface point have different gusts and can move apart. In
-/// the topologies sticks and prisms, several triangles share a stick, so the base of the stick is always
-/// used.
+/// the topologies sticks and prisms, several triangles share a stick, so the gusts are always computed at the
+/// base of the stick.
 enum class Gusts { sticks, triangles };
 
-/// Masses and springs of a topology. Stick i connects mass i, which is fixed to the skin, with mass i +
-/// sticks(), its top mass on the outermost layer. The first sticks() springs are the sticks. The other
-/// springs connect top masses, and each of them occurs once. In the topologies separable-sticks and
-/// separable-prisms, stick 3 * f + c stands on corner c of triangle f. In separable-prisms, the springs
-/// between the top masses of triangle f connect corners (0, 1), (1, 2) and (2, 0), in that order.
+/// Masses and springs of a topology. Stick i connects mass i with mass i + sticks(). Mass i is fixed to the
+/// skin. Mass i + sticks() is the stick's top mass, on the outermost layer. The first sticks() springs are
+/// the sticks. The other springs connect top masses, and each of them occurs once. In the topologies
+/// separable-sticks and separable-prisms, stick 3 * f + c stands on corner c of triangle f. In
+/// separable-prisms, the springs between the top masses of triangle f connect corners (0, 1), (1, 2) and (2,
+/// 0), in that order.
 struct SpringNetwork {
   Kind kind = Kind::sticks;
   std::vector<glm::vec3> mass;       ///< rest position of each mass in R
@@ -54,9 +55,10 @@ struct SpringNetwork {
 };
 
 /// Builds the topology with sticks of `length` R (above 0) along the area-weighted vertex normals. All sticks
-/// at one surface point have the same rest position, so the layers of separable-sticks and
-/// separable-prisms have no gaps at rest. If a triangle edge connects a surface point with itself, no spring
-/// is built for it. Throws InputError if the mesh has no triangle or the length is not above 0.
+/// at one surface point have the same rest position, so at rest the topologies separable-sticks and
+/// separable-prisms have no gaps between adjacent triangles. If a triangle edge connects a surface point with
+/// itself, no spring is built for it. Throws InputError if the mesh has no triangle or the length is not
+/// above 0.
 SpringNetwork build(Kind kind, const Mesh& mesh, float length, Vertices vertices = Vertices::points,
                     Gusts gusts = Gusts::sticks);
 

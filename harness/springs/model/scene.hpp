@@ -9,16 +9,18 @@
 
 namespace pelage::springs {
 
-/// Converts the scene's dynamics to the parameters of the mass-spring solvers. The wind's speed is strength /
-/// drag. A wind of this speed exerts the force `strength` of the scene on a mass at rest. The wind exerts the
-/// same force on one of Silva's strands. If `springs.reference_area` of the scene is above 0, the constants
-/// of a stick (mass, stiffness, damping, drag, weight of the return force) are multiplied by the topology's
-/// mean surface area per stick divided by this reference area. The constants of the springs between top
-/// masses do not change.
+/// Converts the scene's dynamics to the parameters of the mass-spring solvers. The wind's speed is
+/// wind.strength / drag of the scene, or 0 if drag is 0. A wind of this speed exerts the force wind.strength
+/// on a mass at rest. In the strand model of Silva et al. 2010, the wind exerts this force on the mass of a
+/// strand. If springs.reference_area of the scene is above 0, the constants of a stick (mass, stiffness,
+/// damping, drag, weight of the return force) are multiplied by a factor. The factor is the topology's mean
+/// surface area per stick, divided by the reference area. The constants of the springs between top masses do
+/// not change.
 Dynamics dynamics_of(const DynamicsScene& scene, const SpringNetwork& topology);
 
-/// Returns the scene's topology over its mesh: one stick per surface point, or one stick per triangle
-/// corner for the topologies separable-sticks and separable-prisms.
+/// Builds the masses and springs of the scene's topology on the scene's mesh. The topologies sticks and
+/// prisms have one stick per surface point. The topologies separable-sticks and separable-prisms have one
+/// stick per corner of each triangle.
 SpringNetwork topology_of(const FrameInput& input);
 
 /// Builds the masses and springs of the scene's topology on `mesh`. Throws InputError if dynamics.topology of

@@ -12,15 +12,18 @@ namespace pelage::springs {
 /// repetition takes three times as long as n steps, plus transfers of the state to the host and back.
 class AdaptiveSteps {
  public:
-  /// span: duration of a frame in seconds. steps: value of n for the first frame. tolerance: greatest allowed
-  /// difference between the results of n and of 2 * n steps. The difference is the 99th percentile, over the
-  /// top masses, of the distance between the two computed positions, as a fraction of the fur's length. most:
-  /// largest value of 2 * n. Throws InputError unless span and tolerance are above 0 and 1 <= steps <= most.
+  /// `span` is the duration of a frame in seconds. `steps` is the value of n for the first frame. `tolerance`
+  /// is the greatest allowed difference between the results of n and of 2 * n steps. To compute the
+  /// difference, the class takes the distance between the two positions of each top mass: after n steps
+  /// and after 2 * n steps. The difference is the 99th percentile of these distances, as a fraction of the
+  /// fur's length. `most` is the largest value of 2 * n. Throws InputError unless `span` and `tolerance` are
+  /// above 0 and 1 <= steps <= most.
   AdaptiveSteps(float span, int steps, float tolerance, int most = 4096);
 
   struct Frame {
     int steps = 0;  ///< number of steps of the kept result
-    /// Difference between the positions computed in `steps` steps and in half as many steps, in fur lengths.
+    /// Difference (99th percentile, in fur lengths) between the positions after `steps` steps and the
+    /// positions after half as many steps of twice the length.
     double error = 0;
   };
   /// Computes the next frame. `masses` must be at rest (first call) or in the state that the previous call

@@ -26,11 +26,11 @@ std::size_t bytes_of(const cl::Buffer<T>& buffer) {
 }  // namespace
 
 Diverged::Diverged(long step_number, std::size_t mass_number, const Dynamics& d)
-    : std::runtime_error(
-          fmt::format("mass {} was out of bounds after step {} ({:.6g} s) of {} with dt = {} s and k = {} "
-                      "N/m; use a shorter step, more damping or softer springs",
-                      mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver),
-                      d.step, d.stiffness)),
+    : std::runtime_error(fmt::format(
+          "mass {} had diverged after step {} ({:.6g} s) of {} with the time step {} s and the stick "
+          "stiffness {} N/m; use a shorter time step, more damping or softer springs",
+          mass_number, step_number, double(step_number + 1) * double(d.step), name(d.solver), d.step,
+          d.stiffness)),
       step(step_number),
       mass(mass_number) {}
 
@@ -43,7 +43,7 @@ struct MassSprings::State {
   std::optional<BlockStage> blocks;
   std::optional<PrismStage> prisms;
   long steps = 0;
-  // The device holds wind, gravity and the object's motion for the steps known_from <= step < known_to.
+  // The device holds wind, gravity and the object's motion for the steps from known_from to known_to - 1.
   long known_from = 0, known_to = 0;
 
   // Uploads wind, gravity and the object's motion for many steps at once. For a small model, an upload before

@@ -10,8 +10,9 @@ namespace pelage::springs {
 namespace {
 
 enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // implicit solver: indices in kernels_
-// Indices of the results that the kernel gradients_whole writes: the number of all iterations, the greatest
-// number of iterations in a step, and the greatest |r| / |b| after a step. SOLVED is the number of results.
+// Indices of the results that the kernel gradients_whole writes: the total number of iterations, the greatest
+// number of iterations in a step, and the greatest |r| / |b| at the end of a step. SOLVED is the number of
+// results.
 enum { SOLVED_ALL, SOLVED_MOST, SOLVED_WORST, SOLVED };
 
 constexpr int most_chunks = 128, most_chunks_of_one_lane = 512;
@@ -41,8 +42,8 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Returns the positions of the top masses. Each place (a stick or padding) has a row of four floats: x, y, z
-// of root + q, in units of R, and 0.
+// Returns the positions of the top masses. Each place (a stick or padding) has a row of four floats: the
+// coordinates x, y and z of the top mass, and 0.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
   std::vector<float> found(4 * layout.places(), 0.0f);
   for (std::size_t place = 0; place < layout.places(); ++place)
@@ -109,8 +110,8 @@ void PrismStage::enqueue(const cl::Queue& queue, TopologyParams params, Buffers&
   launches_ = launches;
   params.blocks = int(buffers.diverged_at.size() / 16);
   params.blocks_per_item = solver_.implicit ? per_chunk_ : per_item_;
-  // A single Euler step takes one launch, with one work-item or with many. Many work-items are faster,
-  // because several cores then read the data from the host in parallel.
+  // A single Euler step needs only one launch, even with many work-items. For such a step, many work-items
+  // are faster than one work-item, because several cores read in parallel the data that the host has written.
   const bool one_launch = !solver_.implicit && !solver_.multistage() && params.substeps == 1;
   if (whole_ && !one_launch) {
     whole(queue, params, buffers);
@@ -218,9 +219,10 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
     kernels_[TURN].with(params, chunks_, odd, along_, way_, change_, sums_);
     launch(queue, kernels_[TURN], chunks_);
   };
-  // A convergence test waits for the queue. Therefore the first iterations of a step run without a test.
-  // Their number is the number of iterations of the previous step minus two, but at least two. Then the
-  // convergence is tested after every two iterations.
+  // A convergence test waits for the queue. Therefore the first expected_ iterations of a step run without a
+  // test. After them, and then after every two further iterations, the function tests the convergence.
+  // expected_ is 4 in the first step. In later steps it is the number of iterations of the previous step
+  // minus two, but at least two.
   for (int i = 0; i < std::min(expected_, most_iterations_); ++i) iterate();
   while (!converged(queue) && done < most_iterations_)
     for (int i = 0; i < 2; ++i) iterate();

@@ -25,17 +25,20 @@ struct Buffers {
   cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
 };
 
-/// Returns the build options that set LANES and TURNING. `turning`: whether the object rotates.
+/// Returns the build options that define the kernels' macros LANES and TURNING. `turning` is true if the
+/// object rotates.
 std::string build_options(int lanes, bool turning);
 
-/// Returns the number of units per work-item. A unit consists of `lanes` sticks of one slice. A slice has 16
-/// sticks and therefore 16 / lanes units. `units` is the number of units of the whole model. `wanted` is the
-/// desired number of slices per work-item, or 0 for the device's default.
+/// Returns the number of units per work-item. A unit is what a work-item computes at a time. On the topology
+/// separable-prisms it is `lanes` triangles. On the other topologies it is `lanes` sticks of one slice, or
+/// `lanes` sticks of each of two slices. `units` is the number of units of the whole model. `wanted` is
+/// MassSpringOptions::blocks_per_item. If `wanted` is above 0, the function returns wanted * 16 / lanes. If
+/// `wanted` is 0, the function returns the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
-/// Returns the work-group size: `wanted` if it is above 0, else 64 for one lane (GPU) and 1 for 16 lanes
-/// (CPU). On a CPU a work-item runs a long loop, so one work-item per work-group suffices. The same size for
-/// all launches also saves time, because CPU drivers compile a kernel anew for each work-group size.
+/// Returns the work-group size: `wanted` if it is above 0, else 64 if `lanes` is 1 (GPU), and 1 if
+/// `lanes` is 16 (CPU). On a CPU a work-item runs a long loop, so one work-item per work-group suffices. All
+/// launches use this size, because CPU drivers compile a kernel anew for each work-group size.
 std::size_t group_size(int lanes, std::size_t wanted);
 
 /// Computes time steps of the topologies sticks, separable-sticks and separable-prisms. One launch computes
@@ -64,8 +67,8 @@ class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
-  /// Sets the tips (positions of the top masses) to the bases plus `offset`, which has the columns of
-  /// Layout::offset. Resets the initial guess of conjugate gradients to 0.
+  /// Sets the position of each top mass (tip) to the position of the stick's base plus the stick's vector in
+  /// `offset`. `offset` is stored like Layout::offset. Resets the initial guess of conjugate gradients to 0.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
   /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
@@ -83,7 +86,8 @@ class PrismStage {
   void whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& buffers);
   void launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const;
 
-  // enqueue() sets this pointer. If it is not null, launch() appends the event of every kernel launch.
+  // enqueue() sets this pointer. If the pointer is not null, launch() appends the event of every kernel
+  // launch to this list.
   std::vector<cl::Event>* launches_ = nullptr;
 
   Solver solver_;
@@ -103,11 +107,11 @@ class PrismStage {
   cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per stick, padding included
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
-  // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_: the 3 x 3 diagonal blocks of
-  // A. inverse_: their inverses. coupling_: for each spring, a vector that determines the spring's
-  // off-diagonal block of A. change_: the
-  // solution x. left_: the residual r. way_: the direction d. along_: the product A d, and later z, the
-  // preconditioned residual. change_ and way_ have rows of four floats.
+  // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_ holds the 3 x 3 diagonal
+  // blocks of A, and inverse_ holds the inverses of these blocks. For each spring, coupling_ holds a vector
+  // that determines the spring's off-diagonal block of A. change_ holds the solution x, left_ holds the
+  // residual r, and way_ holds the search direction d. along_ first holds the product A d. Later in the
+  // iteration, along_ holds the preconditioned residual z. change_ and way_ have rows of four floats.
   cl::Buffer<float> diagonal_, inverse_, coupling_, change_, left_, way_, along_;
   cl::Memory sums_;
   cl::Buffer<float> solved_;  // results of gradients_whole

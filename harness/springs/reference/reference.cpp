@@ -14,8 +14,8 @@ namespace {
 
 using Vectors = std::vector<glm::dvec3>;
 
-// The object's motion X = T + R r, which moves the object's point r to X. `shift` is the translation T and
-// `turn` the rotation R; _1 and _2 mark their first and second time derivatives.
+// The object's motion X = T + R r, which moves the object's point r to X. `shift` is the translation T, and
+// `turn` is the rotation R. The suffixes _1 and _2 mark the first and the second time derivatives of T and R.
 struct Pose {
   glm::dvec3 shift, shift_1, shift_2;
   glm::dmat3 turn, turn_1, turn_2;
@@ -60,7 +60,8 @@ Spring spring(const System& system, const State& state, std::size_t number) {
 }
 
 // Returns the sum of weight, wind, drag and inertial forces on one mass, in newtons, in the object's frame.
-// `gust_at` is the position at which the gusts are computed, r the position of the mass and v its velocity.
+// `gust_at` is the position at which the gusts are computed. `r` is the position of the mass, and `v` is the
+// velocity of the mass.
 glm::dvec3 outside(const Dynamics& d, const Pose& at, double time, glm::dvec3 gust_at, glm::dvec3 r,
                    glm::dvec3 v) {
   const double m = double(d.mass), tau = 2 * std::numbers::pi;
@@ -83,7 +84,8 @@ State moved(const State& from, double h, const Vectors& position_rate, const Vec
   return to;
 }
 
-// Returns the acceleration F / m of every mass. The masses on the skin are fixed and have no acceleration.
+// Returns the acceleration of every mass: the force on the mass divided by its mass. The masses on the skin
+// are fixed and have no acceleration.
 Vectors accelerations(const System& system, const State& state, double time) {
   Vectors a = forces(system, state, time);
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -122,9 +124,9 @@ glm::dmat3 across(glm::dvec3 unit) {
   return glm::dmat3(1) - glm::outerProduct(unit, unit);
 }
 
-// Two 3 x 3 blocks of the derivatives: j is the derivative of the force on the top mass of stick `row` with
-// respect to the position of the top mass of stick `column`. d is the derivative with respect to its
-// velocity. Blocks with the same row and column are added.
+// Derivatives of the force on the top mass of stick `row`. The matrix j is the derivative with respect to the
+// position of the top mass of stick `column`, and d is the derivative with respect to the velocity of this
+// top mass. Several objects can have the same row and column; their matrices are added.
 struct Block {
   std::size_t row, column;
   glm::dmat3 j, d;
@@ -135,9 +137,10 @@ glm::dmat3 outer(glm::dvec3 a, glm::dvec3 b) {
   return glm::outerProduct(a, b);
 }
 
-// The derivatives of a spring's force on its first end with respect to the position (j) and the velocity (d)
-// of its second end. If `full` is false, j contains neither the transverse stiffness of a compressed spring
-// nor the derivative of the damping force.
+// The derivatives of the force that a spring exerts on the mass at its first end. j is the derivative with
+// respect to the position of the mass at the second end, and d is the derivative with respect to the velocity
+// of this mass. If `full` is false, j contains neither the transverse stiffness of a compressed spring nor
+// the derivative of the damping force.
 struct Pull {
   glm::dmat3 j, d;
 };
@@ -152,8 +155,8 @@ Pull pull_of(const Spring& s, glm::dvec3 parting, bool full) {
   return pull;
 }
 
-// Returns the derivative of a stick's return force (B Eq. 5) with respect to the position of its top. If
-// `full` is false, returns only the symmetric part.
+// Returns the derivative of a stick's return force (Eq. 5 of Banisch and Wuethrich 2006) with respect to the
+// position of the stick's top mass. If `full` is false, omits the term that is not symmetric.
 glm::dmat3 return_derivative(const Spring& stick, glm::dvec3 n, double weight, bool full) {
   const double cosine = glm::dot(n, stick.along);
   const glm::dvec3 lean = n - cosine * stick.along;
@@ -196,9 +199,9 @@ std::vector<Block> derivative_blocks(const System& system, const State& y, doubl
 
 // The linear system of linearised backward Euler: (M - h D - h^2 J) dv = h (f + h J v). M is the matrix of
 // the masses, and h is the time step. v is the velocity before the step, and dv is the change of the
-// velocity. f is the force at the new time, computed from the positions and velocities before the step. D is
-// the derivative of the force with respect to the velocities, and J is its derivative with respect to the
-// positions (derivative_blocks).
+// velocity. f is the force for the positions and velocities before the step, with the wind and the object's
+// motion at the end of the step. D is the derivative of the force with respect to the velocities, and J is
+// the derivative of the force with respect to the positions. derivative_blocks() computes D and J.
 struct Equations {
   Eigen::SparseMatrix<double> matrix;
   Eigen::VectorXd right;

@@ -1,6 +1,7 @@
 // The double-precision reference for the mass-spring solvers of Banisch and Wuethrich 2006. It computes each
-// mass and each spring separately, as in the paper, and shares no code with the kernels. Checks compare the
-// kernels' results with it.
+// mass and each spring separately, as in the paper, and shares no code with the kernels. The commands
+// `pelage run` and `pelage check` compare the kernels' results with it. R is the radius of the mesh's
+// bounding sphere.
 #pragma once
 #include <glm/vec3.hpp>
 #include <vector>
@@ -27,8 +28,8 @@ struct System {
 /// Returns the rest state: every stick points along its normal, and all velocities are 0.
 State rest(const SpringNetwork& topology);
 
-/// Returns the force F(t, p, v) of B Eq. 1 on every mass, in newtons, at `time` in seconds. The result
-/// includes the forces on the fixed masses.
+/// Returns the force on every mass (F in Eq. 1 of the paper), in newtons, at `time` in seconds. The
+/// result includes the forces on the fixed masses.
 std::vector<glm::dvec3> forces(const System& system, const State& state, double time);
 
 /// Returns the state after one more time step of the solver in `system.dynamics`. `number` is the index
@@ -41,22 +42,22 @@ State step(const System& system, const State& state, long number);
 double residual(const System& system, const State& state, long number, const std::vector<glm::dvec3>& change);
 
 /// The derivatives of the forces on the top masses: J with respect to the positions of the top masses (in
-/// N/R), and D with respect to their velocities (in N s/R). Both are square matrices with `size` rows, which
-/// is 3 times the number of sticks, and are stored row by row. Row 3 i + c belongs to component c of the
-/// force on the top mass of stick i. Column 3 i + c belongs to component c of the position or velocity of
-/// this mass.
+/// N/R), and D with respect to their velocities (in N s/R). J and D are square matrices with `size` rows,
+/// three rows per stick. by_position and by_velocity store J and D row by row. Row 3 i + c belongs to
+/// component c of the force on the top mass of stick i. Column 3 i + c belongs to component c of the position
+/// (J) or the velocity (D) of the top mass of stick i.
 struct Derivatives {
   std::size_t size = 0;
   std::vector<double> by_position, by_velocity;
 };
 /// Returns the derivatives that backward Euler uses at `time`. If `full_jacobian` of the dynamics is false,
-/// the terms that docs/topology.md names are omitted. The matrices are dense, so use this function only for
-/// small systems.
+/// the matrices lack the terms that docs/topology.md names in the section Solvers. The matrices are dense, so
+/// use this function only for small systems.
 Derivatives derivatives(const System& system, const State& state, double time);
 
 /// Returns the kinetic energy plus the potential energy of the springs, in joules. The potential energy of
-/// gravity is not included. The return force (B Eq. 5) is not included, because it has no potential energy
-/// (its derivative is not symmetric).
+/// gravity is not included. The return force (Eq. 5 of the paper) is not included, because it has no
+/// potential energy (its derivative is not symmetric).
 double energy(const System& system, const State& state);
 
 /// Returns energy() plus the potential energy of gravity, in joules. This sum is constant in a conservative

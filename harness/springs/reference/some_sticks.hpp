@@ -1,5 +1,6 @@
-// Computes the motion of sticks with the double-precision solvers of reference.hpp. Checks compare the
-// device's sticks with the result, and the reference renderer draws its pictures from the result.
+// Computes the motion of sticks with the double-precision solvers of reference.hpp. `pelage run` and
+// `pelage check` compare the device's sticks with the result, and the reference renderer draws its pictures
+// from the result. R is the radius of the mesh's bounding sphere.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,7 +17,7 @@ std::vector<glm::dvec3> reference_sticks(const FrameInput& input, int frames);
 /// State of a selection of sticks after some frames that start from rest.
 struct SomeSticks {
   std::vector<std::uint32_t> stick;  ///< indices of the sticks, ascending
-  std::vector<glm::dvec3> offset;    ///< per stick: the top mass relative to its base, in R
+  std::vector<glm::dvec3> offset;    ///< per stick: position of the top mass relative to the base, in R
   std::vector<glm::dvec3> velocity;  ///< per stick: velocity of the top mass in R/s, in the object's frame
 };
 /// Computes the state of about `count` sticks with evenly spaced indices. In the topology prisms, springs

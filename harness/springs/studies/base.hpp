@@ -1,5 +1,5 @@
-// Functions and the base class for the studies (measurements of mass-spring solvers other than plain frame
-// times).
+// The base class of the studies, and functions that several studies call. A study is a measurement on
+// mass-spring solvers that differs from the plain timing of frames.
 #pragma once
 #include <functional>
 #include <utility>
@@ -38,7 +38,7 @@ class Study : public Subject {
 
   cl::Queue queue_;
   Setting setting_;
-  Identity programs_;  // hashes of the OpenCL programs that ran; add_programs() adds them
+  Identity programs_;  // hashes of the OpenCL programs that ran; the studies add them with add_programs()
 };
 
 }  // namespace pelage::springs

@@ -58,7 +58,8 @@ class Duel : public Subject {
       sample.phase_cpu_ms[name] = theirs.cpu_ms;
       processor_[i].push_back(theirs.cpu_ms);
       // Baselines whose names end in "-2" use two OpenMP threads. After their work these threads wait in a
-      // loop for a while, which uses CPU time. The pause keeps this CPU time out of the next measurement.
+      // loop for a short time, which uses CPU time. The pause of 10 ms keeps this CPU time out of the next
+      // measurement.
       if (name.ends_with("-2")) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return sample;
@@ -124,10 +125,10 @@ class Duel : public Subject {
  private:
   reference::State start() const { return reference_state(setting_.topology, setting_.start); }
 
-  // Checks one step of backward Euler if the model is too large for the reference's factorization. Let
-  // A x = b be the reference's linear equations for the change x of the velocities. The check inserts the
-  // device's change of the velocities as x and computes the relative residual |b - A x| / |b|. Also
-  // checks that each new position is the old position plus the time step times the new velocity.
+  // Checks one step of backward Euler. This check is used for models that are too large for the reference's
+  // factorization. Let A x = b be the reference's linear equations for the change x of the velocities. The
+  // check inserts the device's change of the velocities as x and computes the relative residual |b - A x| /
+  // |b|. Also checks that each new position is the old position plus the time step times the new velocity.
   std::vector<Check> step_checks(const std::vector<glm::vec3>& offsets) const {
     const std::vector<glm::vec3> speeds = masses_.speeds(queue_);
     const Motions& before = setting_.start;

@@ -1,5 +1,5 @@
-// Records the energy of a mass-spring simulation over time. In a conservative scene, also computes how much
-// the energy drifts.
+// Records the energy of a mass-spring simulation over time. In the pipeline springs-drift, the scene must
+// be conservative, and the study also computes how much the energy drifts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -66,10 +66,10 @@ class EnergyStudy : public Study {
     needs_0("dynamics.springs.return_weight", double(d.return_weight));
     needs_0("dynamics.motion.spin", double(d.motion.spin));
     needs_0("dynamics.motion.swing", double(d.motion.swing));
-    needs_0("dynamics.motion.shake (length)", double(glm::length(d.motion.shake)));
+    needs_0("length of dynamics.motion.shake", double(glm::length(d.motion.shake)));
   }
-  // Adds the metric `drift`. Its unit is the energy that all masses would release if they fell by the fur's
-  // length.
+  // Adds the metrics `drift` and `drift_most`. Their unit is the energy that all masses would release if they
+  // fell by the fur's length.
   void describe_drift(Row& row) const {
     const double unit = double(setting_.topology.sticks()) * double(setting_.dynamics.mass) *
                         double(glm::length(setting_.dynamics.gravity)) * double(setting_.topology.length);

@@ -1,6 +1,6 @@
-// Measures how much the derivatives that backward Euler omits by default change its error. The
-// double-precision reference simulates with the pruned Jacobian, which omits them, and with the full
-// Jacobian.
+// By default, backward Euler omits some derivatives of the forces. This study measures how much the omission
+// changes the error of backward Euler. The double-precision reference simulates once with the pruned
+// Jacobian, which omits these derivatives, and once with the full Jacobian.
 #include <algorithm>
 #include <cmath>
 

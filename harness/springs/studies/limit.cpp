@@ -33,7 +33,7 @@ class Trial {
     return true;
   }
 
-  // Simulates with this time step, and returns the greatest length of a stick after any step, in rest
+  // Simulates with the time step `step`. Returns the greatest length that a stick has after any step, in rest
   // lengths.
   double longest(double step) {
     dynamics_.step = float(step);
@@ -61,7 +61,7 @@ class Trial {
 Limit longest_step(const cl::Queue& queue, const SpringNetwork& topology, const Dynamics& dynamics,
                    double look) {
   Trial trial(queue, topology, dynamics, look);
-  // A simulation with short steps takes long, so the search begins with the longest step.
+  // The search begins with the longest step, because the computing time increases as the step decreases.
   double low = most_step, high = most_step;
   while (!trial.stable(low)) {
     high = low;

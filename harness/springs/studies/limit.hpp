@@ -6,12 +6,13 @@ namespace pelage::springs {
 
 /// A time step is too long if a stick reaches this many rest lengths after any step.
 inline constexpr float most_stick = 2;
-/// Duration of the simulation in seconds. It starts at rest, and no stick may reach `most_stick` during it.
+/// Duration, in seconds, of the simulation that tests a time step. The simulation starts at rest. In a stable
+/// simulation, no stick reaches `most_stick` rest lengths.
 inline constexpr double limit_seconds = 2;
 
 struct Limit {
-  /// Longest stable time step in seconds, with an error of at most 2%. The largest value is 1 s. The value is
-  /// 0 if even a step of about 15 us is too long.
+  /// Longest stable time step in seconds, with a relative error of at most 2%. Steps above 1 s are not tried.
+  /// The value is 0 if even a step of about 15 us is too long.
   double step = 0;
   double longest = 0;  ///< greatest length of a stick in the simulation with `step`, in rest lengths
   int tried = 0;       ///< number of time steps that were tried

@@ -1,5 +1,5 @@
-// Subjects (timed objects) of experiments on the mass-spring solvers. They draw no picture. Their results are
-// compared with the baselines or with runs that have shorter time steps.
+// Subjects (timed objects) of experiments on the mass-spring solvers. They draw no picture. Some of them
+// compare the results with the baselines, others with a simulation that has very short time steps.
 #pragma once
 #include <functional>
 #include <map>
@@ -13,8 +13,9 @@
 
 namespace pelage::springs {
 
-/// The mass-spring system of one case of an experiment. `start` is its initial state, which the device
-/// computes by simulating `dynamics.time` seconds (a key of the scene) from rest.
+/// The mass-spring system of one case of an experiment. Only make_solver() and
+/// make_solver_against_baselines() set `start`, the initial state. To compute it, the device simulates
+/// dynamics.time (a key of the scene) seconds from rest.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;
@@ -36,7 +37,7 @@ std::unique_ptr<Subject> make_solver_turns(SubjectContext& context, const Case& 
 std::unique_ptr<Subject> make_solver_jacobian(SubjectContext& context, const Case& which);
 
 /// Makes a subject that times the steps of one frame on the device and, if `rivals` is set, with every
-/// baseline solver. All runs start from `setting.start` and run one after the other.
+/// baseline solver. The device and the baselines all start from `setting.start` and run one after the other.
 std::unique_ptr<Subject> solver_duel(const cl::Device& device, Setting setting, int substeps, bool rivals);
 
 /// Makes a subject that times one simulated second from rest. Its error metrics are the distances of the top
@@ -54,10 +55,11 @@ std::unique_ptr<Subject> solver_limit(const cl::Device& device, Setting setting)
 
 /// Makes a subject that simulates four seconds from rest and reports energies at several times. If
 /// `conservative` is false, the metrics "energy_uJ_at_<seconds>" are the kinetic energy of the masses plus
-/// the potential energy of the springs; wind and drag also change this energy. If `conservative` is true, the
-/// metrics "total_energy_uJ_at_<seconds>" also include the potential energy of gravity, and the metric
-/// "drift" is the change of this total energy over the four seconds. If `conservative` is true and the
-/// dynamics have drag, damping, a return force or a moving object, the function throws InputError.
+/// the potential energy of the springs. If `conservative` is true, the metrics "total_energy_uJ_at_<seconds>"
+/// also include the potential energy of gravity. The metric "drift" is then the change of this total energy
+/// over the four seconds, divided by the energy that all masses would release if they fell by the fur's
+/// length. If `conservative` is true and the dynamics have drag, damping, a return force, or an object that
+/// rotates or shakes, the function throws InputError.
 std::unique_ptr<Subject> solver_energy(const cl::Device& device, Setting setting, bool conservative);
 
 /// Makes a subject that simulates `seconds` from rest. It reports the angles of the sticks to the surface
@@ -66,12 +68,13 @@ std::unique_ptr<Subject> solver_shape(const cl::Device& device, Setting setting,
 
 /// Makes a subject that runs all solvers alternately; each solver simulates one second from rest. Each solver
 /// takes the smallest number of steps per frame (1/60 s) with which its rms error is at most `most_error` fur
-/// lengths. There are metrics for the time step and the errors of each solver, such as "rk4_error_p99".
+/// lengths. The metrics include the time step and the errors of each solver, for instance "rk4_error_p99".
 std::unique_ptr<Subject> solver_turns(const cl::Device& device, Setting setting, const Motions& exact,
                                       double most_error);
 
-/// Makes a subject that simulates one second from rest with the double-precision reference by backward Euler,
-/// once with the pruned and once with the full Jacobian. The metrics are the errors of the two simulations.
+/// Makes a subject that simulates one second from rest twice. Both simulations use backward Euler in double
+/// precision, the first with the pruned Jacobian and the second with the full Jacobian. The metrics are the
+/// errors of the two simulations.
 std::unique_ptr<Subject> solver_jacobian(const cl::Device& device, Setting setting, const Motions& exact);
 
 }  // namespace pelage::springs

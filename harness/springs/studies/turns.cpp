@@ -1,5 +1,6 @@
 // Compares the times of the solvers at equal error. Each solver takes the longest time step with which its
-// error stays below a limit. The solvers simulate the same second alternately.
+// error stays below a limit. One after the other, the solvers simulate the same second
+// from rest.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace pelage::springs {
 namespace {
 
-constexpr int frames_per_second = 60, most_steps = 1024;  // most_steps: of one frame
+constexpr int frames_per_second = 60, most_steps = 1024;  // most_steps: greatest number of steps per frame
 
 class TurnsStudy : public Study {
  public:
@@ -23,7 +24,7 @@ class TurnsStudy : public Study {
       throw InputError(
           "dynamics.tolerance = 0: the pipeline springs-turns needs the largest rms error of the solvers, as "
           "a fraction of fur.length; give a tolerance above 0");
-    enter(default_solver);  // the times of the other solvers are divided by this solver's time
+    enter(default_solver);  // first: the times of the other solvers are divided by this solver's time
     for (const Solver& solver : solvers)
       if (solver != default_solver) enter(solver);
     if (entrants_.empty())
@@ -94,7 +95,7 @@ class TurnsStudy : public Study {
     dynamics.step = 1.0f / float(frames_per_second * steps);
     return {std::string(solver.name), dynamics, steps, MassSprings(queue_, setting_.topology, dynamics)};
   }
-  // Simulates one second with this number of steps per frame, and returns the rms error. Returns infinity if
+  // Simulates one second with `steps` steps per frame, and returns the rms error. Returns infinity if
   // the simulation diverges.
   double tried(const Solver& solver, int steps) {
     Entrant one = entrant(solver, steps);

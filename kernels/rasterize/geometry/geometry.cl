@@ -80,7 +80,7 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
   store_rows(row, box, block);
 }
 
-// Computes the vertices of the base and of the pass's layers.
+// Computes the vertices of the base and of the pass's layers. A pass draws a range of the layers (params.h).
 // screen: one row for each layer and vertex, which holds x, y and 1/w. x and y are integers, stored as the bits of
 // floats. Their unit is 1/256 pixel, and their origin is the image centre. The rows of layer n start at screen_row(n).
 // box: one row for each layer batch and vertex. The row holds the bounding box of the vertex's screen positions in the

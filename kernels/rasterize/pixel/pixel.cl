@@ -1,6 +1,7 @@
-// The pixel mapping: for every layer, a work-item per pixel reads the triangle list of its tile and shades each
-// fragment immediately. The pixel mapping is the simplest implementation of the equations: it computes one fragment at
-// a time, without vectors. Tests compare the other mappings with the pixel mapping on every device.
+// The pixel mapping: one work-item draws one pixel. For every layer, the work-item reads the triangle list of
+// the tile that contains the pixel, and shades each fragment immediately. The pixel mapping is the simplest
+// implementation of the equations: it computes one fragment at a time, without vectors. Tests compare the
+// other mappings with the pixel mapping on every device.
 //
 //   triangles_at reads a triangle's vertices in the layer (coverage/fan.clh).
 //   triangle_hit tests coverage and locates the pixel on the triangle (this file, coverage/).
@@ -14,7 +15,8 @@
 
 typedef struct { bool covered; Perspective at; } Hit;
 
-// Evaluates a triangle at the pixel whose centre is the origin of the coordinates of t.
+// Tests whether the triangle t covers a pixel, and locates the pixel on the triangle. The pixel's centre is the origin
+// of the coordinates of t.
 static Hit hit_at(Setup t) {
   Hit h;
   h.covered = t.live && t.edge[0].at >= 0 && t.edge[1].at >= 0 && t.edge[2].at >= 0;
@@ -27,8 +29,9 @@ static Hit hit_at(Setup t) {
   return h;
 }
 
-// Evaluates a triangle of layer n at the pixel whose centre is (origin_x, origin_y), after clipping the triangle if
-// necessary.
+// Tests whether a triangle of layer n covers the pixel with the centre (origin_x, origin_y), and locates the
+// pixel on the triangle. If the triangle crosses the near plane or the guard band, this function first clips
+// it.
 static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
   Triangles b = triangles_at(s, m, n, gather_rows(m.corners, triangle), origin_x, origin_y);
   for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];
@@ -70,8 +73,8 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   for (int k = list_start[tile]; k < list_start[tile + 1]; ++k) {
     Hit h = triangle_hit(&s, of.geometry, base, -1, list[k], origin_x, origin_y, vertices);
     if (!h.covered || h.at.iw <= nearest.at.iw) continue;
-    // The members are copied one by one. rusticl (Mesa 22.3) would execute `nearest = h` also in lanes that skip it by
-    // `continue`.
+    // The members are copied one by one, because rusticl (Mesa 22.3) executes the assignment `nearest = h` also in
+    // lanes that skip it by `continue`.
     nearest.covered = true;
     nearest.at.iw = h.at.iw;
     nearest.at.w = h.at.w;

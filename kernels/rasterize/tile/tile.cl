@@ -1,9 +1,12 @@
-// The tile mapping, which is fast on CPUs. A work-item draws a tile. It sets up LANES triangles at once, adds each
-// triangle to the lists of the blocks of 4 x 4 pixels that it covers, and shades LANES neighbouring pixels at once.
-// Silva et al. 2010 draw the layers from the innermost to the outermost with the 'over' operator. This mapping draws
-// the layers and the triangles of each layer in the reverse order with the 'under' operator. Both operators give the
-// same result: layers write no depth, so the order of drawing does not change which fragments are blended. A pixel is
-// complete when its transmittance is at most OPAQUE. A tile runs these stages in this order:
+// Draws the fur by a method that is fast on CPUs: a work-item draws one tile (TILE_W x TILE_H pixels) at a
+// time. The work-item sets up LANES triangles at once. It adds each triangle to the lists of the blocks
+// (4 x 4 pixels each) that the triangle covers. It shades LANES pixels at once. Silva et al. 2010 (Curling and
+// Clumping Fur, section 4) draw the layers from the innermost to the outermost with the 'over' operator. This
+// file uses the 'under' operator. It draws the layers from the outermost to the innermost, and the triangles
+// of each layer from the last to the first. Both orders blend the same fragments, because layers write no
+// depth. Therefore both operators give the same result. A pixel is complete when its transmittance is at most
+// OPAQUE. If the data of all layers need too much memory, several passes draw the layers. w is the view
+// depth. These functions draw a tile:
 //
 //   draw_layer() sets up the triangles of a layer (this file, coverage/).
 //   keep() and cover_pixels() add each triangle to the lists of the blocks that the triangle covers (fragments.clh).
@@ -13,7 +16,8 @@
 //   shade() and flush() compute attributes, clump, fur and light, and blend the fragments (blocks.clh, shading/).
 //   find_hidden() runs after the base is drawn. It computes the bounds of 1/w below which the base hides a fragment
 //   (hidden.clh).
-//   may_be_seen() selects the triangles that may be visible in a layer batch (hidden.clh).
+//   may_be_seen() selects the triangles that may be visible in a layer batch, which consists of consecutive
+//   layers (hidden.clh).
 //   resolve() adds the base surface or the background (blocks.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/cells.clh"
@@ -26,8 +30,8 @@
 #include "rasterize/tile/blocks.clh"
 #include "rasterize/tile/hidden.clh"
 
-// Clips a triangle, and draws the fan of triangles of the remaining polygon one by one. The lists of the blocks must be
-// empty. Returns the number of covered fragments.
+// Clips a triangle, and draws the fan of triangles of the remaining polygon one by one. The lists of the
+// blocks must be empty. Returns the number of covered fragments if COUNT_FRAGMENTS is defined, else 0.
 static int draw_clipped(const Pass *pass, Geometry m, int v0, int v1, int v2, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   Cut polygon[POLYGON];
@@ -92,7 +96,8 @@ static void clear(const Place *place, Drawn *d, Tile *tile) {
   }
 }
 
-// Draws the first `entries` triangles of `from` in the layer pass->n. Returns the number of covered fragments.
+// Draws the first `entries` triangles of `from` in the layer pass->n. Returns the number of covered fragments
+// if COUNT_FRAGMENTS is defined, else 0.
 static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int entries, Batch *batch, Drawn *d, Tile *tile) {
   const Place *place = &pass->place;
   int n = pass->n, covered = 0;
@@ -122,8 +127,8 @@ static int draw_layer(const Pass *pass, Geometry m, const Entries *from, int ent
     if (covering == 0) continue;
     int slot = d->used;
     d->used += LANES;
-    // For each triangle that may cover a pixel, in drawing order: appends the triangle to the list of each block that
-    // it covers.
+    // Takes the triangles that may cover a pixel, in drawing order. Appends each triangle to the list of each
+    // block that the triangle covers.
     while (covering != 0) {
       int lane = n < 0 ? first_lane(covering) : last_lane(covering);
       covering ^= 1u << lane;
@@ -169,8 +174,8 @@ static void suspend(const RasterParams *s, const Place *place, const Tile *tile,
     }
 }
 
-// Draws the base, then the layers of the pass from the outermost one inwards. If COUNT_FRAGMENTS is defined, it returns
-// the number of covered fragments of the layers.
+// Draws the base surface, and then the layers of the pass from the outermost to the innermost. Returns the
+// number of covered fragments of the layers if COUNT_FRAGMENTS is defined, else 0.
 static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start, TABLE(int) list, __global int *shown,
                       __global float4 *image) {
   const RasterParams *s = pass->s;

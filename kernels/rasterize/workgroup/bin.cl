@@ -1,13 +1,16 @@
-// Makes the triangle lists of the workgroup mapping. There is one list per layer batch and tile of TILE_W x TILE_H
-// pixels. A list contains the triangles that may touch its tile in its layer batch, in the mesh's order. The first
-// kernel counts the tiles that each triangle may touch. A prefix sum of the counts gives the positions at which the
-// second kernel writes pairs (list number, triangle number). A stable sort (common/radix_sort.cl) groups the pairs by
-// list number. No capacity is fixed in advance, so the number of triangles is not limited.
+// Makes the triangle lists that the kernel in workgroup.cl draws. Layer batch 0 is the base surface, and
+// every other layer batch consists of consecutive layers. Each pair of a layer batch and a tile
+// (TILE_W x TILE_H pixels) has one list. The list contains the triangles that may touch the tile in this layer batch,
+// in the mesh's order. The first kernel counts the tiles that each triangle may touch. A prefix sum of the
+// counts gives the positions at which the second kernel writes pairs (list number, triangle number). A stable
+// sort (common/radix_sort.cl) groups the pairs by list number. No capacity is fixed in advance, so the number
+// of triangles is not limited.
 #include "rasterize/geometry/boxes.clh"
 
 typedef struct { int left, top, right, bottom; } Span;
 
-// Returns the tiles that triangle t may touch in layer batch g. right < left if t covers no pixel centre in this batch.
+// Returns the tiles that triangle t may touch in layer batch g. In the result, right < left if t covers no pixel centre
+// in this batch.
 static Span tiles_of(const RasterParams *s, TABLE(float) corners, TABLE(float) box, int g, int t) {
   Box b = box_of(s, load_rows(corners, t), box, g);
   Span tiles = {b.left / TILE_W, b.top / TILE_H, b.live ? b.right / TILE_W : -1, b.live ? b.bottom / TILE_H : -1};

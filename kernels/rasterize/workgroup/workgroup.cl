@@ -1,9 +1,12 @@
-// The workgroup mapping, for GPUs: a work-group draws a tile, and a work-item draws a pixel. The triangles of a tile
-// are processed in batches. A batch has as many triangles as the work-group has work-items. First, each work-item sets
-// up one triangle of the batch and computes a mask of the pixels that this triangle covers. Triangles that cover no
-// pixel are dropped. Then each work-item draws all triangles of the batch that cover its pixel. Layers are drawn from
-// the outermost to the innermost, and the triangles of a layer in reverse order, with front-to-back compositing. Layers
-// write no depth, so the 'under' operator in this order gives the result of 'over' in Silva et al. 2010.
+// Draws the fur by a method for GPUs: a work-group draws a tile, and a work-item draws a pixel. The triangles
+// of a tile are processed in batches. A batch has as many triangles as the work-group has work-items. First,
+// each work-item sets up one triangle of the batch and computes a mask of the pixels that this triangle
+// covers. Triangles that cover no pixel are dropped. Then each work-item draws all triangles of the batch
+// that cover its pixel. The kernel draws the layers from the outermost to the innermost, and the triangles of
+// each layer from the last to the first, with the 'under' operator. Silva et al. 2010 (Curling and Clumping
+// Fur, section 4) draw the layers from the innermost to the outermost with the 'over' operator. Layers write
+// no depth, so both methods give the same picture. If the data of all layers need too much memory, several
+// passes draw the layers. w is the view depth.
 //
 //   put_triangle() sets up one triangle and the mask of its pixels (batch.clh, coverage/).
 //   draw_clipped() draws a triangle that needs clipping (this file, coverage/fan.clh).
@@ -108,8 +111,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   float least_iw = 0.0f;
   int turn = 0;
 
-  // Step -1 draws the base (n = -1) in the mesh's order. The next steps draw the pass's layers from the outermost one,
-  // and the triangles of a layer in reverse order.
+  // Step -1 draws the base (n = -1) in the mesh's order. The next steps draw the layers of this pass from the
+  // outermost to the innermost, and the triangles of each layer from the last to the first.
   for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
     int n = step < 0 ? -1 : s.end_layer - 1 - step;
     int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
@@ -132,8 +135,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
         mine |= (work.drawn.covered[slot] >> item & 1) << slot;
       }
       if (n >= 0) p.fragments += (uint)popcount(mine);
-      // Draws the triangles in the order of their slots. Each round draws the triangles before the next triangle that
-      // needs clipping, and then this triangle.
+      // Draws the triangles in the order of their slots. Each iteration first draws the triangles in the
+      // slots before the next triangle that needs clipping. It then clips and draws that next triangle.
       for (;;) {
         ulong before = fans ? below_bit(lowest_bit(fans)) : ~(ulong)0;
         for (; mine & before; mine &= mine - 1) {
@@ -153,9 +156,10 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
       barrier(CLK_LOCAL_MEM_FENCE);
       least_iw = as_float(work.least);
     } else if (first < last) {
-      // Tests whether all pixels of the tile are finished. A layer without triangles skips this test for two reasons.
-      // Such a layer changes no pixel. It also executes no barrier, so a work-item could write work.finished while
-      // another work-item still reads work.finished for the previous layer.
+      // Tests whether all pixels of the tile are finished. A layer without triangles skips this test for two
+      // reasons. First, such a layer changes no pixel. Second, the loop above executes no barrier for such a
+      // layer. With the test, a work-item could write work.finished while another work-item still reads
+      // work.finished for the previous layer.
       if (!finished && (!inside || p.front.w <= OPAQUE)) {
         finished = true;
         atomic_inc(&work.finished);

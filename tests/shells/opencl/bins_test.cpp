@@ -1,4 +1,5 @@
-// Tests the start positions of the tiles' triangle lists.
+// Tests the kernel bin_start. The kernels divide the picture into tiles and store one list of triangles per
+// tile. bin_start computes the position in a buffer at which each list starts.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -119,8 +119,8 @@ struct whole4 {
 inline whole4 gather_fours(const std::int32_t* table, whole i) {
   return {table[i], table[i + 1], table[i + 2], table[i + 3]};
 }
-// The kernels compute this dot product in integers. It counts as three operations, because floats would need
-// two products and a sum.
+// The kernels compute this dot product in integers. It counts as three operations, because the same product
+// of floats would take two multiplications and an addition.
 inline whole dot_halves(whole a, whole b) {
   operations += 3;
   const auto low = [](whole v) { return whole(std::int16_t(v)); };
@@ -149,8 +149,9 @@ double count(const Work& work) {
   return operations - before;
 }
 
-/// Expects `constant` to be within 10% of `taken`, the counted number of operations. This is exact enough for
-/// a roofline plot, and small changes of the kernels do not require new constants.
+/// Expects `constant` to be within 10% of `taken`, the counted number of operations. A tolerance of 10% is
+/// small enough for a roofline plot. With this tolerance, small changes of the kernels do not require new
+/// constants.
 inline void expect_near(double constant, double taken, const char* what) {
   EXPECT_NEAR(constant, taken, 0.1 * taken) << what << ": the kernels take " << taken;
 }

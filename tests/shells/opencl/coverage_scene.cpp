@@ -10,13 +10,13 @@
 namespace pelage::pictures {
 namespace {
 
-// Opacity of the fur in 1/255. The kernels may skip further triangles of a pixel when its transmittance is at
-// most 1/512. Under 57 triangles with this opacity, the transmittance is still above 1/512.
+// The opacity of the fur is 26/255. The kernels may skip further triangles of a pixel when its transmittance
+// is at most 1/512. Under 57 triangles with this opacity, the transmittance is still above 1/512.
 constexpr int coverage = 26;
 
-/// Returns a frame with the triangles of `flat` in the plane z = 0 and upright strands of length 1. It has
-/// two layers. The first layer has no fur. The second layer is at z = 1, where w is exactly 1/2 for the
-/// default `row_w`.
+/// Returns a frame with the triangles of `flat` in the plane z = 0 and upright strands of length 1. The fur
+/// has two layers. The first layer has no fur. The second layer is at z = 1, where the clip coordinate w is
+/// exactly 1/2 for the default `row_w`.
 FrameInput flat_frame(const Flat& flat) {
   FrameInput input;
   Scene& scene = input.scene;
@@ -28,7 +28,7 @@ FrameInput flat_frame(const Flat& flat) {
   scene.shading.ambient = 1;
   scene.shading.lights = {LightScene{{0, 0, 1}, 0}};
   scene.shading.specular = glm::vec3(0);
-  scene.shading.shadow = 1e6f;  // the larger, the weaker the shadow; with 1e6 the skin stays white
+  scene.shading.shadow = 1e6f;  // larger values make the shadow weaker; with 1e6 the skin stays white
   scene.coat.skin = glm::vec3(1);
   scene.image = {flat.width, flat.height, glm::vec3(1)};
 

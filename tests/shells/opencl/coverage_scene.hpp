@@ -1,4 +1,5 @@
-// Counts how many triangles the device draws at each pixel. It uses only the public class Shells.
+// Counts how many triangles the device draws at each pixel. The counting uses only the public interface of
+// the class Shells.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -12,14 +13,15 @@
 namespace pelage::pictures {
 
 /// Triangles in front of the camera. With the default `row_w`, vertices are screen positions in pixels
-/// relative to the image centre, with y pointing down. A coordinate that is a multiple of 1/256 pixel and
-/// below 2^14 pixels is exact on the screen.
+/// relative to the image centre, with y pointing down. If a coordinate is a multiple of 1/256 pixel and
+/// below 2^14 pixels, the projection to the screen does not round it.
 struct Flat {
   std::vector<glm::vec2> vertex;
   std::vector<glm::uvec3> triangle;
   int width = 0, height = 0;
-  /// The row of the camera matrix that gives w. On the layer with fur, a vertex (x, y) has the position (x /
-  /// 2, y / 2, 1).
+  /// The last row of the camera matrix. Its dot product with (position, 1) is the clip coordinate w. The
+  /// triangles are drawn in a layer of fur at z = 1. In this layer, a vertex (x, y) has the position (x / 2,
+  /// y / 2, 1).
   glm::vec4 row_w{0, 0, -.5f, 1};
 };
 

@@ -1,5 +1,7 @@
-// Tests that a mapping draws a scene with the same bits in every run, with any tile size, and with any number
-// of layers per layer batch. The file also compares the pictures of the mappings tile and pixel.
+// A mapping is a way to assign pixels to work-items. The mapping tile divides the picture into tiles and
+// processes the layers in batches. This file tests that it draws a scene with the same bits in every run,
+// with any tile size, and with any number of layers per batch (GROUP). The file also compares the pictures of
+// the mappings tile and pixel.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -11,7 +13,7 @@ namespace {
 
 using namespace pictures;
 
-// The values of the tuning axes with which a picture is drawn.
+// The value of each tuning axis (a compile-time option of the kernels), by the name of the axis.
 using Tuning = std::map<std::string, int>;
 
 Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string& mapping,
@@ -47,9 +49,10 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
   }
 }
 
-// The pipeline does not draw a triangle in layers where S Algorithm 2 would discard all its fragments. This
-// must not change any bit of the picture. The test compares the usual picture with a picture for which every
-// triangle is drawn in all layers (REACH = 0).
+// The pipeline does not draw a triangle in layers where Algorithm 2 of paper S (Silva et al. 2010, Curling
+// and Clumping Fur) would discard all its fragments. The omission of these triangles must not change any bit
+// of the picture. The test compares the usual picture with a picture for which every triangle is drawn in all
+// layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
     for (const char* cells : {"separate", "literal"})
@@ -74,7 +77,8 @@ TEST(Determinism, MappingsAgree) {
   const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
   const Agreement agreement = compare(tile, pixel);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  // Alpha is 0 in pixels without base surface and fur. It must be 0 in the same pixels for both mappings.
+  // Alpha is 0 in pixels without base surface and fur. The mappings tile and pixel must set alpha to 0 in the
+  // same pixels.
   std::size_t differing = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     differing += (tile.pixel[i].a == 0) != (pixel.pixel[i].a == 0);

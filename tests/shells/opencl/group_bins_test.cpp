@@ -1,5 +1,5 @@
-// The workgroup mapping bins triangles with prefix sums and a radix sort. This file compares their results
-// with std::exclusive_scan and std::stable_sort.
+// The mapping `group` (a way to assign pixels to work-items) bins triangles with prefix sums and a radix
+// sort. This file compares their results with std::exclusive_scan and std::stable_sort.
 #include <gtest/gtest.h>
 
 #include <algorithm>

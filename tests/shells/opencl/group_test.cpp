@@ -1,6 +1,7 @@
-// Tests that the workgroup mapping covers the same pixels as the other mappings, and draws the same picture
-// in every run. picture_test.cpp compares the workgroup mapping with the reference.
-// properties_coverage_test.cpp compares its coverage with exact integer computations.
+// A mapping is a way to assign pixels to work-items. This file tests the mapping `group`. It must cover the
+// same pixels as the mapping `tile`, and draw the same picture in every run. picture_test.cpp compares its
+// pictures with the reference. properties_coverage_test.cpp compares its coverage with exact integer
+// computations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,8 +39,9 @@ TEST(Group, CountsTheFragmentsThatTheOthersCount) {
 }
 
 TEST(Group, CoversThePixelsThatTilesCover) {
-  // A fan of thin triangles around one point. Some corners are beyond the guard band. The second value of
-  // row_w makes w depend on y, so some triangles also cross the near plane.
+  // The test draws a fan of thin triangles around one point. Some corners are beyond the guard band. The
+  // second value of row_w makes the clip coordinate w depend on y, so some triangles also cross the near
+  // plane.
   for (const glm::vec4 row_w : {glm::vec4(0, 0, -.5f, 1), glm::vec4(0, .001f, -.5f, 1)}) {
     Flat flat{{{3, -7}}, {}, 131, 77, row_w};
     constexpr std::uint32_t spokes = 40;
@@ -69,13 +71,14 @@ TEST(Group, TwentyRunsAreOnePicture) {
   EXPECT_GT(std::count_if(first.pixel.begin(), first.pixel.end(), [](const glm::vec4& p) { return p.w > 0; }),
             500);
   for (int run = 1; run < 20; ++run) EXPECT_TRUE(same_bits(first, drawn({}))) << "run " << run;
-  // The number of layers per layer batch must not change the picture.
+  // The mapping `group` processes the layers in batches. The number of layers per batch (GROUP) must not
+  // change the picture.
   for (const int group : {1, 3, 16}) EXPECT_TRUE(same_bits(first, drawn({{"GROUP", group}}))) << group;
 }
 
 TEST(Group, DrawsNothingWhereNothingIs) {
-  // The camera looks past the mesh, so every triangle list is empty, and every pixel has the background
-  // colour.
+  // The camera looks past the mesh, so every triangle list is empty, and every pixel must have the
+  // background colour.
   FrameInput input = *tiny_frame();
   input.scene.image.background = {.1f, .2f, .3f};
   input.scene.camera.target = {40, 1, 40};

@@ -1,6 +1,6 @@
-// Tests drawing in several passes, which is necessary if the vertices of all layers do not fit in memory. The
-// picture must have the same bits as the picture drawn in one pass. The numbers of fragments must also be
-// equal.
+// If the vertices of all layers do not fit in memory, pelage draws the layers in several passes. This file
+// tests such passes. The picture must have the same bits as the picture drawn in one pass. The numbers of
+// fragments must also be equal.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -25,7 +25,7 @@ std::shared_ptr<const FrameInput> wet_frame() {
 }
 
 struct Drawn {
-  Picture picture, after;  // the first frame, and the next frame, which is drawn after counting fragments
+  Picture picture, after;  // `after` is the next frame, drawn after the fragments were counted
   std::uint64_t counted;
   Tally tally;
 };
@@ -59,8 +59,8 @@ TEST_P(Passes, ArePartsOfOnePicture) {
   const Drawn whole = drawn(input, GetParam(), layers);
   EXPECT_GT(whole.tally.blended, 1000u);
   // The 16 layers are drawn with at most 7, 3 or 1 layers per pass. pelage rounds 7 down to 4, the size of a
-  // layer batch. With 3 layers per pass, a pass is smaller than a layer batch, and the sixth pass has only
-  // one layer.
+  // layer batch. With 3 layers per pass, a pass has fewer layers than a layer batch, and the sixth pass has
+  // only one layer.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
     const Drawn parts = drawn(input, GetParam(), at_once);

@@ -1,6 +1,6 @@
 // Compares pictures of the kernels and of the reference for fragments that take several samples
-// (docs/frame.md, section 6, "Sub-steps"). Kernels and reference were written independently from that
-// section.
+// (docs/frame.md, section 6, "Sub-steps"). Kernels and reference were written independently of each other;
+// both follow that section.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -42,8 +42,8 @@ TEST_P(Substeps, LookLikeTheReferenceAndNotLikeOneLook) {
   }
 }
 
-// On PoCL, the pixel mapping needs more than 40 s of CPU time for the bunny's 142,307 triangles. Only the
-// tile mapping draws the bunny here.
+// A mapping is a way to assign pixels to work-items. On PoCL, the mapping `pixel` needs more than 40 s of CPU
+// time for the bunny's 142,307 triangles. Therefore only the mapping `tile` draws the bunny here.
 INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Substeps,
                          testing::Values(Case{"torus", "curling", {"tile", "pixel"}},
                                          Case{"torus", "wet", {"tile", "pixel"}},

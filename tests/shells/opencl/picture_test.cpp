@@ -1,5 +1,6 @@
 // Compares the device's pictures with those of the reference. Kernels and reference were written
-// independently from the papers.
+// independently of each other; both follow the two papers Curling and Clumping Fur and Real-Time Rendering of
+// Wet Fur (Silva et al. 2010).
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -14,7 +15,7 @@ using namespace pictures;
 void expect_same(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  EXPECT_GT(agreement.pixels, least_pixels);  // enough fur pixels are compared
+  EXPECT_GT(agreement.pixels, least_pixels);  // the pictures must contain enough fur pixels
   ::testing::Test::RecordProperty("agreement", describe(agreement));
 }
 
@@ -72,7 +73,7 @@ TEST_P(Mappings, OtherReadings) {
 }
 
 TEST_P(Mappings, FurThatRunsBehindTheEye) {
-  // The camera is so near to a square that its triangles cross the near plane and the guard band.
+  // The camera is so near to a square that the square's triangles cross the near plane and the guard band.
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .05f;
   scene.camera.eye = {.13f, -.21f, .25f};
@@ -89,7 +90,7 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
 
 TEST_P(Mappings, TheEyeInsideTheFur) {
   // Near the eye, some triangles of a layer cross the near plane and are clipped. Unclipped triangles are
-  // before and after them in the drawing order.
+  // drawn before and after the clipped triangles.
   Scene scene = synthetic::lively_scene();
   scene.fur.layers = 8;
   scene.camera.eye = {1.05f, .04f, 0};

@@ -1,6 +1,7 @@
-// Tests which pixels the device covers after transform, binning, clipping and rasterization. They must be the
-// pixels that the reference covers by exact integer edge functions. Triangles that share edges must leave no
-// gap and no overlap (docs/frame.md, section 4).
+// A mapping is a way to assign pixels to work-items. This file tests, for each mapping, which pixels the
+// device covers after transform, binning, clipping and rasterization. These pixels must be the pixels that
+// the reference covers. The reference computes its coverage by exact integer edge functions. Triangles that
+// share edges must leave no gap and no overlap (docs/frame.md, section 4).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct Mapping {
   int pictures;    ///< number of pictures of random triangles
   int triangles;   ///< number of random triangles per picture; the pictures of "tile" have a million in total
   int repeats;     ///< number of random meshes of each kind in the test of shared edges
-  int coarser;     ///< the grids have this many times fewer columns and rows than the grids for "tile"
+  int coarser;     ///< the grids of "tile" have this many times as many columns and rows
   int spokes;      ///< number of triangles around the common corner in each mesh made by star()
   double samples;  ///< least number of pixel centres next to shared edges, summed over all meshes of a test
 };
@@ -73,7 +74,7 @@ std::array<Snapped, 3> awkward(std::mt19937& random) {
       return random() % 2
                  ? std::array<Snapped, 3>{c, c, near(2000)}
                  : std::array<Snapped, 3>{c, Snapped{c.x + 512, c.y + 256}, Snapped{c.x + 1024, c.y + 512}};
-    default:  // small; 1 in 64 is thin, with two corners far outside the picture but in the guard band
+    default:  // a small triangle, or in 1 of 64 cases a thin triangle with two corners outside the picture
       if (random() % 64) return {near(1500), near(1500), near(1500)};
       const Snapped far{within(1 << 21), within(1 << 21)};
       return {c, far, Snapped{far.x + within(2000), far.y + within(2000)}};
@@ -109,8 +110,9 @@ TEST_P(Coverage, RandomTrianglesCoverWhatTheIntegersSay) {
   EXPECT_GT(hits, std::size_t(pictures) * std::size_t(triangles) * 10);
 }
 
-// Draws large triangles that overlap around one point. In the tiles near this point, all corners are less
-// than 128 pixels away, but products of the coordinates already need more than 32 bits.
+// Draws large triangles that overlap around one point. The corners of the triangles are less than 128 pixels,
+// in x and in y, from the tiles near this point. The edge functions of these triangles nevertheless need more
+// than 32 bits.
 TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   constexpr int side = 256;
   std::mt19937 random(5);
@@ -137,9 +139,10 @@ TEST_P(Coverage, TrianglesOf220PixelsCoverWhatTheIntegersSay) {
   EXPECT_TRUE(covered_counts(flat, GetParam().options) == expected);
 }
 
-/// Returns a mesh with the vertices `v`, which form a grid. Each cell of the grid is split into two triangles
-/// of random winding. A cell need not be convex. The diagonal is chosen at random from those that give two
-/// triangles of positive area.
+/// Returns a mesh with the vertices `v`, which form a grid. Each cell of the grid is split into two
+/// triangles. The vertices of each triangle are in clockwise or in counter-clockwise order, at random. A cell
+/// may be concave. The diagonal is chosen at random from the diagonals that split the cell into two triangles
+/// with a signed area of at least 0.
 Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   Flat flat{{}, {}, size, size};
   const std::uint32_t columns = std::uint32_t(v[0].size());
@@ -168,9 +171,9 @@ Flat grid(const std::vector<std::vector<glm::dvec2>>& v, std::mt19937& random) {
   return flat;
 }
 
-/// Returns the number of pixel centres next to shared edges, inside the picture. The function computes how
-/// many rows and how many columns of pixels each edge crosses, and takes the larger number. For each of these
-/// rows or columns, it counts two pixel centres: one on each side of the edge.
+/// Returns how many pixel centres inside the picture are next to shared edges. The function computes how many
+/// rows and how many columns of pixels each edge crosses, and takes the larger number. For each of these rows
+/// or columns, it counts two pixel centres: one on each side of the edge.
 double samples(const Flat& flat) {
   double sum = 0;
   for (const glm::uvec3& t : flat.triangle)

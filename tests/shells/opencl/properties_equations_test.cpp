@@ -1,6 +1,7 @@
-// Compiles the kernels' functions for the papers' equations as C++ in double precision. Compares their
-// results with closed forms and with the reference, which was written independently. The device runs the same
-// functions in single precision, so only rounding differs there.
+// The kernels have functions that compute the equations of the two papers of Silva et al. (2010). This file
+// compiles these functions as C++ in double precision, and compares their results with closed forms and with
+// the independent reference. The device runs the same functions in single precision, so only rounding differs
+// there. Paper S is Silva et al. 2010, Curling and Clumping Fur.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -98,8 +99,8 @@ TEST(Equations, StrandsStepLikeTheReference) {
     for (std::size_t i = 0; i < 40; ++i) {
       strand = stepped(input, strand, double(i) * double(input.scene.dynamics.step));
       expected = reference::substep(input, 0, expected, i);
-      // The parameters are floats, so wind, weight and 1/m are rounded before they are used. The motion
-      // amplifies this error.
+      // The parameters are floats, so wind, weight and 1/m (m is the mass) are rounded before they are used.
+      // The motion amplifies this rounding error.
       ASSERT_LT(glm::length(glm_of(strand.tip) - expected.tip), 1e-6) << trial << ' ' << i;
       ASSERT_LT(glm::length(glm_of(strand.speed) - expected.velocity), 1e-4) << trial << ' ' << i;
     }
@@ -221,13 +222,13 @@ TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);
 }
 
-/// Returns the highlight factor of C_s in S Eq. 6. All vectors are unit vectors.
+/// Returns the factor of the highlight colour C_s in Eq. 6 of paper S. All vectors are unit vectors.
 double strand_specular(const real3& tangent, const real3& light, const real3& eye, double exponent) {
   return shim::power(shim::strand_mirror(shim::angle_with(tangent, light), shim::angle_with(tangent, eye)),
                      exponent);
 }
 
-/// Returns the colour of S Eq. 6 for one fragment. It calls the kernels' functions.
+/// Returns the colour of Eq. 6 of paper S for one fragment. The function calls the kernels' functions.
 glm::dvec3 curling(const ShadingScene& shading, const reference::Fragment& f) {
   double diffuse = double(shading.ambient), specular = 0;
   for (const LightScene& light : shading.lights) {
@@ -272,10 +273,10 @@ TEST(Equations, ColoursAreTheReferences) {
     shading.lights = {LightScene{any.vector(), 1.5f}, LightScene{any.vector(), .6f}};
     const reference::Fragment f{any.vector(),    any.direction(), any.direction(),
                                 any.direction(), std::abs(any()), trial % 5 ? std::abs(any()) : 0};
-    // The kernels compute the wrapped light (x + .4f) / 1.4f with float literals, so it is up to 2.2e-8 too
-    // large. The error is multiplied by 2.1, the sum of the light intensities, and by at most 1.25: each
-    // component of the colour is at most 1, and each component of `specular` is at most 0.25. Without wrapped
-    // light there is no such error.
+    // The kernels compute the wrapped light (x + .4f) / 1.4f with float literals, so the wrapped light is up
+    // to 2.2e-8 too large. In the result, this error is multiplied by 2.1, the sum of the light intensities.
+    // It is also multiplied by at most 1.25, because each component of the colour is at most 1 and each
+    // component of `specular` is at most 0.25. Without wrapped light there is no such error.
     const double tolerance = shading.wrap == 0 ? 1e-11 : 6e-8;
     expect_near(curling(shading, f), reference::curling_colour(shading, f), tolerance);
     expect_near(wet(shading, f), reference::wet_colour(shading, f), tolerance);
@@ -290,7 +291,7 @@ TEST(Equations, AlongAndAcrossTheLight) {
   EXPECT_EQ(shim::strand_diffuse(shim::angle_with(x, z)), 1);
   // The light and the view direction are both perpendicular to the strand, so the highlight is 1.
   EXPECT_EQ(strand_specular(x, z, y, 8), 1);
-  // The light is perpendicular to the strand and the view direction is parallel to it, so the highlight is 0.
+  // The light is perpendicular and the view direction is parallel to the strand, so the highlight is 0.
   EXPECT_EQ(strand_specular(x, z, x, 8), 0);
   // The light and the view direction are both parallel to the strand, so the highlight is 1.
   EXPECT_EQ(strand_specular(z, z, z, 8), 1);
@@ -309,7 +310,7 @@ TEST(Equations, AlongAndAcrossTheLight) {
   EXPECT_EQ(shim::surface_diffuse(.25, 0), .25);
   EXPECT_EQ(shim::shadow_factor(1, 1.5), 1);
   EXPECT_EQ(shim::shadow_factor(0, 1), 0);
-  EXPECT_EQ(shim::wet_exponent(0, 0), 1);  // sigma_spec = 0: wetness has no effect
+  EXPECT_EQ(shim::wet_exponent(0, 0), 1);  // wet_specular = 0: no effect
   EXPECT_EQ(shim::wet_exponent(0, .5), .5);
   EXPECT_EQ(shim::wet_exponent(1, .5), 1);
   EXPECT_EQ(shim::occlusion_factor(.3, 0), 1);

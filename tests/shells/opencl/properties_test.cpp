@@ -1,5 +1,6 @@
 // Compares the kernels' strands and wetness mask with closed forms and with the reference. The inputs are
-// synthetic.
+// synthetic. Lengths are in R, the radius of the mesh's bounding sphere. Paper S is Silva et al. 2010,
+// Curling and Clumping Fur.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,8 +19,8 @@ namespace {
 
 using synthetic::noise;
 
-/// Returns a scene with upright strands of length .1 R, one substep per frame, and a picture of 16 x 16
-/// pixels. There is no drag, gravity or wind.
+/// Returns a scene with upright strands of length .1 R (R is the mesh radius), one substep per frame, and a
+/// picture of 16 x 16 pixels. There is no drag, gravity or wind.
 Scene bare_scene() {
   Scene scene = synthetic::lively_scene();
   scene.fur.length = .1f;
@@ -87,9 +88,10 @@ TEST(KernelStrands, LoadMovesTheRestPositionAsTheBallAllows) {
 }
 
 TEST(KernelStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
-  // The anchor is .09 R above the root, and gravity pulls the tip towards the skin. The tip swings between
-  // .09 R and .05 R above the root. S Eq. 3 keeps the tip inside a ball of radius .1 R, but the tip never
-  // reaches the surface of this ball.
+  // The anchor is the tip's position at rest without gravity. It is .09 R above the root, where R is the mesh
+  // radius. Gravity pulls the tip towards the skin, so the tip swings between .09 R and .05 R above the root.
+  // Eq. 3 of paper S keeps the tip inside a ball of radius .1 R, but the tip never reaches the surface of
+  // this ball.
   Scene scene = bare_scene();
   FrameInput input = bare(scene);
   const glm::dvec3 n(input.strands.normal[0]);
@@ -157,7 +159,7 @@ TEST(KernelStrands, Equation3HoldsUnderRandomForces) {
   }
   EXPECT_LE(highest, 1 + 3e-7);  // the tolerance allows for a few float roundings
   EXPECT_GE(lowest, -3e-7);
-  EXPECT_GT(highest, 1 - 3e-7);  // tips reach both bounds
+  EXPECT_GT(highest, 1 - 3e-7);  // some tips must reach the fur's length, and some the skin
   EXPECT_LT(lowest, 3e-7);
 }
 
@@ -228,7 +230,7 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
         EXPECT_GT(wet, mask.size() / 2);
       }
       // The test can detect a wrong order of the droplets only if the mask depends on this order. The next
-      // lines check this for one case.
+      // lines check that the reversed order gives a different mask.
       if (count == 400 && size == 64) {
         const reference::Mask reversed = reference::wetness_mask(input, reference::Mutant::droplets_reversed);
         std::size_t different = 0;
@@ -249,16 +251,17 @@ TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
     for (int c = 0; c < 4; ++c) EXPECT_NEAR(got[c], want[c], 1e-6);
   };
   input.droplets = {drop(.5f, .3f, .4f), drop(.6f, .2f, .4f)};
-  expect(texel(input), {.55, .55, .25, .8});  // Algorithm 1 with alpha = .4 / .8
+  expect(texel(input), {.55, .55, .25, .8});  // paper S, Algorithm 1: alpha = .4 / .8
   input.droplets = {drop(.5f, .3f, .5f), drop(.6f, .2f, .8f)};
-  expect(texel(input), {.58, .55, .22, 1});  // Algorithm 1 with rho clamped to 1 and alpha = .8
+  expect(texel(input), {.58, .55, .22, 1});  // wetness clamped to 1, alpha = .8 / 1
   input.droplets = {drop(.3f, .35f, .4f), drop(.6f, .2f, .7f)};
-  // The first droplet's centre is outside the second droplet's disc of radius .2. In this case Algorithm 1
-  // overwrites the texel with the second droplet.
+  // The first droplet's centre is outside the second droplet's disc of radius .2. In this case Algorithm 1 of
+  // paper S overwrites the texel with the second droplet.
   expect(texel(input), {.6, .55, .2, .7});
   input.droplets = {drop(.6f, .2f, .7f), drop(.3f, .35f, .4f)};
   // The small droplet now precedes the large droplet. The centre of the small droplet is inside the large
-  // droplet's disc of radius .35. In this case Algorithm 1 blends the two droplets, with alpha = .4.
+  // droplet's disc of radius .35. In this case Algorithm 1 of paper S blends the two droplets, and the weight
+  // of the large droplet is alpha = .4.
   expect(texel(input), {.48, .55, .26, 1});
 }
 

@@ -13,8 +13,8 @@
 namespace pelage {
 namespace {
 
-/// The stages of the pipeline for fur on sticks (a mass-spring topology) in the wind. The spring stage has
-/// simulated one frame.
+/// The stages of the pipeline. The fur stands on sticks (a mass-spring topology) and moves in the wind. The
+/// constructor simulates one frame with the spring stage.
 struct Stages {
   FrameInput input;
   cl::Queue queue{pictures::device()};
@@ -73,8 +73,8 @@ TEST(SpringStageTips, AreWhatTheRasterStageReads) {
   const std::vector<float> values = tips.read(stages.queue);
   const Picture drawn = stages.drawn_with(tips);
   const std::uint64_t count = stages.raster.count(stages.queue);
-  // If the stage draws from another buffer with the same tips, the picture and the number of fragments stay
-  // the same. If it draws from a buffer that contains only zeros, both change.
+  // If the raster stage reads a copy of the buffer of the tips, the picture and the number of fragments must
+  // stay the same. If it reads a buffer of zeros, the picture and the number of fragments must change.
   const cl::Buffer<float> copy(stages.queue, std::span<const float>(values));
   EXPECT_TRUE(stages.drawn_with(copy).pixel == drawn.pixel);
   EXPECT_EQ(stages.raster.count(stages.queue), count);
@@ -88,9 +88,9 @@ TEST(SpringStageTips, AreDrawnWithoutTheTipsOfTheRasterStage) {
   Stages stages;
   const cl::Buffer<float>& tips = stages.tips();
   const Picture drawn = stages.drawn_with(tips);
-  // For strands without springs, the raster stage reads the tips from another buffer. The test fills this
-  // buffer first with zeros and then with long tips in another direction. If a kernel read the wrong buffer,
-  // the picture would change.
+  // Without a mass-spring topology, the raster stage reads the tips of the strands from another buffer. The
+  // test fills this buffer first with zeros and then with long tips in another direction. If a kernel read
+  // the wrong buffer, the picture would change.
   constexpr int stride = 1 << 16;  // more than the number of strands
   for (const float value : {0.0f, 0.3f}) {
     const std::vector<float> values(std::size_t(3) * stride, value);

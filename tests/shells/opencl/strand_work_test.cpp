@@ -1,4 +1,6 @@
-// Counts the floating-point operations of a strand's substep in the kernel's code.
+// Counts the floating-point operations of one substep of a strand in the kernels' code
+// (simulate/equations.clh). Compares the count with the constant strand_substep of
+// harness/shells/opencl/work.hpp.
 #include <gtest/gtest.h>
 
 #include "harness/shells/opencl/work.hpp"

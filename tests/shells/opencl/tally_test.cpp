@@ -1,5 +1,6 @@
-// Compares the fragment counts of two mappings. Also compares the estimate from a random sample of pixels
-// with the exact counts.
+// A mapping is a way to assign pixels to work-items. Shells::tally() counts fragments with the mapping
+// `pixel`, and Shells::count() with the mapping that draws the pictures. This file compares the two counts.
+// It also compares the exact counts with the estimate from a random sample of pixels.
 #include <gtest/gtest.h>
 
 #include "harness/shells/opencl/shells.hpp"

@@ -1,5 +1,6 @@
-// Compiles the kernels' code of Eq. 3 and 4 of paper B (Banisch and Wuethrich 2006) as C++ in double
-// precision, and compares it with closed forms and the reference. This file also tests the spring stage.
+// Compiles the kernels' functions for Eq. 3 and 4 of paper B (Banisch and Wuethrich 2006) as C++ in double
+// precision. Compares their results with closed forms and with the reference. This file also tests the spring
+// stage, the part of a frame that simulates the masses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +54,8 @@ Stick any_stick(std::uint32_t i) {
   return {n, length * (n + 0.8 * vector(2))};
 }
 
-/// Returns the displacement of the layer at height h, computed by the kernels' code.
+/// Returns the displacement of a layer from the skin, computed by the kernels' code. h is the height of the
+/// layer, from 0 (skin) to 1.
 glm::dvec3 layer(const Stick& stick, double h, double power, bool level) {
   const shim::real3 a = shim_of(length * stick.normal);
   shim::real3 b = shim::stick_tip(shim_of(stick.top), a);
@@ -162,8 +164,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
   };
-  // Finds the face that the ray meets first. The ray runs in the direction -x on the line y = 0.1, z = 0.05.
-  // It first meets the face that crosses this line at the greatest x.
+  // The next lines find the face that the ray of the poke meets first. The ray runs in the direction -x on
+  // the line y = 0.1, z = 0.05. It first meets the face that crosses this line at the greatest x.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {
@@ -182,8 +184,8 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
   }
   ASSERT_GT(farthest, 0.5);
   EXPECT_EQ(poked(), (std::vector<std::size_t>{3 * face, 3 * face + 1, 3 * face + 2}));
-  // With a radius above 0, the poke pushes the sticks around the point where the ray meets the mesh, not the
-  // sticks around the ray's origin.
+  // If the poke has a radius above 0, it pushes the sticks around the point where the ray meets the mesh. It
+  // does not push the sticks around the ray's origin.
   poke.radius = 0.35f;
   const std::vector<std::size_t> around = poked();
   EXPECT_GT(around.size(), 3u);

@@ -1,6 +1,6 @@
-// Compares pictures of fur on mass-spring topologies with the reference. The reference's code for the layers
-// was written independently, from docs/frame.md. harness/springs/reference simulates the masses in double
-// precision.
+// Compares the device's pictures of fur on mass-spring topologies with the reference's pictures. The
+// reference's code for the layers was written from docs/frame.md, independently of the kernels.
+// harness/springs/reference simulates the masses in double precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>

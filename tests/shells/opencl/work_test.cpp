@@ -100,7 +100,9 @@ TEST_F(Fragment, TakesWhatTheRooflineSays) {
   s.substeps = 4;
   const double four = shaded(false);
   s.substeps = 1;
-  // Each doubling of the sub-steps also adds a square root. The 10% tolerance of expect_near() allows for it.
+  // Each doubling of the number of sub-steps adds the operations of the new sub-steps and one square root.
+  // The test does not subtract this square root, because one operation is within the 10% tolerance of
+  // expect_near().
   c::expect_near(cost::substep, (four - two) / 2, "substep");
   c::expect_near(cost::substeps, two - dry_one - (four - two) / 2, "substeps");
 }

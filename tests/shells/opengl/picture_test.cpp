@@ -15,7 +15,7 @@ using namespace rival_tests;
 void expect_agreement(const Picture& expected, const Picture& drawn, std::size_t least_pixels) {
   const Agreement agreement = compare(expected, drawn);
   EXPECT_GE(agreement.psnr, tolerance::other_filter_psnr) << describe(agreement);
-  EXPECT_GT(agreement.pixels, least_pixels);  // enough fur pixels are compared
+  EXPECT_GT(agreement.pixels, least_pixels);  // the pictures must contain enough fur pixels
 }
 
 /// With the default options, the picture must meet the limits that also hold for the OpenCL pipeline: a PSNR
@@ -68,8 +68,8 @@ TEST(OpenGlPicture, BothModelsAndBothBindings) {
 }
 
 TEST(OpenGlPicture, OtherReadings) {
-  // Where the papers are ambiguous, scene keys select an interpretation. The test sets these keys to values
-  // other than the defaults.
+  // Where the papers of Silva et al. (2010) are ambiguous, scene keys select an interpretation. The test sets
+  // these keys to values other than the defaults.
   FrameInput input = *small_frame("wet");
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
@@ -85,8 +85,8 @@ TEST(OpenGlPicture, OtherReadings) {
 }
 
 TEST(OpenGlPicture, PlainShells) {
-  // This scene has no curls and no clumps, so the shaders are compiled without the equations of curls
-  // and clumps.
+  // This scene has no curls and no clumps, so the baseline compiles its shaders without the equations of
+  // curls and clumps.
   FrameInput input = *small_frame("curling");
   input.scene.curl.radius = 0;
   input.droplets.clear();
@@ -105,8 +105,8 @@ TEST(OpenGlPicture, AnyPictureSize) {
 }
 
 TEST(OpenGlPicture, FurThatRunsBehindTheEye) {
-  // The camera is so near to a square that its triangles cross the near plane and reach far beyond the
-  // picture. The planes at which OpenGL drivers clip triangles differ from the planes that docs/frame.md
+  // The camera is so near to a square that the square's triangles cross the near plane and reach far beyond
+  // the picture. The planes at which OpenGL drivers clip triangles differ from the planes that docs/frame.md
   // specifies. The corners of a clipped triangle therefore differ between the baseline and the reference, and
   // so do their coordinates after the rounding to 1/256 pixel.
   Scene scene = synthetic::lively_scene();

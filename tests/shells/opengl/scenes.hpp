@@ -12,7 +12,8 @@ using namespace pictures;
 
 /// Returns the reference's wetness mask in the format that the constructor of OpenGl takes.
 std::vector<glm::vec4> mask_of(const FrameInput& input);
-/// Returns the reference's strand tips after `frames` frames, one per strand: tip minus root, in R.
+/// Returns the reference's strand tips after `frames` frames, one per strand: tip minus root, in units of the
+/// mesh radius R.
 std::vector<glm::vec3> tips_of(const FrameInput& input);
 
 /// Draws the frame with the OpenGL baseline. opengl_options() parses the text `options`.

@@ -70,7 +70,7 @@ TEST(ReferenceCoverage, AgreesWithASampleMovedAnInfinitesimalRightAndDown) {
         edge_hits += std::count(edges.value.begin(), edges.value.end(), 0) > 0;
       }
   }
-  EXPECT_GT(edge_hits, 10000);  // many pixel centres lie on edges
+  EXPECT_GT(edge_hits, 10000);  // many pixel centres must lie on edges
 }
 
 TEST(ReferenceCoverage, AMeshCoversEveryPixelOnce) {
@@ -99,7 +99,8 @@ TEST(ReferenceCoverage, AMeshCoversEveryPixelOnce) {
           if (random() % 2) std::swap(q, r);  // either winding
           triangles.push_back({p, q, r});
         };
-        // A cell need not be convex. It is split along a diagonal that gives two triangles of positive area.
+        // A cell need not be convex. It is split along a diagonal that gives two triangles with a signed area
+        // of at least 0.
         const auto turn = [](Snapped p, Snapped q, Snapped r) {
           return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
         };

@@ -1,4 +1,5 @@
-// Tests S Eq. 1 and 4 and the strand's curve (docs/frame.md, section 3).
+// Tests Eq. 1 and 4 of paper S and the strand's curve (docs/frame.md, section 3). Paper S is Silva et al.
+// 2010, Curling and Clumping Fur.
 #include "harness/shells/reference/layers.hpp"
 
 #include <gtest/gtest.h>
@@ -29,8 +30,8 @@ TEST(ReferenceLayers, TheCurveStartsAtTheRootAndEndsAtTheTip) {
   EXPECT_EQ(bezier(a, b, 0), glm::dvec3(0));
   EXPECT_EQ(bezier(a, b, 1), b);
   EXPECT_LT(distance(bezier(a, b, .5), .5 * a + .25 * b), 1e-16);
-  // The curve leaves the root in the direction of a = p0 - root, and reaches the tip p in the direction of b
-  // - a = p - p0.
+  // The control points of the curve are the root, the point root + a, and the tip root + b. The curve leaves
+  // the root in the direction of a, and reaches the tip in the direction of b - a.
   EXPECT_LT(distance(bezier(a, b, 1e-7) / 1e-7, 2.0 * a), 1e-7);
   EXPECT_LT(distance((bezier(a, b, 1) - bezier(a, b, 1 - 1e-7)) / 1e-7, 2.0 * (b - a)), 1e-6);
 }
@@ -99,7 +100,7 @@ TEST(ReferenceLayers, SharedShellsHoldTogetherAndSeparateOnesFollowTheirOwnStran
   const FrameInput shared = synthetic::frame(scene, synthetic::torus(), 12, 8, 20);
   const Geometry together(shared, wetness_mask(shared), 4);
   std::vector<glm::dvec3> at(shared.mesh->welded, glm::dvec3(1e9));
-  for (std::size_t s = 0; s < together.slots(); ++s) {  // all vertices of a surface point move equally
+  for (std::size_t s = 0; s < together.slots(); ++s) {  // vertices at one surface point must coincide
     glm::dvec3& first = at[shared.mesh->weld[together.vertex(s)]];
     if (first.x > 1e8) first = together.position(s, 11);
     EXPECT_LT(distance(together.position(s, 11), first), 1e-15);
@@ -137,7 +138,7 @@ TEST(ReferenceLayers, ChordsAddUpToTheTip) {
       sum += chord(input, {a, b}, n);
       // The arguments {a, b} are the control points of the strand's Bezier curve. For a strand at rest, both
       // control points are equal, and the derivative of the curve is 0 at the tip. The chord is the vector
-      // between two adjacent layers. It must not be 0 there.
+      // between the strand's positions in two adjacent layers. It must not be 0, even at the tip.
       EXPECT_GT(glm::length(chord(input, {a, a}, n)), 0);
     }
     EXPECT_LT(distance(sum, b), 1e-15);

@@ -1,4 +1,5 @@
-// Tests S Algorithm 1, S Eq. 5 and S Algorithm 2 with numbers that can be checked by hand.
+// Tests Algorithm 1, Eq. 5 and Algorithm 2 of paper S with numbers that can be checked by hand. Paper S is
+// Silva et al. 2010, Curling and Clumping Fur.
 #include "harness/shells/reference/mask.hpp"
 
 #include <gtest/gtest.h>
@@ -53,23 +54,23 @@ TEST(ReferenceMask, OneDropletWetsTheTexelsWhoseCentresItsDiscHolds) {
 }
 
 TEST(ReferenceMask, CloseDropletsBlend) {
-  // By S Algorithm 1, the wetness is rho = .4 + .4 = .8, and the second droplet has the weight alpha = .4 /
-  // .8 = .5. The clump is therefore the mean of both droplets.
+  // By Algorithm 1 of paper S, the wetness is rho = .4 + .4 = .8, and the second droplet has the weight alpha
+  // = .4 / .8 = .5. The clump is therefore the mean of both droplets.
   const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .4f), droplet(.6f, .5f, .2f, .4f)}));
   expect_clump(texel(mask, 4, 4), .55, .5, .25, .8);
   expect_clump(texel(mask, 2, 4), .5, .5, .3, .4);  // only the first droplet covers this texel
 }
 
 TEST(ReferenceMask, WetnessStopsAtOneAndAlphaFollows) {
-  // In S Algorithm 1, the sum of the wetnesses is .5 + .8 = 1.3. It is clamped to rho = 1. The second droplet
-  // then has the weight alpha = .8 / rho = .8.
+  // In Algorithm 1 of paper S, the sum of the wetnesses is .5 + .8 = 1.3. It is clamped to rho = 1. The
+  // second droplet then has the weight alpha = .8 / rho = .8.
   const Mask mask = wetness_mask(with({droplet(.5f, .5f, .3f, .5f), droplet(.6f, .5f, .2f, .8f)}));
   expect_clump(texel(mask, 4, 4), .2 * .5 + .8 * .6, .5, .2 * .3 + .8 * .2, 1);
 }
 
 TEST(ReferenceMask, ADistantCentreIsOverwritten) {
   // The texel is in both discs, but the first droplet's centre is outside the second droplet's disc. In this
-  // case S Algorithm 1 overwrites the texel with the second droplet.
+  // case Algorithm 1 of paper S overwrites the texel with the second droplet.
   const Mask mask = wetness_mask(with({droplet(.3f, .55f, .35f, .4f), droplet(.6f, .55f, .2f, .7f)}));
   expect_clump(texel(mask, 4, 4), .6, .55, .2, .7);
 }
@@ -77,8 +78,8 @@ TEST(ReferenceMask, ADistantCentreIsOverwritten) {
 TEST(ReferenceMask, OrderMatters) {
   const Droplet large = droplet(.3f, .55f, .35f, .4f), small = droplet(.6f, .55f, .2f, .7f);
   const Mask mask = wetness_mask(with({small, large}));
-  // The large droplet's disc contains the small droplet's centre, so the droplets blend. By S Algorithm 1,
-  // rho = 1 and the large droplet has the weight alpha = .4.
+  // The large droplet's disc contains the small droplet's centre, so the droplets blend. By Algorithm 1 of
+  // paper S, rho = 1 and the large droplet has the weight alpha = .4.
   expect_clump(texel(mask, 4, 4), .6 * .6 + .4 * .3, .55, .6 * .2 + .4 * .35, 1);
   EXPECT_EQ(wetness_mask(with({large, small}), Mutant::droplets_reversed).texel, mask.texel);
 }
@@ -139,15 +140,16 @@ TEST_F(OneClump, DryFurStays) {
 }
 
 TEST_F(OneClump, TheDisplacementIsEquation5) {
-  // In S Eq. 5, f = h = 8/16, rho = .5 and gain = 2, so the displacement d is half of the vector from the
-  // clump's centre to the fragment. The texture lookup moves away from the centre, so the drawn fur moves
-  // towards the centre.
+  // In Eq. 5 of paper S, the displacement d is the vector from the clump's centre to the fragment, multiplied
+  // by f, by the wetness rho and by clump.gain. Here f = h = 8/16, rho = .5 and clump.gain = 2, so d is half
+  // of this vector. The texture lookup moves away from the centre, so the drawn fur moves towards the centre.
   const Displacement relative = clump_displacement(input, mask, {.56, .53}, 7);
   EXPECT_NEAR(relative.d.x, .5 * .06, 1e-7);
   EXPECT_NEAR(relative.d.y, .5 * .03, 1e-7);
   EXPECT_NEAR(relative.delta_d.x, .06 / 16, 1e-7);
   EXPECT_FALSE(relative.discarded);
-  // With "literal", the factor of the displacement is the clump's radius .2 instead of clump.gain.
+  // With clump.scale = "literal", the factor of the displacement is the clump's radius .2 instead of
+  // clump.gain.
   input.scene.clump.scale = "literal";
   EXPECT_NEAR(clump_displacement(input, mask, {.56, .53}, 7).d.x, .5 * .5 * .2 * .06, 1e-8);
   // If clump.shape is 1, the displacement d is 0 on the first layer. delta_d is d on this layer minus d on
@@ -161,7 +163,8 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
 }
 
 TEST_F(OneClump, Algorithm2DiscardsWhatLooksIntoDryFur) {
-  // On the outermost layer, f = 1 and rho * gain = 1 in S Eq. 5. The displaced point p + d is therefore twice
+  // On the outermost layer, f = 1 in Eq. 5 of paper S. The wetness rho times clump.gain is also 1, so the
+  // displacement d is the vector from the clump's centre to p. The displaced point p + d is therefore twice
   // as far from the clump's centre as the fragment's position p.
   EXPECT_FALSE(clump_displacement(input, mask, {.59, .5}, 15).discarded);
   EXPECT_TRUE(clump_displacement(input, mask, {.62, .5}, 15).discarded);
@@ -176,12 +179,14 @@ TEST_F(OneClump, Algorithm2DiscardsOutsideTheRadius) {
 }
 
 TEST(ReferenceClump, SeparateCellsDoNotFillEachOthersGaps) {
-  // Two clumps of equal radius. The second overwrites the first where their discs overlap.
+  // The mask has two clumps of equal radius. The second clump overwrites the first clump where their discs
+  // overlap.
   FrameInput input = with({droplet(.4f, .5f, .12f, .5f), droplet(.6f, .5f, .12f, .5f)}, 64);
   input.scene.clump = {0, 2, "relative", "separate"};
   const Mask mask = wetness_mask(input);
-  // On the outermost layer, the first clump displaces p by d = (.05, 0) to (.5, .5), a point of the second
-  // clump.
+  // On the outermost layer, the first clump displaces the fragment at p by d = (.05, 0) to (.5, .5), a point
+  // of the second clump. With clump.cells = "separate", the fragment must be discarded. With "literal", it
+  // must not be discarded.
   const glm::dvec2 p(.45, .5);
   EXPECT_TRUE(clump_displacement(input, mask, p, 15).discarded);
   input.scene.clump.cells = "literal";

@@ -48,8 +48,8 @@ TEST(ReferenceRender, WindowsShowWhatTheWholePictureShows) {
   }
 }
 
-// All faces whose fur may reach a window must be drawn in it. With a curl radius of five fur lengths, some of
-// these faces are far outside the window.
+// A window must show the fur of all faces whose fur may reach it. With a curl radius of five fur lengths,
+// some of these faces are far outside the window.
 TEST(ReferenceRender, WindowsShowFurThatAWideCurlBringsIn) {
   FrameInput input = lively_torus();
   input.scene.curl.radius = 0.25f;
@@ -144,8 +144,8 @@ TEST(ReferenceRender, TheSkinOfASquareThatRunsBehindTheEyeIsWhereTheRaysMeetIt) 
         const double t = -double(camera.eye.z) / ray.z;
         const glm::dvec2 uv = (glm::dvec2(camera.eye) + t * glm::dvec2(ray)) / 6.0 + .5;
         const bool hit = t > 0 && std::min(uv.x, uv.y) > 0 && std::max(uv.x, uv.y) < 1;
-        // Snapping moves the silhouette by a fraction of a pixel, so the test skips pixels near the
-        // silhouette.
+        // The rounding of vertices to 1/256 pixel moves the silhouette by a fraction of a pixel, so the test
+        // skips pixels near the silhouette.
         const double margin = 1e-3 * t * t;
         if (t > 0 &&
             (std::min({std::abs(uv.x), std::abs(uv.y), std::abs(1 - uv.x), std::abs(1 - uv.y)}) < margin))
@@ -167,8 +167,8 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
   const Picture large = render(synthetic::frame(scene, synthetic::square(6), 1, 1, 0), {});
   const Picture pieces = render(synthetic::frame(scene, synthetic::square(6), 40, 40, 0), {});
   // `large` draws the square as 2 triangles, `pieces` as 3200 triangles. The pictures are not equal bit for
-  // bit: snapping moves the corners of the small triangles by up to 1/512 pixel and so changes the
-  // barycentric coordinates.
+  // bit. The rounding to 1/256 pixel moves the corners of the small triangles by up to 1/512 pixel, which
+  // changes the barycentric coordinates.
   const Agreement agreement = compare(large, pieces);
   EXPECT_GT(agreement.pixels, 8000u);
   EXPECT_GT(agreement.psnr, 45) << agreement.worst << " at " << agreement.worst_x << ' ' << agreement.worst_y;
@@ -176,7 +176,8 @@ TEST(ReferenceRender, ATriangleBehindTheEyeIsClippedLikeItsPieces) {
 
 TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
   // Every texel has coverage 1 and shade 2/3. The camera looks from above, so only the outermost layer is
-  // visible. In S Eq. 6, its height is h = 1, and the strand direction T and the normal nu are the z axis.
+  // visible. In Eq. 6 of paper S (Silva et al. 2010, Curling and Clumping Fur), the height of this layer is h
+  // = 1, and the strand direction T and the normal nu are the z axis.
   Scene scene = synthetic::lively_scene();
   scene.fur.comb = 0;
   scene.curl.radius = 0;
@@ -192,9 +193,10 @@ TEST(ReferenceRender, AnOpaqueCoatShowsItsOutermostLayer) {
     for (auto& texel : level) texel = {255, 85};
   input.coat = {1, {{204, 102, 51, 255}}};
   const Picture picture = render(input, {});
-  // In S Eq. 6, T.L = 4/5 and |T x L| = 3/5. In the middle of the picture, the view direction E differs from
-  // -z by at most 1/600, so T.E is nearly -1 and |T x E| is nearly 0. The highlight is a power of (T.L)(T.E)
-  // + |T x L||T x E|. This sum is negative, so there is no highlight.
+  // In Eq. 6 of paper S, L is the direction to the light. Here T.L = 4/5 and |T x L| = 3/5. In the middle of
+  // the picture, the view direction E differs from -z by at most 1/600, so T.E is nearly -1 and |T x E| is
+  // nearly 0. The highlight is a power of (T.L)(T.E) + |T x L||T x E|. This sum is negative, so there is no
+  // highlight.
   const glm::vec4 middle = picture.at(80, 50);
   EXPECT_NEAR(middle.x, .8 * 2 / 3 * (.1 + 2 * .6), 1e-6);
   EXPECT_NEAR(middle.y, .4 * 2 / 3 * (.1 + 2 * .6), 1e-6);
@@ -222,8 +224,8 @@ TEST(ReferenceRender, HalfTransparentLayersAddUpBackToFront) {
 }
 
 TEST(ReferenceRender, SkinInFrontHidesFurBehind) {
-  // The surface is one sheet folded under itself, red above and green below, with opaque fur. In each layer,
-  // the lower part is drawn after the upper part.
+  // The surface is a folded sheet with opaque fur. Its upper half is red, and its lower half is green. In
+  // each layer, the lower half is drawn after the upper half.
   const synthetic::Surface folded{[](double u, double v) {
     return u < .5 ? glm::dvec3(4 * u - 1, 2 * v - 1, .5) : glm::dvec3(3 - 4 * u, 2 * v - 1, 0);
   }};

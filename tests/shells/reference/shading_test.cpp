@@ -1,6 +1,7 @@
-// Tests S Eq. 6 and W Eq. 2-5 with light along and across the strand, and with extreme values of the
-// equations' constants. T is the strand's direction, L the direction to the light, and E the direction from
-// the eye.
+// Tests Eq. 6 of paper S (Curling and Clumping Fur) and Eq. 2 to 5 of paper W (Real-Time Rendering of Wet
+// Fur), both by Silva et al. 2010. The light is along or across the strand, and the equations' constants have
+// extreme values. T is the strand's direction, L the direction to the light, and E the direction from the
+// eye.
 #include "harness/shells/reference/shading.hpp"
 
 #include <gtest/gtest.h>
@@ -45,8 +46,8 @@ TEST(ReferenceCurling, AlongTheLightAStrandIsDark) {
 }
 
 TEST(ReferenceCurling, AcrossTheLightAStrandIsFullyLitAndShinesAcrossTheView) {
-  // In S Eq. 6, |T x L| = 1, so the strand has the full diffuse light. T.L = 0 and |T x E| = 1, so the
-  // highlight is 1.
+  // In Eq. 6 of paper S, |T x L| = 1, so the strand has the full diffuse light. T.L = 0 and |T x E| = 1, so
+  // the highlight is 1.
   expect_colour(curling_colour(bare(), seen(x, z, y)), 2.0 * coat + glm::dvec3(2 * .5));
   // With the view along the strand there is no highlight.
   expect_colour(curling_colour(bare(), seen(x, z, x)), 2.0 * coat);

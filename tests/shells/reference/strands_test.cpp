@@ -1,4 +1,5 @@
-// Compares S Eq. 2 and 3 with closed forms (docs/frame.md, section 1).
+// Compares Eq. 2 and 3 of paper S with closed forms (docs/frame.md, section 1). Paper S is Silva et al. 2010,
+// Curling and Clumping Fur. Lengths are in R, the radius of the mesh's bounding sphere.
 #include "harness/shells/reference/strands.hpp"
 
 #include <gtest/gtest.h>
@@ -30,8 +31,8 @@ double distance(const glm::dvec3& a, const glm::dvec3& b) {
   return glm::length(a - b);
 }
 
-/// Returns the mean time in s between upward crossings of `level`, over `periods` periods. Crossing times are
-/// interpolated linearly.
+/// Returns the mean time in s between the moments at which `coordinate` rises above `level`, over `periods`
+/// periods. The function interpolates these moments linearly.
 template <class Coordinate>
 double period(const FrameInput& input, Strand strand, double level, int periods,
               const Coordinate& coordinate) {
@@ -59,7 +60,8 @@ TEST(ReferenceStrands, RestStaysAtRest) {
     input.scene.fur.comb = comb;
     input.strands.anchor[0] = glm::vec3(.1 * glm::normalize(glm::dvec3(comb, 0, 1)));
     const Strand strand = reference::simulate(input, 0, 200);
-    // The anchor is rounded to float. It may therefore be outside the ball of S Eq. 3 by a rounding error.
+    // The anchor is rounded to float. It may therefore be outside the ball of Eq. 3 of paper S by a rounding
+    // error.
     EXPECT_LT(distance(strand.tip, input.strands.anchor[0]), 2e-8);
     EXPECT_LT(glm::length(strand.velocity), 1e-6);
   }
@@ -109,14 +111,15 @@ TEST(ReferenceStrands, SteadyWindIsAForceAndItsGustAWaveAlongTheWind) {
   dynamics.wind = {{0, 0, -2}, .008f, 0, 1, 2};  // the length of the direction vector has no effect
   dynamics.drag = .02f;
   EXPECT_LT(distance(reference::simulate(input, 0, 1000).tip, {0, 0, .1 - .008 / .4}), 1e-8);
-  // In the first substep the time is 0, so the velocity is dt W / m with the wind force W = strength * (1 -
-  // gust * sin(phase)). The phase is .7.
+  // The force of the wind is strength * (1 + gust * sin(2 pi frequency t - phase)) with the phase .7. At the
+  // time 0, the sine is -sin(phase). After a substep of 1/240 s from rest, the velocity is the force divided
+  // by the mass and by 240.
   dynamics.wind.gust = .5f;
   input.strands.phase[0] = {float(std::cos(.7)), float(std::sin(.7))};
   const Strand first = reference::substep(input, 0, reference::rest(input, 0), 0);
   EXPECT_NEAR(first.velocity.z, -.008 * (1 - .5 * std::sin(.7)) / .001 / 240, 1e-7);
-  // A quarter of a period later, the gust's sine is sin(pi/2 - phase).
-  // 16 substeps of 1/240 s are a quarter of the gust's period 16/60 s.
+  // After 16 substeps of 1/240 s, a quarter of the gust's period of 16/60 s has passed. The sine is then
+  // sin(pi/2 - phase) = cos(phase).
   dynamics.wind.frequency = 60.f / 16;
   const Strand later = reference::substep(input, 0, reference::rest(input, 0), 16);
   EXPECT_NEAR(later.velocity.z, -.008 * (1 + .5 * std::cos(.7)) / .001 / 240, 1e-7);
@@ -141,7 +144,7 @@ TEST(ReferenceStrands, SmallTangentialSwingsHaveTheSpringsPeriod) {
 
 TEST(ReferenceStrands, SwingsFromAnInwardPreloadHaveTheSpringsPeriod) {
   FrameInput input = one_strand();
-  input.scene.dynamics.gravity = {0, 0, -10};  // the tip is in equilibrium .075 R above the skin
+  input.scene.dynamics.gravity = {0, 0, -10};  // the tip is in equilibrium .075 above the skin
   const Strand start{{0, 0, .06}, glm::dvec3(0)};
   const double measured = period(input, start, .075, 20, [](const Strand& s) { return s.tip.z; });
   EXPECT_NEAR(measured / natural_period(input), 1, .001);
@@ -175,10 +178,10 @@ TEST(ReferenceStrands, Equation3HoldsUnderRandomForces) {
     }
   }
   EXPECT_LE(highest, 1 + 1e-12);
-  // A tip may be slightly below the surface. The reason is that the normal n is rounded to floats, so its
-  // length differs from 1 by up to 6e-8, and the projection of the tip onto the surface is not exact.
+  // A tip may be slightly below the surface. The normal n is rounded to floats, so its length differs from 1
+  // by up to 6e-8. The projection of the tip onto the surface is therefore not exact.
   EXPECT_GE(lowest, -1e-7);
-  EXPECT_GT(highest, 1 - 1e-12);  // tips reach both bounds
+  EXPECT_GT(highest, 1 - 1e-12);  // some tips must reach the fur's length, and some the skin
   EXPECT_LT(lowest, 1e-7);
 }
 

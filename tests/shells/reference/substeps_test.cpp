@@ -51,7 +51,7 @@ TEST(ReferenceSubsteps, TheShiftLeadsAlongTheSurfaceToTheStrandThatTheRayMeetsBe
 
 TEST(ReferenceSubsteps, ARayHasNoDirectionToTheShift) {
   Numbers random;
-  // root_shift() must return the same vector for a ray direction and its opposite.
+  // root_shift() must return the same vector for a ray direction and for the opposite direction.
   for (int i = 0; i < 500; ++i) {
     const glm::dvec3 step = random.vector(), normal = random.direction(), eye = random.direction();
     EXPECT_LT(glm::length(root_shift(step, normal, eye) - root_shift(step, normal, -eye)), 1e-14);
@@ -133,9 +133,9 @@ TEST(ReferenceSubsteps, TransmittancesHaveTheirGeometricMeanAndShadesTheirMeanBy
   EXPECT_NEAR(combined({{0, 2}, {.2, .7}}).shade, .7, 1e-15);  // a sample of coverage 0 has no weight
 }
 
-/// Returns a skewed sheet with black fur over white skin. All slices of the fur have the same pattern. The
-/// skin has the brightness 1, and the fur adds no light. The brightness of a pixel is therefore the product
-/// of the transmittances of all layers.
+/// Returns a skewed sheet with black fur over white skin. All slices of the fur texture have the same
+/// pattern. The skin has the brightness 1, and the fur adds no light. The brightness of a pixel is therefore
+/// the product of the transmittances of all layers.
 FrameInput sheet(const Scene& scene) {
   const synthetic::Surface skewed{
       [](double u, double v) { return glm::dvec3(3 * (u - .5) + .8 * (v - .5), 2.6 * (v - .5), 0.0); }};
@@ -181,8 +181,9 @@ double difference(const Picture& sixteen, const Picture& four) {
 
 TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
   // The surface is a plane and the strands are straight. A curl with the radius `lean` and without turns
-  // tilts them to one side. Along each view ray, 16 layers sample the fur texture at the same positions as 4
-  // layers with 4 samples each. Only the snapping of the triangles' corners differs.
+  // tilts the strands to one side. Along each view ray, 16 layers sample the fur texture at the same
+  // positions as 4 layers with 4 samples each. Only the rounding of the triangles' corners to 1/256 pixel
+  // differs.
   const auto drawn = [](int layers, int substeps, float lean, const glm::vec3& eye) {
     Scene scene = sheet_scene(layers, substeps);
     scene.curl.radius = lean;
@@ -199,8 +200,8 @@ TEST(ReferenceSubsteps, FourLooksIntoFourLayersSeeWhatSixteenLayersSee) {
 }
 
 TEST(ReferenceSubsteps, FourLooksFollowAClumpAsSixteenLayersDo) {
-  // The fur is upright and in one clump, and the camera looks at it along the normal from a distance. Only
-  // the clump shifts the texture coordinates. This shift is linear in height.
+  // The fur is upright and in one clump, and a distant camera looks at the fur along the surface normal. Only
+  // the clump therefore shifts the texture coordinates. This shift is linear in the height of a layer.
   const auto drawn = [](int layers, int substeps) {
     Scene scene = sheet_scene(layers, substeps);
     scene.clump.shape = 0;

@@ -1,5 +1,6 @@
-// Tests the backward Euler step of every baseline. The change of the velocities must solve the linear system
-// whose matrix is computed by finite differences of the reference's forces.
+// A baseline is another implementation of the solvers: serial C++ loops or the library Eigen. This file tests
+// the backward Euler step of every baseline. The test computes the matrix of a linear system by finite
+// differences of the reference's forces. The change of the velocities must solve this system.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

@@ -1,5 +1,7 @@
-// Compares the numbers of masses and springs in the networks of build() with the counts that follow from the
-// numbers of vertices, edges and faces, and with the numbers in the paper.
+// Tests the numbers of masses and springs in the networks that build() returns. The expected numbers follow
+// from the numbers of vertices, edges and faces. For the models of paper B (Banisch and Wuethrich 2006), they
+// must also equal the numbers in this paper. Stick springs connect fixed base masses to free top masses. Edge
+// springs connect top masses.
 #include "harness/springs/model/network.hpp"
 
 #include <gtest/gtest.h>
@@ -103,7 +105,7 @@ TEST(Topology, OnCopiesASeamIsOpenAndOnPointsItIsNot) {
   const Mesh mesh = cut_in_two(sphere(1));
   const SpringNetwork points = build(Kind::prisms, mesh, length, Vertices::points),
                       copies = build(Kind::prisms, mesh, length, Vertices::copies);
-  // Returns the number of top masses that can be reached from the first spring along springs.
+  // Returns the number of top masses that a path of edge springs connects to the first edge spring.
   const auto reached = [](const SpringNetwork& topology) {
     std::set<std::uint32_t> seen{topology.edges()[0].x};
     for (std::size_t before = 0; before != seen.size();) {

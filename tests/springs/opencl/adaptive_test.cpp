@@ -1,5 +1,5 @@
-// Tests adaptive steps: the result is close to a solution with short time steps, stiff springs need many
-// steps, and a system at rest needs few steps.
+// Tests adaptive steps. Their result must be close to a solution with short time steps. The simulation
+// must take many steps if the springs are stiff, and few steps if the system is at rest.
 #include "harness/springs/opencl/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +74,8 @@ TEST(AdaptiveSteps, AreMoreWhereSpringsAreStiffAndFewWhereNothingMoves) {
 }
 
 // At least 99% of the top masses must meet the error tolerance. If 5 of the 162 top masses move (3%), the
-// number of steps grows. If only one of them moves (0.6%), the number does not grow.
+// number of steps is larger than at rest. If only one top mass moves (0.6%), the number of steps is the same
+// as at rest.
 TEST(AdaptiveSteps, AreMoreWhereFewOfManyMove) {
   const SpringNetwork topology = build(Kind::sticks, sphere(2), fur_length);
   ASSERT_EQ(topology.sticks(), 162u);

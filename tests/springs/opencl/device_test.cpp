@@ -1,5 +1,5 @@
-// Tests on a device: results do not depend on how the work is divided into launches and work-items, local
-// forces (pokes) act locally, and divergence is reported.
+// Tests three properties on a device. The results must not depend on the division of the work into launches
+// and work-items. Local forces (pokes) must act locally. Divergence must be reported.
 #include "tests/springs/support/device.hpp"
 
 #include <gtest/gtest.h>
@@ -229,7 +229,8 @@ TEST(TopologyDevice, AnExplosionIsReportedWithItsStepAndMass) {
       EXPECT_NE(text.find("mass " + std::to_string(said.mass)), std::string::npos) << text;
       EXPECT_NE(text.find("step " + std::to_string(said.step)), std::string::npos) << text;
       EXPECT_EQ(text.find('\n'), std::string::npos) << text;
-      // The reported step is the first step that fails: all earlier steps succeed, and this step fails.
+      // The reported step must be the first step that fails. A second simulation must therefore succeed in
+      // all earlier steps, and fail in the reported step.
       MassSprings again(queue(), topology, d);
       EXPECT_NO_THROW(again.advance(queue(), int(said.step)));
       EXPECT_THROW(again.advance(queue(), 1), Diverged);
@@ -267,8 +268,8 @@ TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
   using Whole = MassSpringOptions::Whole;
   for (const Kind kind : kinds)
     for (const Solver solver : solvers)
-      // If the sums over all masses are floats, a force of 1e30 N makes these sums overflow. A force of 3e38
-      // N also makes the equations of a single top mass overflow.
+      // Conjugate gradients compute dot products over all masses. If these are floats, a force of 1e30 N
+      // makes them overflow. A force of 3e38 N also makes the equations of a single top mass overflow.
       for (const float force : {1e30f, 3e38f})
         for (const Whole whole : {Whole::never, Whole::always}) {
           const SpringNetwork topology = build(kind, sphere(1), fur_length);
@@ -281,7 +282,8 @@ TEST(TopologyDevice, AForceThatOneMassCannotBearIsReported) {
             ADD_FAILURE() << name(kind) << ' ' << name(solver) << ' ' << force;
           } catch (const Diverged& said) {
             EXPECT_EQ(said.step, 0) << name(kind) << ' ' << name(solver) << ' ' << force;
-            // If springs connect the tops, other masses may diverge in the same step.
+            // If springs connect the top masses, other top masses may diverge in the same step and be
+            // reported instead.
             if (!kind.edges) {
               EXPECT_EQ(said.mass, topology.top(17));
             }

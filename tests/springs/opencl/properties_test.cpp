@@ -1,6 +1,6 @@
-// Tests properties that need no comparison with the reference's motion: the orders of convergence, fur that
-// stays at rest, the energy, and the effect of the return force (Eq. 5 of paper B, Banisch and Wuethrich
-// 2006).
+// Tests properties that need no comparison with the reference's motion. These are the solvers' orders of
+// convergence, the rest state, the energy, and the effect of the return force (Eq. 5 of paper B, Banisch and
+// Wuethrich 2006).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -70,8 +70,8 @@ TEST_P(PropertiesOf, WithoutForcesNothingMoves) {
   }
 }
 
-// If there is no return force (B Eq. 5), no damping and no drag, the system is conservative. Semi-implicit
-// Euler is symplectic and keeps the energy within a band at all times.
+// If there is no return force (Eq. 5 of paper B), no damping and no drag, the system is conservative.
+// Semi-implicit Euler is symplectic and keeps the energy within a band at all times.
 TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -106,8 +106,8 @@ TEST_P(PropertiesOf, EnergyStaysBoundedOver100000Steps) {
   EXPECT_NEAR(late / early, 1, 0.02) << "no drift";
 }
 
-// If there is no return force (B Eq. 5), no damping and no drag, backward Euler must never increase the
-// energy.
+// If there is no return force (Eq. 5 of paper B), no damping and no drag, backward Euler must never increase
+// the energy.
 TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   Dynamics d = still(Solver::backward_euler);
@@ -137,8 +137,8 @@ TEST_P(PropertiesOf, BackwardEulerLosesEnergy) {
   EXPECT_LT(last, 0.5 * start);
 }
 
-// A stick is tilted and released. The return force (B Eq. 5) moves the stick back to its normal, and each
-// swing is smaller than the swing before.
+// A stick is tilted and released. The return force (Eq. 5 of paper B) moves the stick back to its normal, and
+// each swing is smaller than the swing before.
 TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
   const SpringNetwork topology = build(GetParam(), square(1), fur_length);
   Dynamics d = still(Solver::semi_implicit_euler);
@@ -162,18 +162,18 @@ TEST_P(PropertiesOf, Equation5BringsTheFurBackWithDecayingPeaks) {
     if (peaks.size() > 1 || (now > 0) != (before > 0)) highest = std::max(highest, std::abs(now));
     before = now;
   }
-  // peaks[0] is the initial angle. Before the angle's first change of sign, the loop does not update
-  // `highest`, so the first value that it appends, peaks[1], is 0.
+  // peaks[0] is the initial angle. The loop does not update `highest` before the angle's first change of
+  // sign. The first value that the loop appends (peaks[1]) is therefore 0 and is removed.
   peaks.erase(peaks.begin() + 1);
   ASSERT_GE(peaks.size(), 4u);
   for (std::size_t i = 1; i < peaks.size(); ++i) EXPECT_LT(peaks[i], peaks[i - 1]) << i;
   EXPECT_LT(peaks.back(), 0.5 * peaks.front());
 }
 
-// Paper B says: "Grass does therefore not flip to the wrong side". In this test gravity pulls the fur through
-// the skin. The force of gravity on a top mass (0.01 N) is smaller than the weight w = 0.2 N of B Eq. 5.
-// Therefore no top mass sinks below the plane of its root. Without the return force of B Eq. 5 the top masses
-// hang down.
+// Paper B says: "Grass does therefore not flip to the wrong side". In this test, gravity acts towards the
+// skin. The force of gravity on a top mass (0.01 N) is smaller than the weight w = 0.2 N of Eq. 5 of paper B.
+// Therefore no top mass may sink below the plane of its root. Without the return force, the top masses must
+// sink below this plane.
 TEST_P(PropertiesOf, Equation5KeepsTheLayersAboveTheSkin) {
   const SpringNetwork topology = build(GetParam(), square(2), fur_length);
   for (const float weight : {0.2f, 0.0f}) {

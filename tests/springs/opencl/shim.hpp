@@ -20,7 +20,7 @@ struct Memory {
   std::vector<double> offset, speed;
   std::vector<int> diverged_at, first;
   /// Only shared prisms use these arrays. Each array has one row of four values per stick. `tip` has the
-  /// position of the top mass (root + q). `change` has the change of the top mass's velocity in the previous
+  /// position of the top mass. `change` has the change of the top mass's velocity in the previous
   /// step.
   std::vector<double> tip, change;
 };
@@ -42,13 +42,13 @@ BlockKernels full_triangle_kernels();
 /// or all triangles.
 void launch_blocks(const BlockKernels& kernels, Solver solver, Memory& memory);
 
-/// Both functions compute substep number `substep` of a launch on shared prisms (adjacent prisms share their
-/// sticks). gradients_substep uses backward Euler. It iterates conjugate gradients until |r| / |b| is at most
-/// `residual`, and returns the number of iterations.
+/// prism_substep and gradients_substep compute the substep with the index `substep` of a launch on shared
+/// prisms (adjacent prisms share their sticks). gradients_substep uses backward Euler. It iterates conjugate
+/// gradients until the relative residual is at most `residual`, and returns the number of iterations.
 void prism_substep(Solver solver, Memory& memory, int substep);
 int gradients_substep(Memory& memory, int substep, double residual);
-/// Both functions compute memory.params.substeps substeps on shared prisms in a single work-item. They return
-/// the number of conjugate gradient iterations (0 for explicit solvers).
+/// prisms_whole and gradients_whole compute memory.params.substeps substeps on shared prisms in a single
+/// work-item. They return the number of conjugate gradient iterations (0 for explicit solvers).
 int prisms_whole(Solver solver, Memory& memory);
 int gradients_whole(Memory& memory, double residual);
 

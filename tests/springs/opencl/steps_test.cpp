@@ -154,9 +154,9 @@ TEST(StepsOnTheElephant, ConjugateGradientsLeaveTheResidualThatIsAskedFor) {
       EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, asked, whole), 1.05 * double(asked));
     EXPECT_LT(residual_left(*mesh, 2, 1.0f / 240, 1e-5f, whole), 1.05e-5);
     // A residual of 1e-7 cannot be reached, because the positions of the top masses are floats with an error
-    // of 6e-8 R. The spring forces at rest therefore have an error: the stiffness times the error of the
-    // positions. The right-hand side b contains the forces multiplied by the time step, so b has an error,
-    // too.
+    // of 6e-8 of the mesh radius. The spring forces at rest therefore have an error, which is the stiffness
+    // times the error of the positions. The right-hand side b contains the forces multiplied by the time
+    // step, so b has an error, too.
     EXPECT_LT(residual_left(*mesh, 20, 1.0f / 60, 1e-7f, whole), 1e-4);
   }
 }

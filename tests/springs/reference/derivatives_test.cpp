@@ -63,12 +63,14 @@ TEST_P(Derivatives, OfAPrunedStepAreTheFiniteDifferencesOnStretchedSprings) {
                                    of.velocity.end());
   };
   EXPECT_LT(residual_of(step, speeds(state), speeds(next)), 1e-8);
-  // Without the full Jacobian, the derivatives with respect to the positions form a symmetric matrix.
+  // By default, the reference omits some terms of the derivatives. The remaining derivatives with respect to
+  // the positions form a symmetric matrix.
   const Matrix j = matrix_of(reference::derivatives(system, state, d.step), false);
   EXPECT_LT((j - j.transpose()).norm(), 1e-12 * j.norm());
 }
 
-// If a stick is compressed, the pruned derivative of its force contains only the stiffness along the stick.
+// By default, the reference omits some terms of the derivatives (dynamics.springs.jacobian = "pruned"). If a
+// stick is compressed, the derivative of its force must then contain only the stiffness along the stick.
 TEST(DerivativesOfAStick, KeepOnlyTheForceAlongACompressedSpring) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   Dynamics d = still(Solver::backward_euler);

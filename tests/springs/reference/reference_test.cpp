@@ -1,5 +1,5 @@
-// Tests the reference: its motion in the object's frame equals the motion in the world frame, and its
-// integration schemes agree with closed-form solutions.
+// Tests the reference in two ways. Its motion, computed in the object's frame, must equal a motion that the
+// test computes in the world frame. Its integration schemes must agree with closed-form solutions.
 #include "harness/springs/reference/reference.hpp"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,8 @@ Pose pose(const Motion& m, double t) {
 }
 
 // Integrates Newton's law in the world frame by RK4. The bases move with the object. The forces on the top
-// masses are those of springs, gravity, wind, drag and B Eq. 5. The world frame has no inertial forces.
+// masses are those of springs, gravity, wind and drag, and the return force (Eq. 5 of Banisch and
+// Wuethrich 2006). The world frame has no inertial forces.
 std::vector<glm::dvec3> offsets_by_the_world(const SpringNetwork& topology, const Dynamics& d, double until,
                                              int steps) {
   const double h = until / steps, tau = 2 * std::numbers::pi;
@@ -178,8 +179,8 @@ TEST(ReferenceTopology, SpringsPushBothEnds) {
   EXPECT_LT(glm::length(sum), 1e-12 * size);
 }
 
-// The forces of the springs and of gravity must be the negative derivative of the total energy with respect
-// to the positions, which is computed by finite differences.
+// The test computes the derivative of the total energy with respect to the positions by finite differences.
+// The sum of the spring forces and gravity must be the negative of this derivative.
 TEST(ReferenceTopology, ForcesAreTheGradientOfTheEnergy) {
   const SpringNetwork topology = build(Kind::prisms, square(2), fur_length);
   Dynamics d = still(Solver::explicit_euler);

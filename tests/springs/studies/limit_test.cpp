@@ -38,9 +38,10 @@ double longest_by_the_reference(const SpringNetwork& topology, Dynamics d, doubl
   return most / double(topology.length);
 }
 
-// The result must not depend on how often the host reads the comparison of the lengths. An older version
-// compared the lengths only every half second, so it also accepted steps with which a stick is too long in
-// between.
+// The device compares the lengths of the sticks with a limit. The result must not depend on how often the
+// host reads the outcome of this comparison. An older version compared the lengths only after every half
+// second of simulated time. It therefore also accepted time steps with which a stick was too long between two
+// comparisons.
 TEST(LongestStep, DoesNotDependOnTheInterval) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind& kind : {Kind::sticks, Kind::prisms, Kind::separable_prisms}) {
@@ -55,7 +56,8 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
                 name(kind).data(), 1e3 * usual.step, usual.longest,
                 longest_by_the_reference(topology, d, usual.step),
                 longest_by_the_reference(topology, d, 1.03 * usual.step));
-    // An independent program found longest steps of 75 to 78 ms, and of 138 ms for prisms.
+    // An independent program found a longest step of 138 ms for prisms, and of 75 to 78 ms for the other
+    // topologies.
     EXPECT_NEAR(1e3 * usual.step, kind == Kind::prisms ? 138 : 77, kind == Kind::prisms ? 7 : 4) << kind;
     EXPECT_LT(usual.longest, double(most_stick)) << kind;
     EXPECT_GT(usual.longest, 0.8 * double(most_stick)) << kind;

@@ -1,5 +1,5 @@
 // Compares the lean of fur at rest and in wind with the angle at which the moments are in balance. Also tests
-// the gaps between the sticks at one vertex.
+// the gaps between the tops of the sticks at one surface point.
 #include "harness/springs/studies/shape.hpp"
 
 #include <fmt/format.h>
@@ -23,10 +23,10 @@ namespace {
 
 using namespace test;
 
-// Returns the angle in degrees at which the forces on the top of an upright stick are in balance: a
-// horizontal force, the weight and the return force (B Eq. 5). The force of the stick's spring acts along the
-// stick and has no moment about its base. The result is the smallest angle above 0 at which the sum of the
-// moments changes from positive to negative.
+// Returns the angle in degrees between the normal of a horizontal surface and a stick in equilibrium. Three
+// forces on the top have a moment about the base: a horizontal force, the weight and the return force (Eq. 5
+// of Banisch and Wuethrich 2006). The force of the stick's spring acts along the stick and has no moment. The
+// result is the smallest angle above 0 at which the sum of the moments changes from positive to negative.
 double balanced_lean(const Dynamics& d, double horizontal) {
   const double weight = double(d.mass) * glm::length(glm::dvec3(d.gravity)), w = double(d.return_weight);
   const auto moment = [&](double angle) {
@@ -71,7 +71,8 @@ std::string read(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The angles that the documents state for the lean of the fur must be equal to the computed angles.
+// The files in the list below state the angles at which the fur leans. These angles must be equal to the
+// computed angles.
 TEST(Lean, IsWhatTheDocumentsSay) {
   const std::string rest = fmt::format("{:.1f}", balanced_lean(Dynamics{}, draught)),
                     windy = fmt::format("{:.1f}", balanced_lean(Dynamics{}, wind_of_3_m_s));
@@ -96,8 +97,8 @@ TEST(Lean, IsWhatTheDocumentsSay) {
   EXPECT_EQ(sentences, 8u);
 }
 
-// The paper states that grass "does not flip to the wrong side of the surface" (B, section 4). This is true
-// for forces below the constant w of the return force.
+// The paper states that grass "does not flip to the wrong side of the surface" (Banisch and Wuethrich
+// 2006, section 4). This is true for forces below the constant w of the return force.
 TEST(Lean, OfALoadAboveTheReturnWeightCrossesTheSurface) {
   const SpringNetwork topology = build(Kind::sticks, square(1), fur_length);
   for (const auto& [load, crosses] : {std::pair(0.19, false), std::pair(0.21, true)}) {
@@ -117,8 +118,9 @@ Shape after_gusts(const Kind& kind, const Mesh& mesh, Gusts gusts) {
   return shape_of(topology, masses.offsets(queue()));
 }
 
-// By default, all separable sticks at one vertex have the same constants and the same gusts, so their motions
-// are bitwise equal. If the gusts of each triangle have their own phase, the sticks move apart.
+// Separable sticks are sticks that triangles do not share, so several sticks stand at one surface point. By
+// default, all sticks at one surface point have the same constants and the same gusts, so their motions are
+// bitwise equal. If the phase of the gusts differs between triangles, these sticks move apart.
 TEST(Gap, OfSeparableSticksNeedsGustsOfTheTriangles) {
   const Mesh mesh = sphere(1);
   const Shape alike = after_gusts(Kind::separable_sticks, mesh, Gusts::sticks);
@@ -149,7 +151,7 @@ TEST(Gap, IsTheOneOfTheReference) {
   }
 }
 
-// The test has two sticks at one surface point, whose tops are 0.02 R apart, and three sticks at another
+// Two sticks stand at one surface point, and their tops are 0.02 apart. Three sticks stand at another
 // surface point.
 TEST(Gap, IsTheLargestDistanceOfTwoTopsAtAPoint) {
   SpringNetwork topology;

@@ -16,8 +16,8 @@ namespace {
 
 using namespace test;
 
-// Times `frames` frames of the subject and runs its checks. Returns a row of results with the samples and the
-// metrics.
+// Runs `frames` frames of the study `subject` and its checks. Returns a row of results with the times of the
+// frames and the metrics.
 Row row_of(Subject& subject, int frames) {
   Row row;
   for (int i = 0; i < frames; ++i) {

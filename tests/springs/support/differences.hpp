@@ -43,8 +43,9 @@ struct Step {
   Eigen::VectorXd b;
 };
 
-/// Returns the system (M - h D - h^2 J) x = h (f + h J v). f are the forces of `state` at `time`, and v are
-/// its velocities.
+/// Returns the system (M - h D - h^2 J) x = h (f + h J v). M is the mass matrix and h the time step. J and D
+/// are the derivatives of the forces with respect to the positions and to the velocities. f are the forces of
+/// `state` at `time`, and v are its velocities.
 inline Step assembled(const reference::System& system, const reference::State& state, double time,
                       const Matrix& j, const Matrix& d) {
   const SpringNetwork& topology = system.topology;
@@ -61,11 +62,12 @@ inline Step assembled(const reference::System& system, const reference::State& s
           h * (f + h * (j * v))};
 }
 
-/// Returns the system of step `number` with the pruned derivatives, computed by finite differences. All
-/// springs of `state` must be longer than at rest, and the object must not move. Under these conditions, the
-/// pruned derivatives are the sum of two parts. The first part is the exact derivative of the spring forces
-/// at velocity 0. The second part is the exact derivative of the return force, projected onto the plane
-/// perpendicular to the stick.
+/// Returns the system of time step `number`, computed by finite differences. The derivatives omit the same
+/// terms as the solvers do by default (the pruned Jacobian of docs/topology.md). All springs of `state` must
+/// be longer than at rest, and the object must not move. Under these conditions, the pruned derivatives are
+/// the sum of two parts. The first part is the exact derivative of the spring forces at velocity 0. The
+/// second part is the exact derivative of the return force, projected onto the plane perpendicular to the
+/// stick.
 inline Step step_by_differences(const reference::System& system, const reference::State& state, long number) {
   const SpringNetwork& topology = system.topology;
   const double time = double(number + 1) * double(system.dynamics.step);
@@ -86,7 +88,8 @@ inline Step step_by_differences(const reference::System& system, const reference
   return assembled(system, state, time, j, differences(system, state, time, true));
 }
 
-/// Returns the system of step `number` with all terms of the derivatives, computed by finite differences.
+/// Returns the system of time step `number` with all terms of the derivatives, computed by finite
+/// differences.
 inline Step full_step_by_differences(const reference::System& system, const reference::State& state,
                                      long number) {
   const double time = double(number + 1) * double(system.dynamics.step);
@@ -104,10 +107,10 @@ inline double residual_of(const Step& step, const std::vector<glm::dvec3>& befor
   return (step.b - step.a * x).norm() / step.b.norm();
 }
 
-/// Returns a state in which most sticks are bent by 20 to 50 degrees and every spring is longer than at rest:
-/// the top masses are moved outwards and rotated by 0.3 rad about an axis. The sticks are bent, because the
-/// derivative of the return force is small for upright sticks. Positions and velocities are rounded to
-/// floats, so that kernels and baselines can start from exactly this state.
+/// Returns a state in which most sticks are bent by 20 to 50 degrees and every spring is longer than at rest.
+/// To this end, the function moves the top masses outwards and rotates them by 0.3 rad about an axis. The
+/// sticks are bent, because the derivative of the return force is small for upright sticks. Positions and
+/// velocities are rounded to floats, so that kernels and baselines can start from exactly this state.
 inline reference::State stretched(const SpringNetwork& topology) {
   reference::State state = reference::rest(topology);
   const glm::dvec3 axis = glm::normalize(glm::dvec3(1, 2, 3));

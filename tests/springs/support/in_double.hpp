@@ -1,6 +1,6 @@
 // Compiles whole kernels, with their indexing and memory accesses, as C++ in double precision.
-// opencl_as_cpp.hpp does this for equations only. A source file includes this header and then, in its own
-// namespace, a .cl file.
+// opencl_as_cpp.hpp compiles only the equations of the kernels in this way. A source file includes this
+// header and then, in its own namespace, a .cl file.
 #pragma once
 #include <cstddef>
 

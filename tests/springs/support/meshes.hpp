@@ -91,7 +91,8 @@ inline Mesh cut_in_two(const Mesh& whole) {
   return mesh;
 }
 
-/// Counts the edges of the surface as a set of vertex pairs, independently of build().
+/// Returns the number of edges of the mesh. The function collects vertex pairs in a set, so that it is
+/// independent of springs::build(), whose springs the tests count.
 inline std::size_t edge_count(const Mesh& mesh, bool welded) {
   std::set<std::set<std::uint32_t>> edges;
   for (const glm::uvec3& t : mesh.triangle)

@@ -17,8 +17,8 @@ inline Dynamics lively(Solver solver) {
   return d;
 }
 
-/// Returns dynamics with only springs and the return force (B Eq. 5): no gravity, wind or drag, and an object
-/// at rest.
+/// Returns dynamics with only springs and the return force (Eq. 5 of Banisch and Wuethrich 2006): no gravity,
+/// wind or drag, and an object at rest.
 inline Dynamics still(Solver solver) {
   Dynamics d;
   d.solver = solver;

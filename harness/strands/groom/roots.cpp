@@ -1,0 +1,216 @@
+#include "harness/strands/groom/roots.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/prepare/random.hpp"
+
+namespace pelage::strands {
+namespace {
+
+// A disc around each accepted candidate keeps later candidates away. A lower density gives larger discs.
+// Below this density the size of the discs stays constant, because a search within a larger radius would take
+// too long. Instead, only some of these discs get a root.
+constexpr double least_spaced_density = 1.0 / 16;
+// A level is one pass of the outer loop in scatter_roots(), with one distance `radius`. The constant is the
+// number of candidates of a level, divided by the number of points at this distance that fit on the surface.
+// More candidates give more even distances.
+constexpr double candidates_per_disc = 4;
+constexpr float radius_step = 0.840896415f;  // 2^(-1/4): sqrt(2) times as many points fit in the next level
+
+// Each batch of candidates is tested in the order of the triangles, because neighbouring triangles are near
+// each other in memory. If the first n roots of the list end within a batch, the distances between these n
+// roots are less even than for other values of n.
+constexpr double batches_per_level = 64;
+
+// Stream numbers (class Random) for the candidates and for the order of the roots.
+constexpr std::uint32_t candidate_stream = 0x726f6f74, order_stream = 0x726f6f75;
+
+std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
+  const glm::uvec3 t = mesh.triangle[face];
+  return {glm::dvec3(mesh.position[t.x]), glm::dvec3(mesh.position[t.y]), glm::dvec3(mesh.position[t.z])};
+}
+
+struct Candidate {
+  Root root;
+  double density = 0;   ///< at least least_spaced_density
+  bool rooted = false;  ///< whether the candidate's disc gets a root
+};
+
+/// Draws random points of the surface. Their expected number per area is proportional to the density, or to
+/// least_spaced_density if this is greater.
+class Candidates {
+ public:
+  Candidates(const Mesh& mesh, const Density& density, std::uint32_t seed)
+      : density_(density), random_(seed, candidate_stream) {
+    sums_.reserve(mesh.triangle.size());
+    double sum = 0;
+    for (std::uint32_t f = 0; f < mesh.triangle.size(); ++f) {
+      const auto [a, b, c] = corners_of(mesh, f);
+      sum += 0.5 * glm::length(glm::cross(b - a, c - a));
+      sums_.push_back(sum);
+    }
+  }
+
+  double area() const { return sums_.empty() ? 0 : sums_.back(); }
+
+  /// Draws a batch of `count` candidates with the indices `first` to `first` + `count` - 1. The surface is
+  /// divided into `count` strips of equal area, and each strip gets one candidate. The function appends
+  /// the candidates that the density does not reject to `into`, in the order of the triangles.
+  void draw(std::uint64_t first, std::size_t count, std::vector<Candidate>& into) const {
+    auto face = sums_.begin();
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint64_t index = first + k;
+      const double sum = (double(k) + random_.uniform(index, 0)) / double(count) * area();
+      while (*face <= sum && face + 1 != sums_.end()) ++face;
+      Candidate candidate;
+      candidate.root.face = std::uint32_t(face - sums_.begin());
+      double a = random_.uniform(index, 1), b = random_.uniform(index, 2);
+      if (a + b > 1) a = 1 - a, b = 1 - b;
+      candidate.root.weight = {float(a), float(std::min(b, 1.0 - double(float(a))))};
+      const double density = density_(candidate.root);
+      candidate.density = std::max(density, least_spaced_density);
+      candidate.rooted = random_.uniform(index, 4) * candidate.density < density;
+      if (density > 0 && random_.uniform(index, 3) < candidate.density) into.push_back(candidate);
+    }
+  }
+
+ private:
+  const Density& density_;
+  Random random_;
+  std::vector<double> sums_;  ///< for each triangle, the area of all triangles up to it
+};
+
+/// A disc around an accepted candidate. Its radius is `factor` times the variable `radius` of
+/// scatter_roots().
+struct Disc {
+  glm::vec3 centre;
+  float factor = 1;
+  glm::vec3 normal;
+};
+
+/// A hash table of the discs. The key of a disc is the cell of a regular grid that contains its centre.
+class Grid {
+ public:
+  void rebuild(const std::vector<Disc>& discs, float cell, std::size_t capacity) {
+    cell_ = cell;
+    heads_.assign(std::bit_ceil(2 * capacity), none);
+    next_.clear();
+    for (const Disc& disc : discs) add(disc);
+  }
+
+  void add(const Disc& disc) {
+    std::uint32_t& head = heads_[bucket(cell_of(disc.centre))];
+    next_.push_back(head);
+    head = std::uint32_t(next_.size() - 1);
+  }
+
+  /// Returns whether another disc blocks the disc `wanted`. The other disc blocks `wanted` if the two discs
+  /// are on the same side of the surface, and the distance between their centres is less than the smaller
+  /// radius.
+  bool blocks(const Disc& wanted, float radius, const std::vector<Disc>& discs) const {
+    const float farthest = radius * wanted.factor;
+    const glm::ivec3 low = cell_of(wanted.centre - farthest), high = cell_of(wanted.centre + farthest);
+    for (int x = low.x; x <= high.x; ++x)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int z = low.z; z <= high.z; ++z)
+          for (std::uint32_t i = heads_[bucket({x, y, z})]; i != none; i = next_[i]) {
+            const Disc& other = discs[i];
+            const float reach = radius * std::min(wanted.factor, other.factor);
+            const glm::vec3 apart = other.centre - wanted.centre;
+            if (glm::dot(apart, apart) < reach * reach && glm::dot(other.normal, wanted.normal) > 0)
+              return true;
+          }
+    return false;
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+  glm::ivec3 cell_of(glm::vec3 p) const { return glm::ivec3(glm::floor(p / cell_)); }
+  /// Cells that are neighbours in x have neighbouring buckets, so that a search reads few cache lines.
+  std::size_t bucket(glm::ivec3 c) const {
+    return (std::size_t(c.x) + 7919 * std::size_t(c.y) + std::size_t(7907) * 7919 * std::size_t(c.z)) &
+           (heads_.size() - 1);
+  }
+  float cell_ = 1;
+  std::vector<std::uint32_t> heads_, next_;
+};
+
+/// Shuffles the roots (Fisher and Yates). The order depends on the numbers of `random` with the
+/// indices `first` + 2 to `first` + roots.size().
+void shuffle(std::vector<Root>& roots, const Random& random, std::uint64_t first) {
+  for (std::size_t i = roots.size(); i > 1; --i)
+    std::swap(roots[i - 1], roots[std::size_t(random.uniform(first + i) * double(i))]);
+}
+
+Disc disc_of(const Mesh& mesh, const Root& root, double density) {
+  const auto [a, b, c] = corners_of(mesh, root.face);
+  return {glm::vec3(position_of(mesh, root)), float(1 / std::sqrt(density)),
+          glm::vec3(glm::cross(b - a, c - a))};
+}
+
+}  // namespace
+
+glm::dvec3 position_of(const Mesh& mesh, const Root& root) {
+  const auto [a, b, c] = corners_of(mesh, root.face);
+  return a + double(root.weight.x) * (b - a) + double(root.weight.y) * (c - a);
+}
+
+glm::dvec2 uv_of(const Mesh& mesh, const Root& root) {
+  const glm::uvec3 t = mesh.triangle[root.face];
+  const glm::dvec2 a(mesh.uv[t.x]), b(mesh.uv[t.y]), c(mesh.uv[t.z]);
+  return a + double(root.weight.x) * (b - a) + double(root.weight.y) * (c - a);
+}
+
+std::vector<Root> scatter_roots(const Mesh& mesh, const Density& density, std::size_t count,
+                                std::uint32_t seed) {
+  const Candidates candidates(mesh, density, seed);
+  const Random random(seed, order_stream);
+  std::vector<Candidate> wanted;
+  std::vector<Root> roots, added;
+  std::vector<Disc> discs;
+  Grid grid;
+  // Where the density is 1, `radius` is the least distance between two roots. In a hexagonal packing with
+  // this distance, each root takes an area of sqrt(3)/2 radius^2. At first, `radius` is so large that one
+  // root takes the area of the whole surface.
+  const double packing = std::sqrt(3.0) / 2;
+  float radius = float(std::sqrt(candidates.area() / packing)), cell = 0;
+  const double most_candidates = 1e6 + 1e4 * double(count);
+  std::uint64_t index = 0;
+  for (; roots.size() < count; radius *= radius_step) {
+    if (cell == 0 || radius < cell / 4)
+      grid.rebuild(discs, cell = 2 * radius, std::max<std::size_t>(count, 16));
+    const double attempts =
+        std::ceil(candidates_per_disc * candidates.area() / (packing * double(radius) * radius));
+    const auto batch = std::size_t(std::ceil(attempts / batches_per_level));
+    for (double tried = 0; tried < attempts && roots.size() < count; tried += double(batch)) {
+      if (double(index) > most_candidates)
+        throw InputError(fmt::format(
+            "{}: the strands have no place, because their density is 0 on almost the whole surface",
+            mesh.name));
+      wanted.clear();
+      candidates.draw(index, batch, wanted);
+      index += batch;
+      added.clear();
+      for (const Candidate& candidate : wanted) {
+        const Disc disc = disc_of(mesh, candidate.root, candidate.density);
+        if (grid.blocks(disc, radius, discs)) continue;
+        if (candidate.rooted) added.push_back(candidate.root);
+        discs.push_back(disc);
+        grid.add(disc);
+      }
+      shuffle(added, random, index);
+      roots.insert(roots.end(), added.begin(), added.end());
+    }
+  }
+  roots.resize(count);
+  return roots;
+}
+
+}  // namespace pelage::strands

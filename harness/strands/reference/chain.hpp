@@ -1,0 +1,35 @@
+// The double-precision reference for the simulation of strands (docs/strands.md, section Simulation). It
+// computes one strand at a time and shares no code with the kernels. It solves the equations of a step as a
+// dense linear system, and finds the points at which segments touch the skin by bisection. The kernels have
+// closed formulas for both. Tests compare the kernels' results with the reference.
+#pragma once
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "harness/strands/chain/chain.hpp"
+
+namespace pelage::strands::reference {
+
+/// The state of one strand, like ChainState, in double precision.
+struct State {
+  glm::dvec3 u{0};               ///< direction of the first segment in the world, unit vector
+  glm::dvec3 w{0};               ///< direction of the second segment in the world, unit vector
+  glm::dvec3 a{0};               ///< derivative of u with respect to time, orthogonal to u, rad/s
+  glm::dvec3 b{0};               ///< derivative of w with respect to time, orthogonal to w, rad/s
+  std::array<double, 4> stop{};  ///< impulses of the four stops in the last step, at least 0
+};
+
+/// Returns the state of a strand that rests in its rest direction, in the pose at time 0.
+State at_rest(const Chain& chain);
+
+/// Returns the state after one more time step. `number` is the index of this step, starting at 0. Forces,
+/// rest direction and normal are those at the end of the step, that is at the time (number + 1) h. The values
+/// in `chain` and `dynamics` must be in their valid ranges.
+State step(const Chain& chain, const ChainDynamics& dynamics, const State& state, long number);
+
+/// Returns the kinetic energy plus the potential energy at `time` in seconds. The potential energy contains
+/// the springs, gravity, the acceleration of the root, and the drag of the wind on a strand with the rates 0.
+/// The unit is the strand's mass times L^2 / s^2.
+double energy(const Chain& chain, const ChainDynamics& dynamics, const State& state, double time);
+
+}  // namespace pelage::strands::reference

@@ -1,0 +1,107 @@
+// Tests the simulation of strands as chains of two segments on an OpenCL device (docs/strands.md): exact
+// lengths, stops (limits of angles and the skin), rest, and bitwise equal results.
+#include "harness/strands/opencl/chains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/compare/tolerances.hpp"
+#include "tests/strands/support/strands.hpp"
+
+namespace pelage::strands::test {
+namespace {
+
+/// The rotation of the object after `steps` time steps.
+struct Frame {
+  glm::dvec3 axis;
+  double angle;
+  Frame(const ChainDynamics& d, long steps) {
+    const springs::Pose pose = springs::pose_at(d.motion, double(steps) * double(d.step));
+    axis = pose.axis, angle = pose.angle;
+  }
+  glm::dvec3 world(glm::vec3 v) const { return springs::turned(glm::dvec3(v), axis, angle); }
+};
+
+struct Worst {
+  double length = 0, first = 0, second = 0, joint = 0, tip = 0;
+};
+
+void look(Worst& worst, const std::vector<Chain>& chains, const ChainDynamics& d,
+          const std::vector<ChainState>& states, long steps) {
+  const Frame frame(d, steps);
+  const double l1 = double(d.first_segment), l2 = 1 - l1;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    const glm::dvec3 rest = frame.world(chains[i].rest), n = frame.world(chains[i].normal),
+                     u(states[i].direction[0]), w(states[i].direction[1]);
+    const auto cosine = [](float degrees) { return std::cos(double(degrees) * std::numbers::pi / 180); };
+    worst.length = std::max({worst.length, std::abs(glm::length(u) - 1), std::abs(glm::length(w) - 1)});
+    worst.first = std::max(worst.first, cosine(chains[i].limit_first) - glm::dot(u, rest));
+    worst.second = std::max(worst.second, cosine(chains[i].limit_second) - glm::dot(u, w));
+    worst.joint = std::max(worst.joint, -l1 * glm::dot(n, u));
+    worst.tip = std::max(worst.tip, -glm::dot(n, l1 * u + l2 * w));
+    if (!std::isfinite(glm::dot(u, w))) worst.length = 1e9;
+  }
+}
+
+TEST(Chains, KeepTheirLengthsAndStopsAndComeToRest) {
+  const std::vector<Chain> chains = sphere_of(5000);
+  ChainDynamics d = shaken();
+  Chains strands(queue(), chains, d);
+  Worst worst;
+  long touching = 0, looks = 0;
+  for (int frame = 0; frame < 600; ++frame) {
+    strands.enqueue(queue(), 4);
+    if (frame % 10 != 9) continue;
+    const std::vector<ChainState> states = strands.states(queue());
+    look(worst, chains, d, states, strands.steps());
+    for (const ChainState& s : states) touching += s.stop[0] + s.stop[1] + s.stop[2] + s.stop[3] > 0;
+    looks += long(states.size());
+  }
+  EXPECT_LT(worst.length, tolerance::chain_length);
+  EXPECT_LT(worst.first, tolerance::chain_stop);
+  EXPECT_LT(worst.second, tolerance::chain_stop);
+  EXPECT_LT(worst.joint, tolerance::chain_stop);
+  EXPECT_LT(worst.tip, tolerance::chain_stop);
+  EXPECT_GT(double(touching) / double(looks), 0.02);  // otherwise the stops are not tested
+  std::printf("length %.1e, limits %.1e %.1e, joint %.1e, tip %.1e; %.1f%% touching\n", worst.length,
+              worst.first, worst.second, worst.joint, worst.tip, 100 * double(touching) / double(looks));
+  d.motion = {};
+  d.wind.speed = 0;
+  strands.retarget(d);
+  for (int frame = 0; frame < 600; ++frame) strands.enqueue(queue(), 4);
+  const std::vector<ChainState> rest = strands.states(queue());
+  std::size_t moving = 0;
+  for (const ChainState& s : rest) {
+    const double l1 = double(d.first_segment), l2 = 1 - l1;
+    moving += glm::length(l1 * glm::dvec3(s.rate[0]) + l2 * glm::dvec3(s.rate[1])) > 0.01;
+  }
+  std::printf("%zu of %zu tips move\n", moving, rest.size());
+  EXPECT_LE(double(moving), 0.001 * double(rest.size()));
+}
+
+bool same(const ChainState& a, const ChainState& b) {
+  return a.direction == b.direction && a.rate == b.rate && a.stop == b.stop;
+}
+
+TEST(Chains, HaveTheSameBitsForAllLanesAndWorkItems) {
+  const std::vector<Chain> chains = sphere_of(333);
+  const auto run = [&](const ChainOptions& options) {
+    Chains strands(queue(), chains, shaken(), options);
+    for (int frame = 0; frame < 60; ++frame) strands.enqueue(queue(), 4);
+    return strands.states(queue());
+  };
+  const std::vector<ChainState> once = run({});
+  for (const ChainOptions& options :
+       {ChainOptions{}, ChainOptions{16, 1}, ChainOptions{16, 5}, ChainOptions{1, 0}, ChainOptions{1, 3}}) {
+    const std::vector<ChainState> again = run(options);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < once.size(); ++i) different += !same(once[i], again[i]);
+    EXPECT_EQ(different, 0u) << options.lanes << " lanes, " << options.slices_per_item << " slices";
+  }
+}
+
+}  // namespace
+}  // namespace pelage::strands::test
