@@ -6,6 +6,7 @@
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET...]
 #   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)
+#   PELAGE_FUZZ_SEED=N: the seed of libFuzzer's random numbers (default 0: another seed in each run)
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/fuzz
@@ -33,8 +34,8 @@ run_one() {
   # so the strings of these functions are never freed.
   [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
-  "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -max_len=8192 \
-    -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
+  "$build/tests/fuzz/fuzz_$target" -seed="${PELAGE_FUZZ_SEED:-0}" -max_total_time="$seconds" -timeout=60 \
+    -rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
     "$build/new/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 </dev/null && findings=0 || findings=1
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   printf '%-12s %12s executions  %d findings\n' "$target" "${executions:-no}" "$findings"

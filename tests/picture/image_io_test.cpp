@@ -153,6 +153,29 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
   }
 }
 
+TEST_F(ImageIo, AnExrAttributeLargerThanItsFileIsRefused) {
+  // OpenEXR would allocate 2 GB for the string and then fail to read it.
+  const auto exr = [&](std::string_view after_version) {
+    const fs::path file = folder / "a.exr";
+    std::ofstream(file, std::ios::binary)
+        << "\x76\x2f\x31\x01" << std::string("\x02\0\0\0", 4) << after_version;
+    try {
+      read_picture(file);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(file.string().size());
+    }
+    return std::string("read");
+  };
+  using namespace std::string_view_literals;
+  EXPECT_EQ(exr("owner\0string\0\x13\x63\x6f\x6d"
+                "abcd"sv),
+            ": damaged picture: the attribute 'owner' states 1836016403 bytes, more than the file has");
+  EXPECT_EQ(exr("owner\0string\0\x04\0\0\0"
+                "abcd"sv),
+            ": damaged picture: the file ends inside its header");
+  EXPECT_EQ(exr("owner"sv), ": damaged picture: the file ends inside its header");
+}
+
 TEST_F(ImageIo, DamagedBytesNeverCrash) {
   const Picture picture = gradient(20, 20);
   unsigned state = 1;

@@ -11,6 +11,7 @@
 
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/picture/module/exr_header.hpp"
 
 namespace pelage {
 namespace {
@@ -51,6 +52,7 @@ void require_end(const fs::path& file, const std::string& kind) {
 }
 
 Picture read(const fs::path& file, const std::string& kind) {
+  if (kind == "openexr") require_exr_header(file);
   const auto input = OIIO::ImageInput::create(kind);
   OIIO::ImageSpec spec;
   if (!input || !input->open(file.string(), spec)) {
@@ -67,7 +69,7 @@ Picture read(const fs::path& file, const std::string& kind) {
   // reads, deflate has the highest compression ratio, at most 1032. The limit densest_codec is higher, so
   // every undamaged file passes this test.
   std::error_code error;
-  if (spec.image_bytes() / densest_codec > fs::file_size(file, error)) {
+  if (std::max(spec.image_bytes(), spec.tile_bytes()) / densest_codec > fs::file_size(file, error)) {
     throw InputError(fmt::format("{}: damaged picture: the file is too small for {} x {} pixels",
                                  file.string(), spec.width, spec.height));
   }
