@@ -30,9 +30,6 @@ run_one() {
   local build=$1 seconds=$2 target=$3 options=() log executions findings
   log=$build/logs/$target.log
   mkdir -p "$build/new/$target"
-  # The fuzz target `picture` runs without the leak check: on errors, libpng leaves OpenImageIO's functions by longjmp,
-  # so the strings of these functions are never freed.
-  [[ $target != picture ]] || export ASAN_OPTIONS=detect_leaks=0
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
   "$build/tests/fuzz/fuzz_$target" -seed="${PELAGE_FUZZ_SEED:-0}" -max_total_time="$seconds" -timeout=60 \
     -rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \

@@ -3,32 +3,7 @@
 # Usage: scripts/record_report.sh FOLDER RESULTS... Each RESULTS is a folder that `pelage run` wrote.
 # The script first deletes FOLDER.
 #
-# These commands use the default preset, quick. They write the results for docs/topology in about 30 minutes on two
-# cores:
-#
-#   pelage run topology-table1 topology-solvers --anonymous -o RESULTS
-#   pelage run topology-solvers --anonymous --axis dynamics.substeps=16 -o RESULTS16 --filter \
-#     '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
-#   pelage run banisch2006-{update-time,equal-steps,work-precision,longest-step,energy,mesh-size,lean} --anonymous \
-#     -o RESULTS
-#   pelage run topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling} --anonymous -o RESULTS
-#
-# These commands write the results for docs/rivals in about 25 minutes:
-#
-#   pelage run rivals --anonymous --preset quick -o RESULTS
-#   pelage run rivals --anonymous --preset tori -o TORI
-#   pelage run rival-options --anonymous --preset quick -o RESULTS      # exit code 1: some checks fail
-#
-# The results for docs/scaling come from the experiments `scaling` and `layers`, in about 10 minutes. Run the experiment
-# `scaling` once for each PRESET (quick, beyond, millions), each time with a separate folder RESULTS:
-#
-#   pelage run scaling --anonymous --preset PRESET -o RESULTS
-#
-# Run the experiment `layers` once, with the preset quick:
-#
-#   pelage run layers --anonymous --preset quick -o LAYERS
-#
-# After a recording, run scripts/claims_table.py. It writes the verdicts on the papers' claims into docs/claims.md.
+# scripts/record_all.sh contains the commands that recorded results/, and calls this script.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 (($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }

@@ -112,9 +112,12 @@ def c_like(name, text):
 
 
 def hash_comments(name, text):
-    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment."""
+    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment. #SBATCH lines are options
+    of Slurm and no comments."""
     own_lines = []
     for number, line in enumerate(text.split("\n"), 1):
+        if re.match(r"##?SBATCH ", line):
+            continue
         if own := re.match(r"\s*#(?!!)\s?(.*)", line):
             own_lines.append((number, own.group(1)))
         elif behind := re.search(r'\s#\s([^"\']*)$', line):

@@ -15,10 +15,11 @@
 # After a node failure or a preemption, Slurm starts the task again and appends to the same log.
 #SBATCH --requeue
 #SBATCH --open-mode=append
-# On nodes with GPUs remove one # in the next line, or set SBATCH_GPUS_PER_TASK=1. Each shard then sees one GPU. To run
-# several shards on a node with several GPUs, replace --exclusive above by --cpus-per-task=N, where N is the number of
-# the node's cores divided by the number of its GPUs.
+# On nodes with GPUs, remove one # of the line below, or set the environment variable SBATCH_GPUS_PER_TASK=1. Each shard
+# then sees one GPU.
 ##SBATCH --gpus-per-task=1
+# To run several shards on a node with several GPUs, also replace --exclusive above by --cpus-per-task=N, where N is the
+# number of the node's cores divided by the number of its GPUs.
 set -euo pipefail
 
 results=$1 index=${2:-$SLURM_ARRAY_TASK_ID}

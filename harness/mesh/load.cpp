@@ -15,7 +15,7 @@
 #include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/gltf_files.hpp"
-#include "harness/mesh/isolated.hpp"
+#include "harness/isolated/isolated.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/procedural.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "harness/atomic_file.hpp"
 #include "harness/error.hpp"
+#include "harness/isolated/isolated.hpp"
 #include "harness/picture/image_module.hpp"
 #include "harness/picture/png.hpp"
 
@@ -25,6 +27,29 @@ std::string extension(const fs::path& path) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return name;
+}
+
+// Memory for the largest picture: 48 bytes per pixel of 8192 x 8192, and the decoder's own memory.
+constexpr Limits limits{
+    .memory = std::uint64_t(6) << 30, .time = std::chrono::seconds(120), .what = "picture"};
+
+// Converts a picture to bytes and back, to pass it from the process that reads the file.
+std::string encoded(const Picture& picture) {
+  std::string bytes;
+  bytes.reserve(2 * sizeof(int) + picture.pixel.size() * sizeof(glm::vec4));
+  for (const int side : {picture.width, picture.height})
+    bytes.append(reinterpret_cast<const char*>(&side), sizeof side);
+  bytes.append(reinterpret_cast<const char*>(picture.pixel.data()), picture.pixel.size() * sizeof(glm::vec4));
+  return bytes;
+}
+
+Picture decoded(const std::string& bytes) {
+  Picture picture;
+  std::memcpy(&picture.width, bytes.data(), sizeof(int));
+  std::memcpy(&picture.height, bytes.data() + sizeof(int), sizeof(int));
+  picture.pixel.resize((bytes.size() - 2 * sizeof(int)) / sizeof(glm::vec4));
+  std::memcpy(picture.pixel.data(), bytes.data() + 2 * sizeof(int), picture.pixel.size() * sizeof(glm::vec4));
+  return picture;
 }
 
 }  // namespace
@@ -66,7 +91,13 @@ Picture read_picture(const fs::path& path) {
                                                                   {".jpeg", "jpeg"}, {".tif", "tiff"},
                                                                   {".tiff", "tiff"}, {".exr", "openexr"}};
   for (const auto& [ending, kind] : kinds)
-    if (extension(path) == ending) return image_module().read(path, kind);
+    if (extension(path) == ending) {
+      // Loading the module takes 0.3 s. The parent process loads it, so this happens once and not for each
+      // picture.
+      const ImageModule& module = image_module();
+      return decoded(isolated(path.string(), limits,
+                              [&, kind = kind](const Say&) { return encoded(module.read(path, kind)); }, {}));
+    }
   throw InputError(
       fmt::format("{}: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR", path.string()));
 }

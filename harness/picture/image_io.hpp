@@ -24,7 +24,9 @@ void check_picture_path(const std::filesystem::path& path);
 
 /// Reads a PNG, JPEG, TIFF or EXR file without colour conversion. Integer values are scaled to [0, 1]. A grey
 /// picture becomes RGB; a missing alpha channel becomes 1. Throws InputError if the file is missing, has
-/// another format, is malformed or truncated, or has more than most_pixels_per_side pixels on a side.
+/// another format, is malformed or truncated, or has more than most_pixels_per_side pixels on a side. A child
+/// process decodes the file, because damaged files crash the decoders of OpenImageIO or make them allocate
+/// gigabytes.
 Picture read_picture(const std::filesystem::path& path);
 
 /// Compresses the picture to a WebP file with 8-bit RGB values, and returns the bytes of the file. Clamps the

@@ -8,7 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "harness/mesh/flatten.hpp"
-#include "harness/mesh/isolated.hpp"
+#include "harness/isolated/isolated.hpp"
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/write_ply.hpp"

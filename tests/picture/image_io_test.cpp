@@ -153,27 +153,22 @@ TEST_F(ImageIo, NothingReadsAnyPrefixOfAPictureAsAPicture) {
   }
 }
 
-TEST_F(ImageIo, AnExrAttributeLargerThanItsFileIsRefused) {
-  // OpenEXR would allocate 2 GB for the string and then fail to read it.
-  const auto exr = [&](std::string_view after_version) {
-    const fs::path file = folder / "a.exr";
-    std::ofstream(file, std::ios::binary)
-        << "\x76\x2f\x31\x01" << std::string("\x02\0\0\0", 4) << after_version;
+// These inputs were found with libFuzzer. In the calling process, each of them would crash the decoder or
+// would make it allocate gigabytes. AddressSanitizer removes the memory limit of the child process and
+// reports the crash itself.
+TEST_F(ImageIo, ACrashOfTheDecoderIsAnError) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(PELAGE_SOURCE_DIR) / "tests/picture/damaged")) {
+    ++count;
     try {
-      read_picture(file);
+      read_picture(entry.path());
+      ADD_FAILURE() << entry.path() << " was read";
     } catch (const InputError& error) {
-      return std::string(error.what()).substr(file.string().size());
+      EXPECT_EQ(std::string(error.what()).rfind(entry.path().string() + ": ", 0), 0u) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
     }
-    return std::string("read");
-  };
-  using namespace std::string_view_literals;
-  EXPECT_EQ(exr("owner\0string\0\x13\x63\x6f\x6d"
-                "abcd"sv),
-            ": damaged picture: the attribute 'owner' states 1836016403 bytes, more than the file has");
-  EXPECT_EQ(exr("owner\0string\0\x04\0\0\0"
-                "abcd"sv),
-            ": damaged picture: the file ends inside its header");
-  EXPECT_EQ(exr("owner"sv), ": damaged picture: the file ends inside its header");
+  }
+  EXPECT_EQ(count, 3u);
 }
 
 TEST_F(ImageIo, DamagedBytesNeverCrash) {

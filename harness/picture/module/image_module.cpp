@@ -11,7 +11,6 @@
 
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/picture/module/exr_header.hpp"
 
 namespace pelage {
 namespace {
@@ -25,6 +24,11 @@ constexpr std::uintmax_t densest_codec = 4096;
 // Largest number of pixels of a picture that pelage reads: 8192 x 8192. Reading takes 32 bytes of memory per
 // pixel.
 constexpr std::uint64_t most_pixels_read = std::uint64_t(1) << 26;
+
+// Initialized when the module is loaded. OpenImageIO and OpenEXR must not start threads: read() runs in a
+// child process (see read_picture()), in which the threads of the parent process do not exist.
+[[maybe_unused]] const bool without_threads =
+    OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", -1);  // -1: OpenEXR starts no threads
 
 /// Returns the first line of OpenImageIO's message. OpenImageIO repeats this line for every scanline.
 std::string one_line(const std::string& text) {
@@ -52,7 +56,6 @@ void require_end(const fs::path& file, const std::string& kind) {
 }
 
 Picture read(const fs::path& file, const std::string& kind) {
-  if (kind == "openexr") require_exr_header(file);
   const auto input = OIIO::ImageInput::create(kind);
   OIIO::ImageSpec spec;
   if (!input || !input->open(file.string(), spec)) {

@@ -1,6 +1,6 @@
 // Compares the device's pictures with those of the reference. Kernels and reference were written
-// independently of each other; both follow the two papers Curling and Clumping Fur and Real-Time Rendering of
-// Wet Fur (Silva et al. 2010).
+// independently of each other; both follow the two papers of Silva et al. 2010
+// (docs/frame.md).
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

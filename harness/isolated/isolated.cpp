@@ -1,4 +1,4 @@
-#include "harness/mesh/isolated.hpp"
+#include "harness/isolated/isolated.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "harness/error.hpp"
 
@@ -31,14 +32,16 @@ constexpr bool sanitized = false;
 enum class Kind : char { progress = 'p', result = 'r', input_error = 'i', error = 'e' };
 
 void send(int pipe, Kind kind, const std::string& text) {
-  std::string message(1, char(kind));
+  std::string head(1, char(kind));
   const std::uint64_t size = text.size();
-  message.append(reinterpret_cast<const char*>(&size), sizeof size).append(text);
-  for (std::size_t done = 0; done < message.size();) {
-    const ssize_t written = ::write(pipe, message.data() + done, message.size() - done);
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) ::_exit(1);  // the parent process has closed the pipe, so nobody reads the message
-    done += std::size_t(written);
+  head.append(reinterpret_cast<const char*>(&size), sizeof size);
+  for (const std::string* part : {&std::as_const(head), &text}) {
+    for (std::size_t done = 0; done < part->size();) {
+      const ssize_t written = ::write(pipe, part->data() + done, part->size() - done);
+      if (written < 0 && errno == EINTR) continue;
+      if (written <= 0) ::_exit(1);  // the parent process has closed the pipe, so nobody reads the message
+      done += std::size_t(written);
+    }
   }
 }
 
@@ -59,7 +62,7 @@ std::uint64_t address_space() {
   rlimit space_of_user{};
   bool by_user = false;
   if (!sanitized) {
-    ::dup2(quiet, STDERR_FILENO);  // hides the output of CGAL and Assimp; pelage prints its own message
+    ::dup2(quiet, STDERR_FILENO);  // hides the output of the libraries; pelage prints its own message
     const rlimit space{address_space() + limits.memory, address_space() + limits.memory};
     // If the user has set a limit below `space` (ulimit -v), this limit stays in force. Without this check,
     // setrlimit() would replace the user's limit by the higher limit `space` if pelage runs as root.
@@ -92,9 +95,12 @@ class Inbox {
     if (bytes_.size() < 1 + sizeof size) return {};
     std::memcpy(&size, bytes_.data() + 1, sizeof size);
     if (bytes_.size() - 1 - sizeof size < size) return {};
-    std::pair message(Kind(bytes_[0]), bytes_.substr(1 + sizeof size, size));
-    bytes_.erase(0, 1 + sizeof size + size);
-    return message;
+    const Kind kind{bytes_[0]};
+    std::string rest = bytes_.substr(1 + sizeof size + size);
+    bytes_.resize(1 + sizeof size + size);
+    bytes_.erase(0, 1 + sizeof size);
+    // A result has up to a gigabyte, so its text is moved and not copied.
+    return std::pair(kind, std::exchange(bytes_, std::move(rest)));
   }
 
  private:
@@ -167,12 +173,13 @@ std::string isolated(const std::string& name, const Limits& limits,
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (late)
-    throw InputError(
-        fmt::format("{}: not finished after {} s; give a simpler mesh", name, limits.time.count()));
+    throw InputError(fmt::format("{}: not finished after {} s; give a simpler {}", name, limits.time.count(),
+                                 limits.what));
   if (!answer && WIFSIGNALED(status))
-    throw InputError(fmt::format("{}: cannot be used; the mesh library crashed on it ({})", name,
+    throw InputError(fmt::format("{}: cannot be used; the {} library crashed on it ({})", name, limits.what,
                                  ::strsignal(WTERMSIG(status))));
-  if (!answer) throw InputError(fmt::format("{}: cannot be used; the mesh library ended the process", name));
+  if (!answer)
+    throw InputError(fmt::format("{}: cannot be used; the {} library ended the process", name, limits.what));
   if (answer->first == Kind::input_error) throw InputError(answer->second);
   if (answer->first == Kind::error)
     throw InputError(fmt::format("{}: cannot be used: {}", name, one_line(answer->second)));

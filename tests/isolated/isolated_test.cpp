@@ -1,5 +1,5 @@
 // Tests the memory and time limits of the separate process that prepares a mesh.
-#include "harness/mesh/isolated.hpp"
+#include "harness/isolated/isolated.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
