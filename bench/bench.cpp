@@ -1,5 +1,6 @@
-// pelage-bench: times every kernel of a frame with Google Benchmark. The times come from the device's own
-// timer. Google Benchmark's option --benchmark_out and its script compare.py work as usual.
+// pelage-bench: times every kernel of a frame, and the whole frame, with Google Benchmark. The times of
+// kernels come from the device's own timer, and the times of frames are wall times. Google Benchmark's option
+// --benchmark_out and its script compare.py work as usual.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -30,8 +31,8 @@ struct Options {
   double seconds = 0.5;
 };
 
-/// A scene that is timed. Each iteration of a benchmark draws one frame. The kernels' times come from their
-/// OpenCL events.
+/// A scene that is timed. Each iteration of a benchmark draws one frame or computes one wetness mask. The
+/// kernels' times come from their OpenCL events.
 struct Bench {
   std::shared_ptr<const FrameInput> input;
   Shells shells;

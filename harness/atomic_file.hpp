@@ -43,9 +43,10 @@ inline void copy_bytes(const std::filesystem::path& from, const std::filesystem:
 /// folder of `path`. It has the extension of `path`, because some libraries derive the file format
 /// from the extension. If `path` is a symbolic link, the function writes the file that the link points to. If
 /// `path` exists and is not a regular file, for example a device or a pipe, the temporary file is in the
-/// system's temporary folder. The function then copies its bytes to `path`. If `write` throws, the temporary
-/// file is removed and `path` is unchanged. Throws InputError if the folder of `path` does not exist, if
-/// `path` is a folder or a symbolic link that leads back to itself, or if renaming or copying fails.
+/// system's temporary folder, and the function copies the bytes of the temporary file to `path`. If `write`
+/// throws, the temporary file is removed and `path` is unchanged. Throws InputError if the folder of `path`
+/// does not exist, if `path` is a folder or a symbolic link that leads back to itself, or if renaming or
+/// copying fails.
 template <class Write>
 void write_atomically(const std::filesystem::path& path, Write&& write) {
   namespace fs = std::filesystem;

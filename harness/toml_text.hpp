@@ -12,7 +12,7 @@
 namespace pelage {
 
 inline constexpr int most_key_parts = 32;    ///< greatest number of parts of a dotted key or a table name
-inline constexpr int most_table_depth = 64;  ///< greatest sum of the parts of a key and of the enclosing keys
+inline constexpr int most_table_depth = 64;  ///< greatest number of parts of a key and its enclosing keys
 
 namespace detail {
 

@@ -21,7 +21,7 @@ on=()
 [[ -z $device ]] || on=(--device "$device")
 
 failed=()
-# Runs the command of a step. Stores its standard output as NAME.txt and its standard error as NAME.err.
+# Runs one step: step NAME COMMAND... Stores the command's standard output as NAME.txt, its standard error as NAME.err.
 step() {
   local name=$1 from=$SECONDS
   shift

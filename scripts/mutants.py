@@ -136,7 +136,7 @@ def take_signals():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("name", nargs="*", help="mutants to apply; all without one")
+    parser.add_argument("name", nargs="*", help="names of the mutants to apply (default: all)")
     parser.add_argument("--data", type=pathlib.Path, default=ROOT / "tests/mutants/survivors.toml")
     parser.add_argument("--build", default=str(ROOT / "build/release"), help="a configured build folder")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())

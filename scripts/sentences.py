@@ -3,9 +3,9 @@
 
 A sentence of the sample is printed with its file, its line, its paragraph, the beginning of the file and its
 surroundings. The beginning of a source file is its first comment, and the beginning of a document is its first
-paragraph; they name the subject and define symbols. The surroundings of a comment or a message are the lines around it. The
-surroundings of a paragraph of a document are the headings and the lines before it. The surroundings of a table cell are
-the head and the row of the table.
+paragraph. A beginning names the subject of the file and defines symbols. The surroundings of a comment or a message are
+the lines around it. The surroundings of a paragraph of a document are the headings and the lines before it. The
+surroundings of a table cell are the head and the row of the table.
 
   scripts/sentences.py --draw 60           draws 60 sentences; the seed is the hash of HEAD
   scripts/sentences.py --list harness/mesh  lists every sentence of the files under harness/mesh
@@ -112,8 +112,8 @@ def c_like(name, text):
 
 
 def hash_comments(name, text):
-    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment. #SBATCH lines are options
-    of Slurm and no comments."""
+    """Yields the paragraphs of whole-line comments, and one paragraph per end-of-line comment. #SBATCH lines are
+    options of Slurm, not comments."""
     own_lines = []
     for number, line in enumerate(text.split("\n"), 1):
         if re.match(r"##?SBATCH ", line):

@@ -11,7 +11,7 @@ flat in vec4 look;
 #else
 #define look LAYER_LOOK
 #endif
-layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage; green: half of the shade
+layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage; green: half of the shade, a factor of the coat's colour
 layout(binding = 1) uniform sampler2D coat;
 layout(binding = 2) uniform sampler2D mask;   // c_u, c_v, r, rho; sampled with NEAREST
 layout(location = 0) out vec4 colour;
@@ -50,7 +50,7 @@ float power(float x, float exponent) {
 }
 
 // S Eq. 6 and W Eq. 3: adds the diffuse and specular light of one source to `sum`. The unit vectors are t along
-// the strand, nu along the surface normal, e from the eye to the surface, and light to the light source.
+// the strand, nu along the surface normal, e from the eye to the surface, and `light` to the light source.
 void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float exponent, inout vec2 sum) {
   float n_l = dot(nu, light), t_l = dot(t, light), t_e = dot(t, e);
   float sine_l = sqrt(max(0.0, 1.0 - t_l * t_l)), sine_e = sqrt(max(0.0, 1.0 - t_e * t_e));

@@ -34,7 +34,7 @@ load() {
 }
 
 # unfinished RESULTS: prints the numbers of the unfinished shards. A shard is unfinished if it has no journal (file of
-# result rows), or if the row of one of its cases is missing or has the status error. Call load first.
+# result rows), or if the row of one of its cases is missing or has the status `error`. Call load first.
 unfinished() {
   local results=$1 i found=() numbers=() lines code=0
   for ((i = 0; i < shards; ++i)); do

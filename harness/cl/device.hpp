@@ -58,12 +58,13 @@ std::vector<PlatformInfo> platforms();
 std::vector<Device> devices();
 
 /// Returns the device that `wanted` names. `wanted` is "PLATFORM:INDEX" or a part of a device's name.
-/// PLATFORM is the index of the platform, a part of its name, or the loader's short name of the platform. If
-/// no device's name contains `wanted`, the function returns the device of the platform whose name contains
-/// `wanted` or whose short name is `wanted`. If `wanted` is empty, the environment variable $PELAGE_DEVICE
-/// replaces it. If this variable is empty too, the function returns the first GPU. If there is no GPU, it
-/// returns the first CPU. If there is no CPU either, it returns the first device. Throws InputError with the
-/// candidates if no device or several devices match, and NoDeviceError if there are no devices.
+/// PLATFORM is the index of the platform, a part of its name, or the loader's short name of the platform.
+/// INDEX is DeviceInfo::device_index. If no device's name contains `wanted`, the function returns the device
+/// of the platform whose name contains `wanted` or whose short name is `wanted`. If `wanted` is empty, the
+/// environment variable $PELAGE_DEVICE replaces it. If this variable is empty too, the function returns the
+/// first GPU. If there is no GPU, it returns the first CPU. If there is no CPU either, it returns the first
+/// device. Throws InputError with the candidates if no device or several devices match, and NoDeviceError if
+/// there are no devices.
 Device choose_device(std::string_view wanted);
 
 }  // namespace pelage::cl

@@ -15,15 +15,15 @@ std::optional<std::filesystem::path> nvidia_library(const std::vector<std::files
 /// Returns true if a file *.icd in the folder `vendors` already names NVIDIA's library.
 bool names_nvidia(const std::filesystem::path& vendors);
 
-/// Returns true if a process that may run only on `cores` may pin every thread i to core i. This is the case
-/// if `cores` contains all cores of the machine, 0 .. online - 1.
+/// Returns true if PoCL may pin its thread i to core i for every i. `cores` are the cores that the process
+/// may use. The result is true if `cores` contains all cores of the machine, 0 .. online - 1.
 bool may_pin(const std::vector<int>& cores, int online);
 
-/// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins thread i to core i. Without pinning, Linux
-/// sometimes wakes two threads on the same core although another core has become idle. Both threads then stay
-/// on this core for some milliseconds. Launches took 0.2 to 10 ms with pinning, and up to twice as long
-/// without pinning (docs/performance.md). The function does nothing if may_pin() is false for the cores that
-/// the process may use.
+/// Sets POCL_AFFINITY=1 unless the variable is set. PoCL then pins its thread i to core i. Without pinning,
+/// Linux sometimes wakes two threads on the same core although another core has become idle. Both threads
+/// then stay on this core for some milliseconds. Launches took 0.2 to 10 ms with pinning, and up to twice as
+/// long without pinning (docs/performance.md). The function does nothing if may_pin() is false for the cores
+/// that the process may use.
 void pin_threads();
 
 /// Calls pin_threads(), need_kernel_cache() and explain_aborts(), and registers NVIDIA's driver. A container

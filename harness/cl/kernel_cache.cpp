@@ -46,7 +46,7 @@ std::string kernel_cache_fault(const fs::path& folder) {
 }
 
 void need_kernel_cache() {
-  // PoCL aborts if this variable is set but empty.
+  // PoCL aborts if POCL_CACHE_DIR is set but empty.
   if (text_of("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
   const fs::path wanted = kernel_cache();
   if (wanted.empty()) return;

@@ -18,7 +18,7 @@ double seconds(const std::function<void()>& work) {
 }
 
 // Runs `work` once without timing it, because the first run includes compilation and the first access to
-// memory. Then runs `work` `times` times, and returns the least time in seconds.
+// memory. Then measures `times` runs of `work`, and returns the least time in seconds.
 double best_seconds(int times, const std::function<void()>& work) {
   work();
   double best = seconds(work);

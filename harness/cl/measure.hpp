@@ -6,7 +6,7 @@ namespace pelage::cl {
 
 struct DeviceSpeed {
   TimerCheck timer;
-  /// Memory bandwidth in GB/s: bytes read and written by a = b + s c, over arrays larger than most caches.
+  /// Memory bandwidth (reads plus writes) of a = b + s c in GB/s. The arrays are larger than most caches.
   double triad_gb_s = 0;
   double fma_gflop_s = 0;  ///< 1e9 single-precision operations per second; an fma counts as two
   /// Time of one launch of an empty kernel, from its enqueue to the end of clFinish: median of 200 launches.

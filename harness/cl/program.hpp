@@ -15,9 +15,10 @@
 
 namespace pelage::cl {
 
-/// Returns the folder of kernel sources. This is the folder that --kernels or set_kernel_folder() names. If
-/// neither was used, it is $PELAGE_DATA/kernels. If this variable is not set either, it is kernels/ in the
-/// last folder of data_folders(). Throws InputError if this folder does not exist.
+/// Returns the folder of kernel sources. This is the folder that the option --kernels or set_kernel_folder()
+/// names. If neither was used, it is $PELAGE_DATA/kernels. If PELAGE_DATA is not set either, it is kernels/
+/// in the last folder of data_folders() (harness/data_folder.hpp). Throws InputError if this folder does not
+/// exist.
 std::filesystem::path kernel_folder();
 void set_kernel_folder(const std::filesystem::path& folder);
 

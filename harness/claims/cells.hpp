@@ -11,7 +11,7 @@
 
 namespace pelage::claims {
 
-/// One case of the claim, measured on one device. If the claim has `phases`, each phase of the case is a
+/// One case of the claim, measured on one device. If Claim::phases is not empty, each of these phases is a
 /// separate cell.
 struct Cell {
   std::string name;  ///< name of the case, with the phase if the claim has phases

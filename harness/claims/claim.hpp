@@ -82,9 +82,12 @@ struct Claim {
   Combine combine = Combine::every;
   std::string relation;  ///< the relation with its limits, as text: "at most 0.5"
   Region region;
-  std::size_t cases = 1;      ///< least number of effects; with fewer, the claim is untestable
-  std::size_t values = 0;     ///< smallest number of axis values from which a slope or trend is computed
-  double process_spread = 0;  ///< the claim's own value, or else ClaimFile::process_spread
+  /// Least number of effects, or of cases for the effect share_of_cases. With fewer, the claim is untestable.
+  std::size_t cases = 1;
+  std::size_t values = 0;  ///< smallest number of axis values from which a slope or trend is computed
+  /// Assumed relative standard deviation of times between processes. If the claim does not state it, this is
+  /// ClaimFile::process_spread.
+  double process_spread = 0;
 };
 
 struct ClaimFile {

@@ -157,7 +157,7 @@ Claim read_claim(const fs::path& file, const toml::table& source, const ClaimFil
   claim.hardware = table.text("hardware");
   claim.process_spread = table.number("process_spread", settings.process_spread, 0, 1);
   const auto rows = table.inner("rows"), effect = table.inner("effect");
-  if (!rows) table.refuse("rows", "rows = { experiment = \"NAME\" } is missing (or untestable = \"REASON\")");
+  if (!rows) table.refuse("rows", "rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing");
   read_rows(*rows, claim);
   if (!effect) table.refuse("effect", "effect = { name = \"level\" } is missing");
   read_effect(*effect, claim);

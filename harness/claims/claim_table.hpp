@@ -49,7 +49,7 @@ class Table {
   std::map<std::string, std::vector<std::string>> lists(std::string_view key);  ///< axis -> values
   std::map<std::string, std::string> values(std::string_view key);              ///< key -> axis value
 
-  /// Returns the index in `names` of the key's value, or `otherwise` if the key is absent.
+  /// Returns the index of the key's value in `names`, or `otherwise` if the key is absent.
   template <std::size_t N>
   std::size_t choice(std::string_view key, const std::array<std::string_view, N>& names,
                      std::size_t otherwise) {

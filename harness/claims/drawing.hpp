@@ -1,5 +1,5 @@
-// Computes the quantity of a cell (one case on one device) from its measured samples. For bootstrap
-// intervals, computes the quantity from resampled samples.
+// Computes the quantity that a claim evaluates, such as the frame time, for one cell (one case on one device)
+// from its measured samples. For bootstrap intervals, computes the quantity from resampled samples.
 #pragma once
 #include <boost/random/normal_distribution.hpp>
 #include <random>

@@ -27,7 +27,7 @@ struct Part {
 
 /// Returns the parts of the claim. If an effect cannot be computed, for instance because the second cell of a
 /// ratio is missing, adds the name of a cell and the reason to `left_out`. An effect that needs the axis
-/// values `of` and `to` ignores the cells with other values of this axis.
+/// values `of` and `to` ignores the cells with other values of Claim::axis.
 std::vector<Part> parts_of(const Claim& claim, const std::vector<Cell>& cells,
                            std::vector<std::string>& left_out);
 

@@ -10,16 +10,17 @@
 
 namespace pelage::claims {
 
-/// A claim with its verdict on one device and host. With Combine::every, each part of the claim (effects.hpp)
-/// has an effect. Decision::decisive (verdict.hpp) selects the decisive part.
+/// A claim with its verdict on one device and host. A part of a claim is the group of cells from which one
+/// effect is computed (effects.hpp). With Combine::every, the effect of each part must be inside
+/// Claim::region. Decision::decisive (verdict.hpp) is then the index of the decisive part.
 struct Judged {
   Claim claim;
   std::string device, host;  ///< "" if there are no rows
   Verdict verdict = Verdict::untestable;
   std::string reason;           ///< why the verdict is undecided or untestable
   std::optional<double> value;  ///< the effect; for Combine::every the effect of the decisive part
-  Interval interval;            ///< of `value`
-  double confidence = 0.95;     ///< of `interval`
+  Interval interval;            ///< confidence interval of `value`
+  double confidence = 0.95;     ///< confidence level of `interval`
   std::size_t effects = 0;      ///< number of effects, or of cases for share_of_cases
   double least = 0, most = 0;   ///< smallest and largest effect
   std::string decisive;         ///< for Combine::every with several effects: name of the decisive part

@@ -24,7 +24,7 @@ struct Decision {
   /// is the estimate nearest to a limit of the region.
   std::size_t decisive = 0;
   Interval interval;         ///< percentile interval of the decisive estimate
-  double confidence = 0.95;  ///< of `interval`; Holm's method may demand more than 0.95
+  double confidence = 0.95;  ///< confidence level of `interval`; Holm's method may demand more than 0.95
 };
 
 /// Decides whether all m effects (m = estimates.size()) lie in the region. With Holm's method, the

@@ -122,8 +122,8 @@ int aa_test(AaOptions options) {
   };
   std::vector<Trial> equal, slower;
   const CpuWatch watch;
-  // Trials in which both sides draw equally many frames alternate with trials in which one side draws more
-  // frames. A busy period of the machine therefore affects both kinds of trials.
+  // Comparisons in which both sides draw equally many frames alternate with comparisons in which one side
+  // draws more frames. A busy period of the machine therefore affects both kinds of comparisons.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
     const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
       progress.start(name);

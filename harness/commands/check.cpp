@@ -66,7 +66,8 @@ std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& 
     const TipErrors errors = tip_errors(double(which.scene.fur.length), drawn.tips, reference.tips);
     add("simulate", "", {check_worst_tip(errors), check_usual_tip(errors)});
   }
-  // Without droplets both wetness masks are zero everywhere, so their comparison would test nothing.
+  // Without droplets the wetness masks of the device and of the reference are zero everywhere, so their
+  // comparison would test nothing.
   if (which.motion && stages.contains("mask") && !input->droplets.empty())
     add("mask", "", check_mask(drawn.mask, reference.mask));
   const auto add_picture = [&](const FrameOutput& output) {

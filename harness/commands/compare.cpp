@@ -66,9 +66,12 @@ void print(const std::vector<Pair>& pairs, const CompareOptions& options) {
   }
 }
 
-/// Prints notes below the table: which comparisons are paired, which assume a variance because too few
-/// processes measured a case, which used times from a loaded machine, and which slowdown and which number of
-/// processes would decide the undecided cases.
+/// Prints notes below the table:
+/// - how many comparisons are paired;
+/// - how many comparisons assume a variance, because too few processes measured a case;
+/// - how many comparisons used times from a loaded machine;
+/// - the slowdown that the test would find with a probability of 90% in every undecided case;
+/// - the number of processes that would decide the undecided cases.
 void print_notes(const std::vector<Pair>& pairs) {
   const auto count = [&](auto which) { return std::count_if(pairs.begin(), pairs.end(), which); };
   if (const auto paired = count([](const Pair& p) { return p.paired; }))

@@ -1,5 +1,5 @@
 // pelage merge: writes the rows of several folders of results into one folder, and prints which shards and
-// cases are missing.
+// cases are missing. A shard is a part of a run that a separate process measures.
 #include "harness/commands/merge.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ std::map<std::string, std::string> expected_overrides(const MergeOptions& option
       .overrides;
 }
 
-/// Returns one line of text for each expected case that has no row or only rows with the status error.
+/// Returns one line of text for each expected case that has no row, or only rows with the status `error`.
 std::vector<std::string> missing_cases(const MergeOptions& options, const std::vector<RunState>& states) {
   std::vector<std::string> lines;
   for (const std::string& name : options.expect) {

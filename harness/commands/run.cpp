@@ -35,14 +35,14 @@ namespace fs = std::filesystem;
 
 struct Sweep {
   Experiment experiment;
-  std::vector<Case> cases;  ///< with --shard, only the cases of this shard
+  std::vector<Case> cases;  ///< with --shard, only the cases of this shard (a part of the run)
   SamplingLimits limits;
   std::size_t all_cases = 0;  ///< total number of cases of all shards
-  std::string deal;           ///< hash_of_deal(); "" without --shard
+  std::string deal;           ///< hash of the division of the cases among the shards; "" without --shard
 };
 
-/// With --shard, removes the cases of all other shards from the sweep. With --balance, also prints the
-/// expected time of this shard.
+/// With --shard, removes the cases of all other shards from the sweep. With --balance, also prints the times
+/// that earlier rows recorded for the cases of this shard and for all cases.
 void take_shard(Sweep& sweep, const RunOptions& options) {
   sweep.all_cases = sweep.cases.size();
   if (options.shard.empty()) return;
@@ -153,8 +153,9 @@ void refuse_other_run(const Journal& journal, const RunPlan& plan, bool resume) 
       throw InputError(
           fmt::format("{}: this run was started with --preset {}; resume it with the same preset",
                       journal.file().string(), was));
-    // `deal` is empty without --shard, for instance if the user resumes a run whose shards were merged. The
-    // journal's rows may then come from any shard.
+    // `deal` is a hash of the division of the cases among the shards. It is empty without --shard, for
+    // instance if the user resumes a run whose shards were merged. The journal's rows may then come from any
+    // shard.
     const std::string dealt = row.provenance.value("shard_deal", ""),
                       deal = plan.provenance.value("shard_deal", "");
     if (resume && !dealt.empty() && !deal.empty() && dealt != deal)
@@ -305,9 +306,9 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   return all.not_ok > 0 || all.disturbed ? 1 : 0;
 }
 
-/// Throws InputError if the path of --balance is the folder of this run, is inside it or contains it. The
-/// results of --balance would then grow during the run, and shards that start at different times would divide
-/// the cases differently.
+/// Throws InputError if the path of --balance (results of earlier runs) is the folder of this run, is inside
+/// it or contains it. The results at this path would then grow during the run, and shards that start at
+/// different times would divide the cases differently.
 void refuse_growing_balance(const RunOptions& options, const fs::path& folder) {
   if (options.balance.empty()) return;
   const fs::path earlier = fs::weakly_canonical(fs::absolute(options.balance)),

@@ -37,9 +37,10 @@ void set_size(Scene& scene, const std::string& size) {
   apply_set(scene, fmt::format("image.height={}", std::stoi(height)), "--size");
 }
 
-/// Returns the path of the scene file. A text without a '/' that is not a file is the name of an example
-/// scene, with or without ".toml". Throws InputError if the text names a mesh file. Also throws InputError if
-/// there is no example with this name; the message then lists all examples.
+/// Returns the path of the scene file. If `name_or_file` is not an existing file and contains no '/', it is
+/// the name of an example scene, with or without ".toml". Throws InputError if `name_or_file` has the
+/// extension of a mesh file. Also throws InputError if there is no example with this name; the message then
+/// lists all examples.
 fs::path scene_file(const std::string& name_or_file) {
   if (has_mesh_ending(name_or_file))
     throw InputError(fmt::format(

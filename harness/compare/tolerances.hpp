@@ -93,13 +93,15 @@ inline constexpr double step_residual = 1e-3;
 /// rounding of single-precision numbers. `chain_stop` limits the violation of a stop, that is, of a bound on
 /// the cosine of an angle or on a height in strand lengths. `chain_length` limits the deviation of a
 /// segment's direction vector from the length 1. `chain_energy_rise` limits the rise of the energy in a step
-/// without wind and without motion of the object. Its unit is k1 + m g L, where k1 is the stiffness at the
-/// root, m the strand's mass, g the gravitational acceleration and L the strand's length.
+/// without wind and without motion of the object. Its unit is m L^2 (k1 + g / L), where m is the strand's
+/// mass, L its length, k1 the stiffness at the root in 1/s^2 and g the gravitational acceleration.
 inline constexpr double chain_stop = 1e-6, chain_length = 1e-6, chain_energy_rise = 1e-6;
-/// Limits for one time step of a chain on the device, against the reference from the same state: the distance
-/// between two directions, and the distance between two rates in units of the root of k1 + g / L. The rates
-/// of a strand near rest follow from a small difference of energies. Single precision rounds these energies
-/// with a relative error of 6e-8, so the rates have an error of about the root of this number, 2.4e-4.
+/// Limits for the errors of one time step of a chain on the device. The reference computes the same step from
+/// the same state. 99.9% of the compared steps must be within the limits. `chain_direction` limits the
+/// distance between the two direction vectors of a segment. `chain_rate` limits the distance between the two
+/// rates (time derivatives of the directions). Its unit is the square root of k1 + g / L. The rates of a
+/// strand near rest follow from a small difference of energies. Single precision rounds these energies with a
+/// relative error of 6e-8, so the rates have an error of about the square root of this number, 2.4e-4.
 inline constexpr double chain_direction = 1e-6, chain_rate = 3e-4;
 /// Limit for the relative error of a soft strand's oscillation frequency, with time steps of 1/240 s.
 inline constexpr double chain_frequency = 0.02;

@@ -20,8 +20,8 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
 }
 
 /// Returns the surface normal of each vertex (docs/frame.md, section 3). With a mass-spring topology, the
-/// normal is the direction of the vertex's stick at rest. With Silva's strands, it is the normalized weighted
-/// mean of the triangle normals.
+/// normal is the direction at rest of the vertex's stick (the spring from the surface to a moving mass). With
+/// Silva's strands, it is the normalized weighted mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
   const StrandSet& strands = input.strands;
   std::vector<glm::vec3> normals(input.mesh->position.size());
@@ -141,7 +141,7 @@ void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& o
              "velocities of the tips in this frame");
   if (has_springs(input.scene.dynamics))
     file.write("stick/normal", {input.stick_normal.size(), 3}, flat<float>(input.stick_normal), "1",
-               "direction of the stick at rest at each surface point, unit length");
+               "direction at rest of the stick at each surface point, unit length");
   else
     write_strand_rules(file, input.strands);
 }

@@ -147,10 +147,10 @@ std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex);
 struct Shard {
   int index = 0, count = 1;
 };
-/// Reads "i/n" with 0 <= i < n. Throws InputError for other texts.
+/// Reads "i/n" with 0 <= i < n: shard (part of a run) i of n. Throws InputError for other texts.
 Shard shard_from_text(const std::string& text);
-/// Returns the cases in a random order that depends only on `seed`. In this order, the cases with each value
-/// of an axis are spread over the whole run. A slow change of the machine's speed therefore affects all
+/// Returns the cases in a random order that depends only on `seed`. This order spreads the cases that have
+/// the same value of an axis over the whole run. A slow change of the machine's speed therefore affects all
 /// values of the axis about equally.
 std::vector<Case> shuffled(std::vector<Case> cases, std::uint64_t seed);
 

@@ -15,7 +15,8 @@ struct Limits {
   std::chrono::seconds time;  ///< limit of the child's run time (wall-clock time)
   /// If the child process sends no message for this time, isolated() reports "still at work".
   std::chrono::milliseconds silence = std::chrono::seconds(20);
-  /// What `work` reads, for error messages: "the mesh library crashed on it", "give a simpler mesh".
+  /// Noun in error messages for the data that `work` reads, as in "the mesh library crashed on it" and "give
+  /// a simpler mesh".
   const char* what = "mesh";
 };
 

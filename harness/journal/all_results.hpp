@@ -34,9 +34,9 @@ struct Results {
 
 /// Returns the rows that read_results() returns. Also returns a list of everything else in the journals:
 /// copies of rows, rows that have the status error and are replaced by later rows, incomplete last lines, and
-/// journals without a row. Throws the same exceptions as read_results(). Both read_all_results() and
-/// read_results() also throw InputError if two rows of different measurements have equal frame times. One of
-/// these rows must then be a changed copy of the other row, because measured times are never all equal.
+/// journals without a row. Throws the same exceptions as read_results(). For example, both functions throw
+/// InputError if two rows of different measurements have equal frame times. One of these rows must then be a
+/// changed copy of the other row, because measured times are never all equal.
 Results read_all_results(const std::vector<std::string>& places);
 
 }  // namespace pelage

@@ -93,7 +93,7 @@ void refuse_list(const std::string& name, const Times& times, std::size_t frames
     throw InputError(fmt::format("the row has {} {}, but {} timed frames", times.size(), name, frames));
   for (const double ms : times)
     if (!std::isfinite(ms) || ms < 0 || (ms == 0 && !zero_allowed))
-      throw InputError(fmt::format("the row has {} of {} ms", name, ms));
+      throw InputError(fmt::format("one of the {} is {} ms", name, ms));
 }
 
 /// Throws InputError if the event times of a frame's phases do not add up to the frame's event time, or if
@@ -109,9 +109,9 @@ void refuse_events(const Row& row, const PhaseSamples& frame) {
   if (frame.event_ms.empty()) return;
   for (std::size_t i = 0; i < sums.size(); ++i)
     if (!equal(sums[i], frame.event_ms[i]))
-      throw InputError(
-          fmt::format("the event times of the phases of a frame sum to {} ms, but the row says {} ms",
-                      sums[i], frame.event_ms[i]));
+      throw InputError(fmt::format(
+          "the event times of the phases of a frame sum to {} ms, but the frame's event time is {} ms",
+          sums[i], frame.event_ms[i]));
   if (median_of(frame.event_ms) > most_event_share * median_of(frame.wall_ms))
     throw InputError(
         fmt::format("the median event time of a frame is {} ms, but its median wall time is {} ms",

@@ -18,8 +18,8 @@ namespace pelage {
 /// have no parts.
 using Identity = std::map<std::string, std::string>;
 
-/// Prefix of the names of the parts for OpenCL programs, and name of the part for the OpenGL baseline's
-/// shaders.
+/// `kernel_part` is the beginning of the names of the parts for OpenCL programs. `shader_part` is the name of
+/// the part for the shaders of the OpenGL baseline.
 inline constexpr const char *kernel_part = "kernel ", *shader_part = "shaders";
 
 /// Adds one part per program: the hash of the program's source files at the time when the program was built.

@@ -1,6 +1,6 @@
-// Merges the rows of several folders of results, such as the shards of a run, into one new folder. The key of
-// a row (row_key()) consists of its experiment, case, variant, repeat and overrides. The identity of a row
-// (Row::identity) is a list of hashes of everything that determines the measurement.
+// Merges the rows of several folders of results, such as the shards (parts) of a run, into one new folder.
+// The key of a row (row_key()) consists of its experiment, case, variant, repeat and overrides. The identity
+// of a row (Row::identity) is a list of hashes of everything that determines the measurement.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -13,7 +13,7 @@ namespace pelage {
 
 /// A row, and the journal to which it is written. The path of the journal is relative to the new folder:
 /// "EXPERIMENT/DEVICE@HOST.jsonl". Rows that conflict with rows in this journal (see plan_merge()) go to
-/// "apart-2/EXPERIMENT/DEVICE@HOST.jsonl". Rows that also conflict with rows in the second journal go to
+/// "apart-2/EXPERIMENT/DEVICE@HOST.jsonl". Rows that also conflict with rows in the journal in apart-2 go to
 /// "apart-3/...", and so on.
 struct MergedRow {
   FoundRow found;
@@ -31,8 +31,9 @@ struct Merge {
 
 /// Decides to which new journal each row of read_results() is written. Two rows go to the same new journal if
 /// they have the same experiment and the names of their input journals are equal, apart from the shard
-/// (".i-of-n"). A new journal contains at most one row for each case and each process of --repeat. A row with
-/// the status error is left out if the same case has a row without an error or a later row with an error.
+/// (".i-of-n"). A new journal contains at most one row for each case and each process that --repeat starts. A
+/// row with the status error is left out if the same case has a row without an error or a later row with an
+/// error.
 ///
 /// Two rows conflict if they would have the same key in the same journal but are different measurements. Two
 /// rows are different measurements if their identities differ, or if they come from different runs. Rows of

@@ -1,4 +1,4 @@
-// Provenance of a row: the program, the machine, the device and the time.
+// Provenance of a row of results: the program, the machine, the device and the time of the measurement.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,8 +21,8 @@ std::string governor();   ///< frequency governor of the first CPU; "" if it can
 /// letters, digits, '.', '_' and '-' by '_'.
 std::string file_name_of(const std::string& text);
 
-/// Returns the provenance of the program and the host. If `anonymous` is true, the host's name is omitted,
-/// and paths in argv are reduced to file names.
+/// Returns the provenance of the program and the host. If `anonymous` is true, the host's name is replaced by
+/// "anonymous", and paths in argv are reduced to file names. Arguments that contain "=" are not changed.
 nlohmann::ordered_json host_provenance(const std::vector<std::string>& argv, bool anonymous);
 
 /// Returns the provenance of the device: its platform, driver, name and timer.

@@ -1,4 +1,5 @@
-// Finds the shards and cases of a run that have no rows. The provenance of a row contains these fields:
+// Finds the shards and cases of a run that have no rows. A shard is a part of the cases of a run (--shard).
+// The provenance of a row contains these fields:
 // - shard: the shard that measured the row
 // - shard_cases: the number of cases of this shard
 // - all_cases: the number of cases of the whole run
@@ -19,12 +20,12 @@
 namespace pelage {
 
 /// Describes a shard, or a whole run, in which measurements are missing: they have no row, or only rows with
-/// the status error. A measurement is one case in one process of --repeat.
+/// the status error. A measurement is one case in one process that --repeat starts.
 struct Gap {
   int index = 0, count = 1;  ///< shard `index` of `count`; 0 of 1 for a run without shards
-  bool whole_run = false;  ///< true if the gap is in the run: every shard is complete, but cases are missing
-  std::size_t done = 0;    ///< number of measurements with a row whose status is not error
-  std::size_t failed = 0;  ///< number of measurements that have only rows with the status error
+  bool whole_run = false;    ///< true if no shard has a gap, but the run as a whole lacks measurements
+  std::size_t done = 0;      ///< number of measurements with a row whose status is not error
+  std::size_t failed = 0;    ///< number of measurements that have only rows with the status error
   std::optional<std::size_t> expected = {};  ///< required number of measurements; empty if unknown
 };
 

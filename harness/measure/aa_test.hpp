@@ -1,5 +1,5 @@
-// Tries the statistical test of pelage compare on real timings whose true difference is known, and counts its
-// verdicts.
+// Tries the statistical test of `pelage compare` on real timings whose true difference is known, and counts
+// the verdicts of the test.
 #pragma once
 #include <cstdint>
 #include <functional>

@@ -47,8 +47,8 @@ std::vector<double> log_medians(const Timings& timings) {
   return result;
 }
 
-/// The mean of the log medians of one set of timings, the variance of this mean, and the degrees of freedom
-/// of the variance.
+/// The mean of the logarithms of the processes' medians, the variance of this mean, and the degrees of
+/// freedom of the variance. One object describes one set of timings.
 struct Mean {
   double value = 0, variance = 0, degrees = 0;
 };
@@ -67,8 +67,9 @@ Mean mean_of(const Timings& timings) {
   return {mean(medians), variance / (count * count), kInfinity};
 }
 
-/// Returns the difference of the log medians (b minus a) for each pair of consecutive processes. Returns an
-/// empty list if the processes of the two sets did not take turns (see difference_of()).
+/// Returns one number for each pair of consecutive processes: the logarithm of the median of the process from
+/// b, minus the logarithm of the median of the process from a. Returns an empty list if the processes of the
+/// two sets did not take turns (see difference_of()).
 std::vector<double> pairs_of(const Timings& a, const Timings& b) {
   const std::size_t count = a.processes.size();
   if (count < fewest_processes || b.processes.size() != count || a.started_s.size() != count ||

@@ -54,7 +54,7 @@ enum class Side { below, within, above, undecided };
 struct Decision {
   Side side = Side::undecided;
   double p = 1;  ///< two-sided p-value for "b / a equals the nearest limit", before Holm's correction
-  double confidence = 0;  ///< of `ratio`
+  double confidence = 0;  ///< confidence level of the interval `ratio`
   Interval ratio;         ///< confidence interval of b / a at the level `confidence`
 };
 

@@ -14,8 +14,8 @@ namespace pelage {
 struct FrameSample {
   double wall_ms = 0;
   std::map<std::string, double> phase_event_ms = {};
-  /// Maps the name of other work that is timed together with this frame to its wall time. Such work is, for
-  /// example, a frame of a baseline.
+  /// Wall times of other work that is timed together with this frame, for example of a frame of a baseline.
+  /// The key is the name of the work.
   std::map<std::string, double> phase_wall_ms = {};
   /// CPU times of this process (harness/measure/cpu_use.hpp) during the intervals that wall_ms and
   /// phase_wall_ms measure. They are absent if the subject does not measure them.

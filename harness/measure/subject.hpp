@@ -39,8 +39,8 @@ class Subject {
   /// if the subject draws nothing.
   virtual Picture read() = 0;
   /// Compares the timed frame with results that count as correct, such as the reference renderer's picture.
-  /// `timed` is the picture that read() returned. The row is ok only if there is at least one check and all
-  /// checks hold.
+  /// `timed` is the picture that read() returned. The row gets the status `ok` only if there is at least one
+  /// check and all checks hold.
   virtual std::vector<Check> check(const Picture& timed) = 0;
   /// Sets build_ms, tuning and metrics of `row`. Adds the hashes of mesh, kernels and scene to
   /// row.provenance, and the hashes of the OpenCL programs and shaders that ran to row.identity. Metrics may

@@ -43,7 +43,7 @@ struct Element {
 struct Header {
   enum class Format { text, little_endian, big_endian } format = Format::text;
   std::vector<Element> elements;
-  std::size_t size = 0;  ///< in bytes
+  std::size_t size = 0;  ///< size of the header in bytes
 };
 
 class HeaderReader {

@@ -15,7 +15,7 @@ constexpr std::uint32_t none = 0xffffffffu;
 constexpr double far = std::numeric_limits<double>::max();
 
 struct Edge {
-  std::uint32_t a, b;         // points, a < b
+  std::uint32_t a, b;         // indices of the edge's end points, a < b
   std::uint32_t left, right;  // the two faces at the edge; `right` is `none` if the edge lies on a border
   double length;
 };

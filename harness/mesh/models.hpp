@@ -16,7 +16,7 @@ struct Model {
   std::string source;                  ///< "procedural:NAME" | "cgal:FILE" | "glmark2:FILE"
   std::optional<std::uint32_t> faces;  ///< exact face count; empty: the face count of the source
   glm::dvec3 rotation{0};              ///< rotation about x, then y, then z, degrees
-  bool wrap = false;                   ///< true: wrap() replaces the repaired surface
+  bool wrap = false;                   ///< true: wrap() replaces the repaired surface by a watertight hull
   bool stand_in = false;
   std::string licence, footnote;
   /// Numbers of masses and springs that Banisch and Wuethrich 2006 publish for this model, for each

@@ -15,10 +15,9 @@ struct RepairOptions {
   /// True: fill all holes; false: fill a hole only if the diagonal of its bounding box is at most 1/10 of the
   /// diagonal of the mesh's bounding box.
   bool fill_all = false;
-  bool largest_only =
-      /// True: keep only the component with the most faces; false: keep all closed components, and each
-      /// open component with at least 1% of the area of the largest component.
-      true;
+  /// True: keep only the component with the most faces; false: keep all closed components, and each open
+  /// component with at least 1% of the area of the largest component.
+  bool largest_only = true;
 };
 
 /// Converts a soup to an oriented triangle manifold. It welds coincident points, drops degenerate faces,

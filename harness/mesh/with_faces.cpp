@@ -29,8 +29,8 @@ struct Few_enough_faces {
   }
 };
 
-// Removes one face: the lowest face, in the direction `up`, of the faces that do not touch a border. Removing
-// a face at a border could make the mesh non-manifold.
+// Removes the lowest face that does not touch a border; `up` is the direction from low to high. Removing a
+// face at a border could make the mesh non-manifold.
 void drop_lowest_face(Polyhedron& mesh, glm::dvec3 up) {
   Polyhedron::Face_index lowest;
   double least = std::numeric_limits<double>::max();

@@ -1,4 +1,5 @@
-// Random numbers that are the same on every machine: number i depends only on seed, stream and i.
+// Random numbers that are the same on every machine. A number depends only on the seed, the stream, the index
+// of the number, and the channel.
 #pragma once
 #include <cstdint>
 
@@ -11,15 +12,15 @@ class Random {
   constexpr Random(std::uint32_t seed, std::uint32_t stream)
       : key_(mix((std::uint64_t(seed) << 32 | stream) + golden)) {}
 
-  /// 64 random bits.
+  /// Returns 64 random bits.
   constexpr std::uint64_t bits(std::uint64_t index, std::uint32_t channel = 0) const {
     return mix(key_ ^ mix(index * golden + channel));
   }
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   constexpr double uniform(std::uint64_t index, std::uint32_t channel = 0) const {
     return double(bits(index, channel) >> 11) * 0x1p-53;
   }
-  /// In [-1, 1).
+  /// Returns a number in [-1, 1).
   constexpr double symmetric(std::uint64_t index, std::uint32_t channel = 0) const {
     return 2.0 * uniform(index, channel) - 1.0;
   }

@@ -15,7 +15,7 @@ struct Grid {
   int size;
   bool periodic;
   std::vector<glm::vec3> point;
-  /// For each texel: index of the covered texel whose surface point is copied to it.
+  /// For each texel, the index of the covered texel from which its surface point is copied.
   std::vector<int> source;
 };
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t most_groups = 5;
 
 /// Minimum number of variants for a call of of_variants(). The call also requires that the experiment has no
-/// table [report] and at most most_groups cases per variant.
+/// table [report], and that it has no more than `most_groups` cases per variant.
 constexpr std::size_t fewest_variants = 4;
 
 std::size_t count_of(const Table& table, const std::string& name) {
@@ -84,8 +84,8 @@ Section of_variants(std::vector<Cell> cells) {
 }
 
 /// Makes the section of an experiment for which of_variants() is not called. The cross table normally has one
-/// row per case. But if the last key column that varies has at most most_groups values, each of these values
-/// becomes a group of columns.
+/// row per case. But if the last key column that varies has no more than `most_groups` values, each of these
+/// values becomes a group of columns.
 Section of_cases(std::vector<Cell> cells, const View& view) {
   sort_cells(cells);
   Section section{table_of(cells, case_columns(cells)), {}};

@@ -35,7 +35,8 @@ struct Cell {
   /// 95% interval of the median. The bootstrap resamples the processes and then the samples of each process.
   Interval interval_ms;
   bool converged = true;  ///< whether every row has a narrow interval (is_precise())
-  /// Change of the row that drifts most (Drift::change of largest magnitude). 0 if no row drifts (drifts()).
+  /// Change of the frame time from the first to the last sample, as a fraction of the median (Drift::change),
+  /// in the row that drifts most. 0 if no row drifts (drifts()).
   double drift = 0;
   std::filesystem::path image;    ///< file of the cell's picture; it may not exist
   int index = -1;                 ///< index of this cell in the result of cells_of()

@@ -45,8 +45,8 @@ struct Match {
   const Cell *a, *b;
 };
 
-/// Returns the two cells in the order a, b. But if both cells are from one set of results, the cell with the
-/// smaller value of the property `by` comes first.
+/// Returns the two cells in the order `a`, `b`. But if both cells are from one set of results, the cell with
+/// the smaller value of the property `by` comes first.
 Match match_of(const Cell& a, const Cell& b, bool one_set, const CompareBy& by) {
   const bool swapped = one_set && natural_less(value_of(b, by), value_of(a, by));
   return swapped ? Match{&b, &a} : Match{&a, &b};

@@ -7,12 +7,13 @@
 
 namespace pelage {
 
-/// Rows in which every case has only one identity, so that all rows of a case may be combined.
+/// Rows in which every case has only one identity (hashes of everything that determines what a row measured),
+/// so that all rows of a case may be combined.
 struct InputSet {
   std::vector<FoundRow> rows;
-  /// Names of the parts of the identity in which rows of this set differ from rows of the same cases in the
-  /// first set, such as "mesh, scene". If one of two compared rows has no identity (a row of schema 1),
-  /// `differs` contains "identity incomplete". Empty for the first set.
+  /// Rows of this set are compared with rows of the same cases in the first set. `differs` contains the names
+  /// of the parts in which their identities differ, such as "mesh, scene". If one of two compared rows has no
+  /// identity (a row of schema 1), `differs` contains "identity incomplete". Empty for the first set.
   std::string differs;
 };
 

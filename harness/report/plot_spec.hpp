@@ -11,7 +11,7 @@
 
 namespace pelage {
 
-/// x, y, low, high, series, panels and published are names of columns of the table.
+/// `x`, `y`, `low`, `high`, `series`, `panels` and `published` are names of columns of the table.
 struct PlotSpec {
   std::string title, stem;  ///< STEM of the plot's files plots/STEM.svg, .pdf, .csv, .json and .py
   std::string x, x_label, x_scale = "linear";
@@ -32,14 +32,19 @@ struct PlotSpec {
 
 /// Returns the plots of a table: one plot for each y of the view (table [report] of the experiment file). A y
 /// with fewer than two numbers gets no plot. If x of the view has only one value, the series column with the
-/// most values becomes x. If the view names no x, the function chooses among the key columns (axes and
-/// variant) that vary. The numeric key column with the most values becomes x. A second numeric key column
-/// gives the panels, and the other key columns give the series. If there is no numeric key column, the text
-/// key column with the most values becomes x. This text column also becomes x if each numeric key column has
-/// only two values and the text key columns would give more than seven series. If more than seven series
-/// remain, the key columns with the fewest values give panels in place of series. If the view names no scale,
-/// a scale is logarithmic if all values are positive and the largest is at least 20 times the smallest. For
-/// each name in the view that is not a column of the table, a line is added to `notes`.
+/// most values becomes x. If the series columns do not vary either, the key column (axis or variant) with the
+/// most values becomes x.
+///
+/// If the view names no x, the function chooses among the key columns that vary. The numeric key column with
+/// the most values becomes x. A second numeric key column gives the panels, and the other key columns give
+/// the series. If there is no numeric key column, the text key column with the most values becomes x. This
+/// text column also becomes x if each numeric key column has only two values and the text key columns would
+/// give more than seven series. If more than seven series remain, the key columns with the fewest values give
+/// panels in place of series.
+///
+/// If the view names no scale, a scale is logarithmic if all values are positive and the largest is at least
+/// 20 times the smallest. For each name in the view that is not a column of the table, a line is added to
+/// `notes`.
 std::vector<PlotSpec> plots_of(const Table& table, const std::vector<Cell>& cells, const View& view,
                                std::vector<std::string>& notes);
 

@@ -53,7 +53,7 @@ std::string mean_interval_text(const std::vector<const Cell*>& cells) {
 }
 
 /// Returns one sentence for each value of the axis "reading". The sentence states the geometric mean and the
-/// least of the ratios of OpenGL time to OpenCL time.
+/// minimum of the ratios (OpenGL time divided by OpenCL time).
 std::vector<std::string> means_of(const std::vector<Cell>& cells) {
   std::map<std::string, std::vector<const Cell*>> readings;
   for (const Cell& c : cells) readings[c.reading()].push_back(&c);
@@ -71,13 +71,13 @@ std::vector<std::string> means_of(const std::vector<Cell>& cells) {
     }
     const std::string name = reading == "default" ? "" : reading + ": ";
     sentences.push_back(
-        least
-            ? fmt::format(
-                  "{}geometric mean of the ratios {:.2f} over {} of {} cells ({}), least ratio {:.2f} ({}).",
-                  name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
-                  *ratio_of_pipelines(*least), place_of(*least))
-            : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
-                          members.size()));
+        least ? fmt::format(
+                    "{}the ratios have the geometric mean {:.2f} over {} of {} cells ({}) and the minimum "
+                    "{:.2f} ({}).",
+                    name, geometric_mean(ratios), ratios.size(), members.size(), mean_interval_text(known),
+                    *ratio_of_pipelines(*least), place_of(*least))
+              : fmt::format("{}none of the {} cells has a ratio of OpenGL time to OpenCL time.", name,
+                            members.size()));
   }
   return sentences;
 }

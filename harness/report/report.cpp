@@ -149,8 +149,8 @@ void copy_pictures(Report& report, const fs::path& folder) {
   }
 }
 
-/// Adds a note with the number of rows from a loaded machine. During the timing of these rows the share of
-/// other processes in the CPU time was above most_other_share.
+/// Adds a note with the number of rows from a loaded machine. While these rows were timed, other processes
+/// used more than `most_other_share` of the CPU time.
 void note_load(Report& report, const std::vector<FoundRow>& rows) {
   std::size_t timed = 0, loaded = 0;
   for (const FoundRow& found : rows) {

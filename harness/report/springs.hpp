@@ -14,9 +14,9 @@ struct SpringsChart {
   std::string title, stem;
   std::vector<FoundRow> rows;
 };
-/// Returns one chart per device for each experiment that plots/springs.py can draw. An experiment without a
-/// row of status ok on the device gets no chart. Rows with overrides (settings changed on the command line)
-/// are ignored.
+/// Returns one chart per device for each experiment that plots/springs.py can draw. If an experiment has no
+/// row with the status ok on a device, it gets no chart for this device. Rows with overrides (settings
+/// changed on the command line) are ignored.
 std::vector<SpringsChart> springs_charts(const std::vector<FoundRow>& rows);
 
 /// The comparison of one of our solvers with one baseline (member `rival`), for one model and one mass-spring

@@ -57,9 +57,11 @@ struct FurScene {
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
   std::uint32_t seed = 1;
-  std::string layer_spacing = "paper";  ///< "paper" | "uniform"
-  std::string binding = "shared";       ///< "shared" | "separate"
-  std::string uv = "computed";          ///< the mesh's UV map: "computed" | "file"
+  std::string layer_spacing = "paper";  ///< spacing of the layers at rest: "paper" (as in S) | "uniform"
+  /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
+  /// | "separate" (the triangle's own strand).
+  std::string binding = "shared";
+  std::string uv = "computed";  ///< the mesh's UV map: "computed" | "file"
 };
 
 struct CurlScene {
@@ -68,7 +70,7 @@ struct CurlScene {
   /// Greatest random shift of a curl's phase, in turns. The shift varies smoothly over the surface. Used only
   /// if `frame` is "smooth".
   float variation = 0.0f;
-  std::string frame = "smooth";  ///< "smooth" | "uv"
+  std::string frame = "smooth";  ///< tangent frame of the curl: "smooth" | "uv" (gradient of the UV map)
 };
 
 /// A droplet on the surface. Exactly one of `uv` and `point` is given; `point`, in R, is moved to the nearest
@@ -90,7 +92,7 @@ struct WetnessScene {
   float radius_spread = 0.3f;   ///< greatest random deviation from `radius`, as a fraction of `radius`
   float wetness = 0.9f;         ///< mean wetness of random droplets
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
-  float spacing = 1.0f;         ///< least distance between centres of random droplets, in droplet radii
+  float spacing = 1.0f;         ///< least distance between random droplet centres, in radii of the later one
   float patch_cover = 1.0f;     ///< fraction of the surface on which random droplets may be placed
   /// Approximate width, in R, of the areas on which random droplets may be placed. The wetness of the
   /// droplets decreases to 0 towards the border of an area.
@@ -105,15 +107,16 @@ struct ClumpScene {
   /// logarithmically if w is 1.
   float shape = 0.0f;
   float gain = 3.5f;
-  std::string scale = "relative";  ///< "relative" (gain) | "literal" (r_mask)
-  std::string cells = "separate";  ///< "separate" | "literal"
+  /// Factor of the displacement by a clump: "relative" (`gain`) | "literal" (r_mask of S).
+  std::string scale = "relative";
+  std::string cells = "separate";  ///< rule to discard fragments at a clump's border: "separate" | "literal"
 };
 
 struct WindScene {
   glm::vec3 direction{1.0f, 0.0f, 0.0f};
-  float strength = 0.0f;    ///< N on a strand's mass
+  float strength = 0.0f;    ///< force on a strand's mass in N
   float gust = 0.0f;        ///< amplitude of the gusts, as a fraction of `strength`
-  float frequency = 1.0f;   ///< Hz
+  float frequency = 1.0f;   ///< frequency of the gusts in Hz
   float wavelength = 2.0f;  ///< distance between gusts along the wind's direction, R
   /// Position at which the gusts on a stick are computed: "stick" (base of the stick) | "triangle" (centroid
   /// of the stick's triangle). Only the separable topologies, whose triangles share no sticks, use this
@@ -138,16 +141,16 @@ struct SpringsScene {
   float reference_area = 0;
 };
 
-/// Motion of the object. It causes inertial forces on the masses of a mass-spring topology. The camera moves
-/// with the object.
+/// Motion of the object. It causes inertial forces and air drag on the masses of a mass-spring topology. The
+/// camera moves with the object.
 struct MotionScene {
   glm::vec3 velocity{0.0f};          ///< R/s
   glm::vec3 shake{0.0f};             ///< amplitude of an oscillating translation in R
-  float shake_frequency = 1.0f;      ///< Hz
+  float shake_frequency = 1.0f;      ///< frequency of the oscillating translation in Hz
   glm::vec3 axis{0.0f, 1.0f, 0.0f};  ///< axis of rotation through the origin
   float spin = 0.0f;                 ///< angular velocity of a steady rotation in rad/s
   float swing = 0.0f;                ///< amplitude of an oscillating rotation in rad
-  float swing_frequency = 1.0f;      ///< Hz
+  float swing_frequency = 1.0f;      ///< frequency of the oscillating rotation in Hz
 };
 
 /// A local force on the top masses (the upper ends of the sticks) of all triangles whose centroid lies within
@@ -181,9 +184,9 @@ struct DynamicsScene {
   /// n is the surface normal. "tangent": as "paper", but without the component of s - n along n.
   std::string bend = "paper";
   float bend_power = 2.0f;     ///< k of B Eq. 4
-  float mass = 0.001f;         ///< kg
+  float mass = 0.001f;         ///< mass at the tip of a strand or stick in kg
   float stiffness = 0.4f;      ///< k of Silva's strand in N/m, where the length 1 R is taken as 1 m
-  float drag = 0.01f;          ///< c, N s/m
+  float drag = 0.01f;          ///< c, the drag coefficient of a mass in N s/m
   float step = 1.0f / 240.0f;  ///< dt, duration of a substep in seconds
   int substeps = 4;            ///< number of substeps per frame
   /// Error tolerance per frame, as a fraction of the fur's length. If the tolerance is above 0, pelage
@@ -217,14 +220,14 @@ struct LightScene {
 
 struct ShadingScene {
   std::string model = "curling";  ///< name of a shading model, see shading_models.cpp
-  float shadow = 1.12f;           ///< K_shadow >= 1
-  glm::vec3 specular{0.2f};       ///< K_s
-  float exponent = 24.0f;         ///< p
+  float shadow = 1.12f;           ///< K_shadow >= 1; a larger value gives a weaker self-shadow
+  glm::vec3 specular{0.2f};       ///< K_s, the colour of the highlight
+  float exponent = 24.0f;         ///< p, the exponent of the highlight
   float ambient = 0.2f;
   float wrap = 0.75f;         ///< weight of the wrapped light (n.l + 0.4) / 1.4; 0: light as in S and W
-  float occlusion = 0.85f;    ///< sigma_occ
-  float darkening = 0.3f;     ///< sigma_wet
-  float wet_specular = 0.5f;  ///< sigma_spec, < 1
+  float occlusion = 0.85f;    ///< sigma_occ of W Eq. 5, the strength of the self-shadow
+  float darkening = 0.3f;     ///< sigma_wet of W Eq. 5, the darkening by wetness
+  float wet_specular = 0.5f;  ///< sigma_spec of W Eq. 3, the influence of wetness on the highlight, < 1
   /// Sign of the clump term in the tangent of W Eq. 4: "paper" (the printed sign) | "drawn" (the opposite
   /// sign, so that the tangent tilts in the same direction as the drawn strands).
   std::string tangent = "paper";

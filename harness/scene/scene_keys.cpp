@@ -124,7 +124,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"dynamics.drag", &dynamics.drag, "N s/m", 0, 1e6, "c, the drag coefficient of a mass"},
       {"dynamics.step", &dynamics.step, "s", 1e-6, 1, "dt, the duration of a substep"},
       {"dynamics.substeps", &dynamics.substeps, "", 1, 1000, "number of substeps per frame"},
-      {"dynamics.tolerance", &dynamics.tolerance, "of fur.length", 0, 1, "permitted error of the positions of a topology's top masses after one frame, as a fraction of fur.length; pelage chooses the number of substeps so that at most 1% of the top masses have a larger estimated error; 0: pelage computes dynamics.substeps substeps in every frame"},
+      {"dynamics.tolerance", &dynamics.tolerance, "of fur.length", 0, 1, "permitted error of the positions of a topology's top masses (the moving ends of its sticks) after one frame, as a fraction of fur.length; pelage chooses the number of substeps so that at most 1% of the top masses have a larger estimated error; 0: pelage computes dynamics.substeps substeps in every frame"},
       {"dynamics.time", &dynamics.time, "s", 0, 3600, "simulated time before the first picture"},
       {"dynamics.gravity", &dynamics.gravity, "R/s^2", -1000, 1000, "gravitational acceleration of all masses"},
       {"dynamics.wind.direction", &wind.direction, "direction", -1e6, 1e6, "direction in which the wind blows"},

@@ -8,9 +8,9 @@
 
 namespace pelage::springs {
 
-/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. Other code tests these
-/// properties and never the name of the topology. To add a topology, add a row to kind_table in
-/// spring_kinds.cpp.
+/// A topology of Banisch and Wuethrich 2006, section 4, described by its properties. A stick is a spring from
+/// a base on the surface to a moving mass, its top mass. Other code tests the properties and never the name
+/// of the topology. To add a topology, add a row to kind_table in spring_kinds.cpp.
 struct Kind {
   std::string_view name;   ///< name in scene files and on the command line
   bool separable = false;  ///< each triangle has its own three sticks, so gaps can open between triangles

@@ -65,16 +65,16 @@ struct Table {
 /// Returns the index of the column, or -1 if there is no such column.
 int column_of(const Table& table, std::string_view name);
 
-/// Returns whether a precedes b. Numbers are sorted by value, and picture sizes ("800x600") by their number
-/// of pixels. Numbers and picture sizes precede other texts. Numbers inside other texts are also sorted by
-/// value: "k2" precedes "k10".
+/// Returns whether `a` precedes `b`. Numbers are sorted by value, and picture sizes ("800x600") by their
+/// number of pixels. Numbers and picture sizes precede other texts. Numbers inside other texts are also
+/// sorted by value: "k2" precedes "k10".
 bool natural_less(const std::string& a, const std::string& b);
 
 /// Returns the text that a heading shows for the value: Column::label with "{}" replaced by the value.
 std::string with_value(const Column& column, const std::string& value);
 
-/// Returns whether the value a of the column precedes the value b in Column::order. Values that are not in
-/// this list are compared by natural_less().
+/// Returns whether the value `a` of the column precedes the value `b` in Column::order. Values that are not
+/// in this list are compared by natural_less().
 bool precedes(const Column& column, const std::string& a, const std::string& b);
 
 /// Returns the value of a text that is a decimal number. For a picture size such as "800x600", returns the

@@ -6,9 +6,10 @@
 
 namespace pelage {
 
-/// Returns a tuning scene (a scene on which a search times configurations). Its contenders run one stage on
-/// `device`: "rasterize" (wall time of a whole frame), "simulate" (the strand simulation of a frame) or "wet"
-/// (the wetness mask). `name` is the name of the scene. Throws InputError for other stages.
+/// Returns a tuning scene (a scene on which a search times configurations) called `name`. Its contenders run
+/// on `device`. For the stage "rasterize", a contender draws and times whole frames. For "simulate", it times
+/// the strand simulation of a frame, and for "wet" the computation of the wetness mask. Throws InputError for
+/// other stages.
 TuningScene tuning_scene(const std::string& stage, const std::string& name, const cl::Device& device,
                          const std::shared_ptr<const FrameInput>& input);
 

@@ -20,8 +20,8 @@ typedef struct {
   // Selects the Bezier parameter t of a layer at height h. 0 selects t = h; 1 selects t = 1 - sqrt(1 - h).
   int uniform_spacing;
   int sticks;                                 // 1: layers follow the sticks (B Eq. 4) instead of the Bezier curve
-  float length;                               // L0, R
-  float curl_radius;                          // K_alpha, R
+  float length;                               // L0, the fur's length, in R
+  float curl_radius;                          // K_alpha, the curl's radius, in R
   // Number of tiles across and down the picture. The next members are constants for the triangle lists of the
   // tiles.
   int tiles_x, tiles_y;

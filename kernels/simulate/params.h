@@ -12,13 +12,14 @@ typedef struct {
   float weight_x, weight_y, weight_z;  // m g, N
   float wind_x, wind_y, wind_z;        // force of the mean wind, in newtons
   float gust;                          // amplitude of the gusts as a fraction of the mean wind
-  // Length of a column of the arrays of constants and state: the number of strands, rounded up to a multiple
-  // of 16.
+  // Number of values in each column of the two arrays (the strands' constants and the strands' state): the number of
+  // strands, rounded up to a multiple of 16.
   int stride;
   int substeps;
 } SimulateParams;
 
-// Columns of the array of the strands' constants: normal, anchor (rest tip), and cosine and sine of the gust's phase.
+// Columns of the array of the strands' constants: the normal, the anchor (the tip's rest position), and the cosine and
+// the sine of the gust's phase.
 enum { NORMAL_X, NORMAL_Y, NORMAL_Z, ANCHOR_X, ANCHOR_Y, ANCHOR_Z, PHASE_COS, PHASE_SIN, STRAND_COLUMNS };
 // Columns of the array of the strands' state: three columns for the position of the strand's mass relative to its root,
 // and three columns for the mass's velocity.

@@ -1,4 +1,5 @@
-// Simulates sticks, separable sticks and separable prisms: a work-item computes all substeps of LANES blocks of sticks.
+// Simulates sticks, separable sticks and separable prisms: a work-item computes all substeps of one or more units. A
+// unit is LANES blocks, and a block is one to three sticks (block.clh).
 #include "springs/block.clh"
 #include "springs/places.clh"
 
@@ -28,8 +29,8 @@ INLINE Tops load_tops(__global const scalar *offset, __global const scalar *spee
 // Defines the kernel of an integration scheme. `stepped` is an expression for one step of the scheme. `moment` holds
 // wind, weight and object motion at successive times: entry 2 i is for the start of substep i, and entry 2 i + 1 is for
 // its middle. `offset` and `speed` hold the positions q and the velocities v of the top masses. Every substep tests
-// whether a mass diverged. If a mass diverged, the block is computed again to find the substep in which this happened.
-// A separate function does this, so that the usual computation needs no additional registers.
+// whether a mass diverged. If a mass diverged, the block is computed again to find the substep in which the mass
+// diverged. A separate function computes the block again, so that the usual computation needs no additional registers.
 #define FRAME(name, stepped)                                                                                          \
   static __attribute__((noinline)) void name##_lost(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites,     \
                                                     TABLE(scalar) push, TABLE(scalar) sides,                          \

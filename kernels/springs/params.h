@@ -21,8 +21,8 @@ typedef struct {
   int moving;            // 1: the object rotates, so its frame is not inertial
   int pushed;            // 1: a poke (dynamics.poke) exerts a force on some top masses
   int sticks;            // number of sticks; array entries after the last stick are padding
-  int blocks;            // number of slices; a slice has 16 sticks (on separable prisms, 16 triangles)
-  int blocks_per_item;   // number of units that a work-item computes; a unit is LANES adjacent sticks or triangles
+  int blocks;            // number of sets of 16 blocks; a block is one stick, two sticks or the sticks of a triangle
+  int blocks_per_item;   // number of units that a work-item computes; a unit is LANES adjacent blocks
 } TopologyParams;
 
 // A Moment holds the values of one time: the forces that are the same for all top masses, and the rotation of the

@@ -1,10 +1,10 @@
-// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The
-// force on a top mass depends on the states of neighbouring top masses, which other work-items compute.
-// Work-items of different work-groups cannot wait for each other within a launch, so each evaluation of the
-// forces needs a separate launch. A small model takes one launch of one work-item for all substeps
-// (prism_*_whole), because many launches would take longer than the computation. The state of a top mass is
-// its offset q from the stick's base and its velocity v. The computation of neighbouring top masses reads v
-// and the position (base + q). These are stored in rows of four floats.
+// Simulates shared prisms (triangular prisms whose neighbours share their sticks) by explicit schemes. The force on a
+// top mass depends on the states of neighbouring top masses, which other work-items compute. Work-items of different
+// work-groups cannot wait for each other within a launch, so each evaluation of the forces needs a separate launch. A
+// small model takes one launch of one work-item for all substeps (prism_*_whole), because many launches would take
+// longer than the computation. The state of a top mass is its offset q from the stick's base and its velocity v. The
+// computation of neighbouring top masses reads v and the position (base + q), so v and the position are stored in rows
+// of four floats.
 #include "springs/springs.clh"
 
 #define TOPS(u)                                                                                                \
@@ -108,8 +108,9 @@ __kernel void prism_rk4(TopologyParams p, int stage, int at, int number, TABLE(M
 }
 
 // Computes all substeps. Each substep has the four stages of the Runge-Kutta scheme, stages 0 to 3. The positions and
-// velocities of the top masses for stages 1 and 3 are in the buffers other_tip and other_speed, and those for stage 2
-// are in spare_tip and spare_speed. At the start and at the end of a substep they are in tip and speed.
+// velocities of the top masses for stages 1 and 3 are in the buffers other_tip and other_speed, and the positions and
+// velocities for stage 2 are in spare_tip and spare_speed. At the start and at the end of a substep, the positions and
+// velocities are in tip and speed.
 __kernel void prism_rk4_whole(TopologyParams p, TABLE(Moment) moments, TABLE(scalar) sites, TABLE(scalar) push,
                               TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest, __global scalar *tip,
                               __global scalar *speed, __global scalar *offset, __global scalar *other_tip,

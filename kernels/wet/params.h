@@ -7,9 +7,9 @@ typedef struct {
   int bucket;  // side, in texels, of a bucket (a square part of the mask that has its own list of droplets)
 } WetParams;
 
-// Columns of the droplet array, which has one row per droplet: u, v and radius (in UV) of the droplet's disc,
-// the wetness, the position of the disc's centre in space, and the greatest distance in space from this
-// centre at which the droplet covers a texel.
+// Columns of the droplet array, which has one row per droplet. DROP_U, DROP_V and DROP_RADIUS are the centre and the
+// radius of the droplet's disc in UV. DROP_X, DROP_Y and DROP_Z are the position of the disc's centre in space. The
+// droplet covers a texel only if the texel's distance from this position is at most DROP_REACH.
 enum { DROP_U, DROP_V, DROP_RADIUS, DROP_WETNESS, DROP_X, DROP_Y, DROP_Z, DROP_REACH, DROP_COLUMNS };
 
 #endif

@@ -85,7 +85,7 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
         inputs. The hash is "" in rows of schema 1, which do not record their inputs.
       phase, clock, samples (number), median_ms, low_ms, high_ms (95% interval of the median), converged.
       metric.NAME. If the metric has an interval, also metric.NAME.low and metric.NAME.high.
-    Times are NaN if the status of a row is not ok, or if a row has no time of the phase.
+    Times are NaN if the status of a row is not `ok`, or if a row has no time of the phase.
 
     phase: "frame" (the whole frame) or a part of the frame ("simulate", "wet", "transform", "bin", "raster",
       "resolve"). It can also be another renderer or solver that was timed alternately with the frame, such as the
@@ -95,7 +95,7 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
     samples: if True, the data frame has one line per sample, with the columns sample (index) and ms. Rows whose status
       is not ok then have no lines.
 
-    If several journals contain the same row, it is returned once. A row with the status error is left out if a later
+    If several journals contain the same row, it is returned once. A row with the status `error` is left out if a later
     row of the same journal has the same case. If a line is damaged, the function raises ResultsError, whose message
     names the file and the line.
     """

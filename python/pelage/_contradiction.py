@@ -1,4 +1,4 @@
-"""Finds contradictions between the fields of a row of results. harness/journal/contradiction.cpp does so in C++."""
+"""Finds contradictions between the fields of a row of results. harness/journal/contradiction.cpp is the C++ version."""
 import json
 import math
 import re

@@ -66,7 +66,7 @@ def key_of(row):
 
 
 def read_journal(file):
-    """Returns the rows of a journal. Leaves out a row with the status error if a later row has the same key. Also
+    """Returns the rows of a journal. Leaves out a row with the status `error` if a later row has the same key. Also
     leaves out a truncated last line, which a run leaves behind if it is killed."""
     try:
         text = Path(file).read_bytes()

@@ -24,7 +24,8 @@ class Drivers : public ::testing::Test {
     folder_ = name;
     fs::create_directories(folder_ / "vendors");
     fs::create_directories(folder_ / "drivers");
-    ::unsetenv("OCL_ICD_VENDORS");  // overrides OPENCL_VENDOR_PATH; set by the preset asan
+    // The test preset asan sets OCL_ICD_VENDORS, which would override OPENCL_VENDOR_PATH.
+    ::unsetenv("OCL_ICD_VENDORS");
     ::setenv("OPENCL_VENDOR_PATH", (folder_ / "vendors").c_str(), 1);
     ::setenv("PELAGE_DRIVERS", (folder_ / "drivers").c_str(), 1);
   }
@@ -48,7 +49,8 @@ fs::path some_library() {
 [[noreturn]] void exit_with_platforms() {
   const std::string before = std::getenv("OPENCL_VENDOR_PATH");
   const std::size_t count = cl::platforms().size();
-  if (std::getenv("OPENCL_VENDOR_PATH") != before) std::exit(99);  // child processes would inherit a change
+  // cl::platforms() must restore this variable, because child processes inherit it.
+  if (std::getenv("OPENCL_VENDOR_PATH") != before) std::exit(99);
   std::exit(static_cast<int>(count));
 }
 

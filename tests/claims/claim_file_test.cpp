@@ -118,9 +118,8 @@ TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   EXPECT_EQ(message("[[claim]]\nid = 3\n"), "claims.toml:2: claim: id must be a string");
   EXPECT_EQ(message("[[claim]]\nstatement = \"s\"\n"), "claims.toml:1: claim: id = \"...\" is missing");
   EXPECT_EQ(message("[[claim]]\nid = \"a\"\n"), "claims.toml:1: claim a: statement = \"...\" is missing");
-  EXPECT_EQ(
-      message("[[claim]]\nid = \"a\"\nstatement = \"s\"\n"),
-      "claims.toml:1: claim a: rows = { experiment = \"NAME\" } is missing (or untestable = \"REASON\")");
+  EXPECT_EQ(message("[[claim]]\nid = \"a\"\nstatement = \"s\"\n"),
+            "claims.toml:1: claim a: rows = { experiment = \"NAME\" } or untestable = \"REASON\" is missing");
   EXPECT_EQ(
       message(claim_text("name = \"slope\"", limit)),
       "claims.toml:5: claim c: effect: name = \"slope\" is unknown (known: level, ratio, ratio-by-phase, "

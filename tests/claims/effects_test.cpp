@@ -68,7 +68,7 @@ TEST(Effects, PhasesAreTimesOfTheSameRow) {
 }
 
 // The frame times, 90 and 100 ms, differ only by noise. The phase times, 7 and 2 ms, differ by 5 ms.
-// The effect divides this difference by the frame time of the solver "e", 100 ms, so it is 1 + 5 / 100.
+// The effect is 1 plus the quotient of this difference and the frame time of the solver "e": 1 + 5 / 100.
 TEST(Effects, RatioByPhaseIgnoresTheOtherPhases) {
   FoundRow slow = row({{"solver", "i"}}, 90), fast = row({{"solver", "e"}}, 100);
   slow.row.samples["simulate"].event_ms = {7};

@@ -14,7 +14,7 @@ namespace pelage::claims::test {
 
 using Axes = std::map<std::string, std::string>;
 
-/// Returns a row of the experiment "own" with the status ok and 11 frame times from 0.99 `ms` to 1.01 `ms`.
+/// Returns a row of the experiment "own" with the status `ok` and 11 frame times from 0.99 `ms` to 1.01 `ms`.
 inline FoundRow row(const Axes& axes, double ms, const std::string& run = "run") {
   FoundRow found;
   Row& row = found.row;

@@ -21,6 +21,7 @@ void models(std::string_view bytes);   ///< a file such as experiments/models.to
 void obj(std::string_view bytes);
 void off(std::string_view bytes);
 void options(std::string_view bytes);  ///< values of command-line options
+void picture(std::string_view bytes);  ///< a picture file; the first byte selects its format
 void ply(std::string_view bytes);
 void proc_stat(std::string_view bytes);  ///< the first line of /proc/stat, which contains CPU times
 void scene(std::string_view bytes);      ///< a scene file
@@ -33,7 +34,7 @@ struct Target {
   void (*run)(std::string_view bytes);
 };
 
-inline constexpr std::array<Target, 16> targets{{{"archive", archive},
+inline constexpr std::array<Target, 17> targets{{{"archive", archive},
                                                  {"cached", cached},
                                                  {"claims", claims},
                                                  {"experiment", experiment},
@@ -43,6 +44,7 @@ inline constexpr std::array<Target, 16> targets{{{"archive", archive},
                                                  {"obj", obj},
                                                  {"off", off},
                                                  {"options", options},
+                                                 {"picture", picture},
                                                  {"ply", ply},
                                                  {"proc_stat", proc_stat},
                                                  {"scene", scene},

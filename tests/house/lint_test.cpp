@@ -108,9 +108,9 @@ TEST_F(Lint, WorksWithoutGit) {
   EXPECT_EQ(linted().size(), 10u);
 }
 
-// A run of .ci/lint with a time limit may check only some of the unchanged files. The unchanged files form a
-// list, and .ci/lint therefore starts at another file of this list after each commit. After enough commits,
-// the runs have checked every file.
+// A run of .ci/lint with a time limit may check only some of the unchanged files. After each commit, .ci/lint
+// therefore starts at another file of the list of unchanged files. After enough commits, the runs have
+// checked every file.
 TEST_F(Lint, TheOrderOfUnchangedFilesMovesOn) {
   for (int i = 0; i < 50; ++i) write(fmt::format("checkout/tests/{}.cpp", i), "");
   ASSERT_EQ(shell("git add . && git commit -q -m more"), 0);

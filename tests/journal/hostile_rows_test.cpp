@@ -68,8 +68,8 @@ TEST(HostileRows, NumbersOutOfRangeAreRefused) {
             std::string::npos);
 }
 
-// Commands read these keys without checking the types of the values, so the parser of rows must check these
-// types.
+// Commands read the keys below without checking the types of their values, so the parser of rows must check
+// these types.
 TEST(HostileRows, ProvenanceOfWrongTypesIsRefused) {
   EXPECT_EQ(refusal(changed([](Json& row) { row["provenance"] = "x"; })),
             "the provenance of the row is not an object");

@@ -125,8 +125,8 @@ TEST(Shards, EachProcessOfRepeatCounts) {
 }
 
 // With the option --balance, each shard computes the division of the cases from the times of earlier runs.
-// Here, shard 1 used the times of other earlier runs than shards 0 and 2 did. It measured case 3 instead of
-// case 4. Each shard has the right number of cases, but no shard has case 4.
+// Here, shard 1 did not use the same earlier runs as shards 0 and 2, so it measured case 3 instead of case 4.
+// Each shard has the right number of cases, but no shard has case 4.
 TEST(Shards, ACaseThatBelongsToNoShardIsAGap) {
   FakeRun run;
   run.add(0, {0, 3});

@@ -90,7 +90,7 @@ TEST(Decide, CorrectsForTheNumberOfComparisons) {
       steps{with_t(2.5), with_t(2.3), with_t(2.0)};
   EXPECT_EQ(decide(one, 0, 0.05)[0].side, Side::above);
   for (const Decision& d : decide(three, 0, 0.05)) EXPECT_EQ(d.side, Side::undecided);
-  // Holm: 0.0124 <= 0.05 / 3, 0.0214 <= 0.05 / 2 and 0.0455 <= 0.05.
+  // The three p-values are below Holm's limits: 0.0124 <= 0.05 / 3, 0.0214 <= 0.05 / 2 and 0.0455 <= 0.05.
   for (const Decision& d : decide(steps, 0, 0.05)) EXPECT_EQ(d.side, Side::above);
   EXPECT_NEAR(decide(steps, 0, 0.05)[0].confidence, 1 - 0.05 / 3, 1e-12);
   EXPECT_NEAR(decide(steps, 0, 0.05)[2].confidence, 0.95, 1e-12);
@@ -123,7 +123,7 @@ Rates rates_of(double change, double threshold, double alpha) {
 
 TEST(Decide, ErrsWithTheProbabilityAlpha) {
   const Rates equal = rates_of(0, 0, 0.02);
-  EXPECT_GT(equal.decided, 50);  // 80 expected, standard deviation 9
+  EXPECT_GT(equal.decided, 50);  // 80 decisions are expected, with a standard deviation of 9
   EXPECT_LT(equal.decided, 115);
   // The true change equals the threshold, so the decisions `within` and `above` are both wrong.
   EXPECT_LE(rates_of(0.05, 0.05, 0.02).decided, 115);
@@ -134,7 +134,7 @@ TEST(Decide, FindsTheDetectableChangeWithThePromisedPower) {
   const double change = detectable_change(typical, 1, 0.02, 0.05);
   EXPECT_GT(change, 0.02);
   const int above = rates_of(change, 0.02, 0.05).above;
-  EXPECT_GT(above, 3480);  // 3600 expected
+  EXPECT_GT(above, 3480);  // 3600 decisions are expected
   EXPECT_LT(above, 3720);
 }
 

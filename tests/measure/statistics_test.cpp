@@ -131,7 +131,7 @@ TEST(Statistics, DriftOfALineAndOfNoise) {
   EXPECT_FALSE(drifts(drift_of(level)));
   EXPECT_GT(drift_of(level).p, 0.01);
   EXPECT_EQ(drift_of(std::vector<double>(50, 3.0)).p, 1);  // all times are equal
-  EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3}).p, 1);  // too few
+  EXPECT_EQ(drift_of(std::vector<double>{1, 2, 3}).p, 1);  // too few times
 }
 
 // For the values 1 to 10 in rising order, Kendall's S is 45 and its variance is 125. R's cor.test(exact =

@@ -1,4 +1,4 @@
-// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset smoke. The tests
+// Tests sweeps (runs of all cases of an experiment) with the pelage binary and the preset `smoke`. The tests
 // kill sweeps, resume them, and divide them among processes.
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -10,8 +10,8 @@ namespace pelage {
 namespace {
 
 struct Bad {
-  std::string name;  ///< of the case
-  std::string file;  ///< its name
+  std::string name;  ///< name of the test case
+  std::string file;  ///< name of the mesh file
   std::string bytes;
   std::string message;  ///< text of the error message after the path
 };

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "harness/mesh/flatten.hpp"
 #include "harness/isolated/isolated.hpp"
+#include "harness/mesh/flatten.hpp"
 #include "harness/mesh/laplace.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/write_ply.hpp"
@@ -110,8 +110,8 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
 
 // CGAL computes the UV map of a model of experiments/models.toml. The test writes the model to a file and
 // loads the file. flatten() then computes a second UV map of the same mesh. The test compares three values of
-// the two maps: area_high / area_low, the overlapping area and the flipped area. For flatten(), these values
-// must not be much larger than for CGAL.
+// the two maps: the spread of the faces' area scales (area_high / area_low), the overlapping area and the
+// flipped area. For flatten(), these values must not be much larger than for CGAL.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

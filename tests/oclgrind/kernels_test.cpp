@@ -9,6 +9,7 @@
 #include <regex>
 #include <set>
 
+#include "harness/cl/pair_sort.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/radix_sort.hpp"
 #include "harness/shells/opencl/shells.hpp"
@@ -152,7 +153,7 @@ TEST(DISABLED_Tiny, PrismsInManyLaunches) {
     masses.advance(queue, 2);
   }
 }
-// Gravity towards the skin presses some of these strands onto their stops.
+// Gravity towards the skin presses some of these strands onto their stops (limits of angles, and the skin).
 TEST(DISABLED_Tiny, Strands) {
   const cl::Queue queue(device());
   strands::ChainDynamics dynamics = strands::test::shaken();
@@ -166,6 +167,15 @@ TEST(DISABLED_Tiny, SumsOfTwoBlocks) {
   const std::vector<std::int32_t> ones(1030, 1);
   const cl::Buffer<std::int32_t> values(queue, ones);
   EXPECT_EQ(cl::RadixSort(queue.device()).scan(queue, values, ones.size(), nullptr, true), 1030);
+}
+TEST(DISABLED_Tiny, PairSort) {
+  const cl::Queue queue(device());
+  const std::vector<cl::Pair> unsorted{{7, 0}, {300, 1}, {7, 2}, {2, 3}},
+      sorted{{2, 3}, {7, 0}, {7, 2}, {300, 1}};
+  cl::PairSort sort(queue.device(), 2);
+  cl::Buffer<cl::Pair> pairs(queue, unsorted);
+  sort.sort(queue, pairs, cl::Buffer<std::int32_t>(queue, std::vector<std::int32_t>{2, 2}), 2, 16);
+  EXPECT_EQ(pairs.read(queue), sorted);
 }
 TEST(DISABLED_Tiny, Measures) {
   const cl::Queue queue(device());

@@ -7,9 +7,9 @@
 namespace pelage {
 namespace {
 
-/// Returns a table with the columns variant, layers, median_ms and paper. Further columns contain the lower
-/// and the upper limits of median_ms and of paper. For each value, Value::cell is the index of the value's
-/// line in the table.
+/// Returns a table with the columns `variant`, `layers`, `median_ms` and `paper`. Further columns contain the
+/// lower and the upper limits of `median_ms` and of `paper`. For each value, Value::cell is the index of the
+/// value's line in the table.
 Table table() {
   Table table;
   table.columns = {{"variant", "variant"},      {"layers", "layers", "{} layers"}, {"median_ms", "ms"},

@@ -140,8 +140,8 @@ std::vector<Contradiction> contradictions() {
   return {
       {"no times", [](Row& r) { r.samples.clear(); }, "it has no times of frames"},
       {"no times of frames", [](Row& r) { wall(r).clear(); }, "it has no times of frames"},
-      {"a negative time", [](Row& r) { wall(r)[1] = -1; }, "wall times of the phase frame of -1 ms"},
-      {"a time of 0", [](Row& r) { wall(r)[1] = 0; }, "wall times of the phase frame of 0 ms"},
+      {"a negative time", [](Row& r) { wall(r)[1] = -1; }, "wall times of the phase frame is -1 ms"},
+      {"a time of 0", [](Row& r) { wall(r)[1] = 0; }, "wall times of the phase frame is 0 ms"},
       {"a time that is not a number", [](Row& r) { wall(r)[1] = std::nan(""); }, "this line is not a row"},
       {"fewer event times than frames", [](Row& r) { r.samples["frame"].event_ms.pop_back(); },
        "event times of the phase frame, but 6 timed frames"},

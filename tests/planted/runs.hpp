@@ -27,7 +27,7 @@ std::string experiment(const std::string& axes, const std::string& scene);
 std::string base_experiment(const std::string& length = "0.1");
 
 /// A temporary folder with a copy of a short run. The run's experiment file is own.toml, and its results are
-/// in results/. Each of these runs is made only once and then copied:
+/// in results/. The tests make each of the following runs once. take() copies it:
 /// - base: the experiment base_experiment()
 /// - other: base_experiment("0.12"), with longer fur
 /// - files: an experiment with the mesh files own.obj and buffered.gltf (buffer: own.bin) and the texture
@@ -43,7 +43,7 @@ class Runs : public ::testing::Test {
   /// Replaces the first occurrence of `from` by `to` in a file of the folder. The test fails if the file does
   /// not contain `from`.
   void edit(const std::string& file, const std::string& from, const std::string& to) const;
-  /// Copies the kernel sources into the subfolder mine, and replaces `from` by `to` in one of the copied
+  /// Copies the kernel sources into the subfolder `mine`, and replaces `from` by `to` in one of the copied
   /// files.
   void edit_kernel(const std::string& file, const std::string& from, const std::string& to) const;
   /// Returns the only journal (.jsonl file) in a folder of results.

@@ -49,8 +49,8 @@ Row time_faulty(const Folder& folder, Arguments... arguments) {
                   [&](const Case& one) { return std::make_unique<Fault>(make(one), arguments...); });
 }
 
-/// Runs one case of base_experiment() with the kernels of the folder mine, and expects exit code 1 and a row
-/// without times.
+/// Runs one case of base_experiment() with the kernel sources of the folder `mine`, and expects exit code 1
+/// and a row without times.
 Row row_with_kernels(const Folder& folder) {
   folder.write("own.toml", base_experiment());
   const Outcome outcome =

@@ -24,8 +24,8 @@ struct Sight {
 
 /// Returns three scenes with combed, curly and wet fur in wind. Each picture has 160 x 100 pixels, and the
 /// fur has 6 layers. The first scene shows a torus with the shading model "curling". The second scene shows
-/// the torus with the shading model "wet". The third scene shows a square. The camera is so near that
-/// triangles of the square cross the near plane and the guard band.
+/// the torus with the shading model "wet". The third scene shows a square. Its camera is so near to the
+/// square that triangles of the square cross the near plane and the guard band.
 std::vector<Sight> sights() {
   Scene near = synthetic::lively_scene();
   near.fur.length = .05f;

@@ -145,7 +145,7 @@ TEST(FurTexture, MipLevelsKeepTheCoverage) {
 /// the opposite border. The area of the disc then does not depend on its position.
 TEST(FurTexture, WrapsAround) {
   FurScene fur;
-  fur.layers = 16;  // with 16 layers the texture stores unconverted coverages
+  fur.layers = 16;  // coverages are computed for 16 layers, and converted for any other number
   fur.strands = 1;
   fur.undercoat = 0;
   fur.locks = 0;
@@ -318,7 +318,7 @@ TEST(FurTexture, OfBladesComesInThePapersSizes) {
   fur.taper = 0.3f;
   fur.bend = 20;
   fur.bend_spread = 0.4f;
-  fur.layers = 16;  // with 16 layers the texture stores unconverted coverages
+  fur.layers = 16;  // coverages are computed for 16 layers, and converted for any other number
   std::vector<double> opacity;
   for (const int size : {64, 128, 256}) {
     fur.texture = size;

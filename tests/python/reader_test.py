@@ -79,7 +79,7 @@ class Reader(unittest.TestCase):
         good, bad = frame.iloc[0], frame.iloc[1]
         self.assertEqual((good.case, good.layers, good.mood, good["curl.radius"]), ("torus-8-calm", 8, "calm", 0.1))
         self.assertEqual((good.median_ms, good.samples, good.host, good.preset), (4.5, 8, "here", "quick"))
-        self.assertEqual((good.low_ms, good.high_ms), (1, 100))  # for 8 samples, the smallest and the largest sample
+        self.assertEqual((good.low_ms, good.high_ms), (1, 100))  # the 95% interval of 8 samples is their range
         self.assertEqual((good["metric.ratio"], good["metric.ratio.low"], good["metric.ratio.high"]), (2, 1, 3))
         self.assertEqual((bad.status, bad.reason, bad.samples), ("error", "out of memory", 0))
         self.assertTrue(pandas.isna(bad.median_ms))

@@ -261,8 +261,8 @@ TEST(RatioSection, HoldsEveryCellsRatioAndTheirMeans) {
   for (const std::string& text : {text_of(table), html_of(table)})
     for (const std::string& part :
          {std::string("9.00 [8.00, 10.00]"),
-          fmt::format("geometric mean of the ratios {:.2f} over 32 of 32 cells (no interval, because that "
-                      "needs three separate runs (--repeat 3)), least ratio 4.00 (torus, 16 layers, 800x600)",
+          fmt::format("the geometric mean {:.2f} over 32 of 32 cells (no interval, because that needs three "
+                      "separate runs (--repeat 3)) and the minimum 4.00 (torus, 16 layers, 800x600)",
                       std::pow(4 * std::pow(9.0, 7), 1.0 / 8)),
           fmt::format("take 1.25 times the time of plain shells in OpenCL, and {:.2f} times in OpenGL "
                       "(geometric means "
@@ -283,7 +283,7 @@ TEST(RatioSection, CountsWhatHasNoRatio) {
       found.row.samples.clear();
     }
   const std::string text = text_of(sections(rows).at(0).table);
-  EXPECT_NE(text.find("geometric mean of the ratios 9.00 over 28 of 32 cells"), std::string::npos) << text;
+  EXPECT_NE(text.find("the geometric mean 9.00 over 28 of 32 cells"), std::string::npos) << text;
   EXPECT_NE(text.find("failed-check"), std::string::npos);
 }
 

@@ -1,6 +1,6 @@
-// A subject is an object whose frames an experiment times. This file tests the subject that draws frames with
-// all, with half and with a quarter of the layers. The reported ratios of frame times must be medians over
-// the rounds. If one of the three pictures fails its check, the row must fail.
+// A subject is an object whose frames an experiment times. This file tests the subject that draws three
+// frames in every round: with all, with half and with a quarter of the layers. The reported ratios of frame
+// times must be medians over the rounds. If one of the three pictures fails its check, the row must fail.
 #include <gtest/gtest.h>
 
 #include "harness/subjects/fewer_layers.hpp"

@@ -15,7 +15,7 @@ namespace pelage {
 namespace {
 
 /// Returns a table with one line for each combination of two models, two numbers of layers and two picture
-/// sizes. The values in the column ms are 1 to 8.
+/// sizes. The values in the column `ms` are 1 to 8.
 Table cases() {
   Table table;
   table.title = "Title";

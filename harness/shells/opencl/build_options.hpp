@@ -1,4 +1,5 @@
-// Build options of the OpenCL kernels. A tuning axis is a build-time parameter of the kernels.
+// Build options of the OpenCL kernels. A tuning axis is a parameter of the kernels, or of their launches,
+// that affects only the speed.
 #pragma once
 #include <map>
 #include <string>

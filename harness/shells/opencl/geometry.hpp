@@ -13,7 +13,7 @@ struct Geometry {
   int vertices = 0;           ///< number of drawn vertices plus at least one padding vertex; a multiple of 16
   int triangles = 0;          ///< number of triangles, padded to a multiple of 16
   int strands = 0;            ///< number of strands, padded to a multiple of 16
-  std::vector<float> vertex;  ///< VERTEX_COLUMNS columns
+  std::vector<float> vertex;  ///< VERTEX_COLUMNS columns of `vertices` floats (kernels/rasterize/params.h)
   std::vector<float> uv;      ///< u, v per vertex
   /// UV coordinates at which the vertices sample the wetness mask: first u of all vertices, then v of all
   /// vertices.
@@ -36,7 +36,7 @@ struct Geometry {
   std::vector<std::int32_t> slice;
   std::vector<std::int32_t> strand;
   std::vector<float> weight;
-  std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns
+  std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns of `strands` floats
 };
 
 /// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of vertices

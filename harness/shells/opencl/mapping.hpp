@@ -19,10 +19,11 @@ namespace pelage::shells {
 class Mapping {
  public:
   virtual ~Mapping() = default;
-  /// Makes one list per tile: the triangles that may touch the tile, in the order of the mesh. Reads
-  /// buffers.corner and buffers.box. Writes the lists to buffers.list_start and buffers.list. Enlarges
-  /// these two buffers if they are too small. Throws DeviceError if all lists together have so many entries
-  /// that their indices need more than 31 bits.
+  /// Makes lists of the triangles that may touch a tile, in the order of the mesh. The mappings `tile` and
+  /// `pixel` make one list per tile. The mapping `group` makes one list per tile and layer batch (a group of
+  /// consecutive layers). Reads buffers.corner and buffers.box. Writes the lists to buffers.list_start and
+  /// buffers.list. Enlarges these two buffers if they are too small. Throws DeviceError if all lists together
+  /// have so many entries that their indices need more than 31 bits.
   virtual void bin(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
                    PhaseEvents* events) = 0;
   /// Draws one pass: the layers from params.first_layer to params.end_layer - 1. Uses the lists that bin()

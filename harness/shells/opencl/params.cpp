@@ -118,8 +118,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);
     p.intensity[i] = scene.shading.lights[i].intensity;
   }
-  // The shading model of Banisch and Wüthrich (2006), section 3, is the model "wet" without highlight,
-  // wrapped light and darkening by wetness.
+  // The shading model of Banisch and Wüthrich (2006), section 3, is the model "wet" without three of its
+  // terms: the highlight, the wrapped light and the darkening by wetness.
   if (model.plain) {
     copy(glm::vec3(0.0f), p.specular, 3);
     p.wrap = 0;

@@ -14,7 +14,7 @@ struct RasterBuffers {
   /// Four values per triangle: three vertex indices, and the number of layers in which the triangle is drawn.
   cl::Buffer<std::int32_t> corner;
   cl::Buffer<float> screen, box;
-  cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns
+  cl::Buffer<float> vertex;                ///< VERTEX_COLUMNS columns, each with one float per vertex
   const cl::Buffer<float>* tip = nullptr;  ///< tip offset B (docs/frame.md, section 3), columns x, y, z
   cl::Buffer<float> dry;
   cl::Buffer<std::int32_t> list_start, list;

@@ -25,7 +25,8 @@ class RasterStage {
   /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events);
   const RasterParams& params() const { return params_; }
-  const cl::Buffer<float>& vertex() const { return buffers_.vertex; }  ///< VERTEX_COLUMNS columns
+  /// Returns the vertex table: VERTEX_COLUMNS columns, each with one float per vertex.
+  const cl::Buffer<float>& vertex() const { return buffers_.vertex; }
   /// Returns the number of covered fragments of the last frame in all layers. The function draws the frame
   /// again to count them.
   std::uint64_t count(const cl::Queue& queue);

@@ -26,7 +26,7 @@ std::string default_mapping(const cl::DeviceInfo& device);
 
 struct ShellOptions {
   std::string mapping;                ///< a name from mappings(); "": the device's default_mapping()
-  std::map<std::string, int> tuning;  ///< kernel constants (kernels/*/tuning.toml), e.g. {"TILE_W", 16}
+  std::map<std::string, int> tuning;  ///< values of tuning axes (kernels/*/tuning.toml), e.g. {"TILE_W", 16}
   int layers_at_once = 0;             ///< number of layers that one pass draws; 0: as many as fit in memory
 };
 
@@ -79,7 +79,8 @@ class Shells {
   /// Returns the vector from the root to the tip of each strand. If the scene has a mass-spring topology, the
   /// function returns the vector from the base to the top of each stick instead.
   std::vector<glm::vec3> tips() const;
-  std::vector<glm::vec3> velocities() const;  ///< velocities of the end points of the vectors of tips()
+  /// Returns the velocity of the end point of each vector that tips() returns.
+  std::vector<glm::vec3> velocities() const;
   /// Counts the fragments of the last frame in all layers. The function draws the frame again with the pixel
   /// mapping, but only in a random sample of about one in `every` pixels. The function then multiplies the
   /// counts by `every`. With every = 1 the counts are exact, but slow to compute. With every = 0 the sample

@@ -15,7 +15,8 @@ class SimulateStage {
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
                 const Tuning& tuning = {});
   void frame(const cl::Queue& queue, int number, PhaseEvents* events);
-  const cl::Buffer<float>& state() const { return state_; }  ///< STATE_COLUMNS columns
+  /// Returns the tips and velocities of the strands: STATE_COLUMNS columns of stride() floats.
+  const cl::Buffer<float>& state() const { return state_; }
   int stride() const { return params_.stride; }
   const cl::Program& program() const { return program_; }
 

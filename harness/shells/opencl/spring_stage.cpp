@@ -16,9 +16,9 @@ springs::MassSprings at_rest(const cl::Queue& queue, const FrameInput& input, in
 }
 
 // The buffer masses.offset() holds one vector per stick, from the stick's base to its top. Every drawn vertex
-// belongs to a stick. For each drawn vertex, this function returns the index in the buffer of the x component
-// of its stick's vector. The number of drawn vertices is padded to a multiple of 16. The index of a padding
-// vertex is that of stick 0, so that the kernel reads a valid element.
+// belongs to a stick. For each drawn vertex, this function returns an index into the buffer: the position of
+// the x component of the stick's vector. The number of drawn vertices is padded to a multiple of 16. A
+// padding vertex gets the index of stick 0, so that the kernel reads a valid element.
 std::vector<std::int32_t> columns(const springs::MassSprings& masses, const Geometry& g) {
   const std::vector<std::int32_t> of_stick = masses.offset_columns();
   std::vector<std::int32_t> found(std::size_t(g.vertices), of_stick.front());

@@ -15,7 +15,7 @@ namespace pelage::rivals {
 struct Vertex {
   glm::vec3 position;
   glm::vec2 uv;
-  glm::vec3 a;               ///< fur.length times the weighted mean of the normals of the strands
+  glm::vec3 a;               ///< fur.length times the weighted mean normal of the strands around the vertex
   glm::vec3 curl_u, curl_v;  ///< axes of the curl, multiplied by the curl's radius and the dryness
   glm::vec3 dx_du, dx_dv;    ///< derivatives of the position with respect to u and v
 };

@@ -31,7 +31,7 @@ double highlight(const glm::dvec3& t, const glm::dvec3& l, const glm::dvec3& e, 
   return std::pow(std::max(0.0, base), p);
 }
 
-/// Returns C_d of W Eq. 2.
+/// Returns the diffuse term C_d of Eq. 2 of Silva et al. 2010, Real-Time Rendering of Wet Fur.
 glm::dvec3 lambert(const ShadingScene& shading, const Fragment& f) {
   double sum = double(shading.ambient);
   const double wrap = double(shading.wrap);

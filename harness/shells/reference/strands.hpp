@@ -11,8 +11,8 @@ namespace pelage::reference {
 
 /// The state of a strand's mass, relative to the strand's root.
 struct Strand {
-  glm::dvec3 tip{0.0};       ///< p - p_root, R
-  glm::dvec3 velocity{0.0};  ///< R/s
+  glm::dvec3 tip{0.0};       ///< position of the mass minus position of the root, in R
+  glm::dvec3 velocity{0.0};  ///< in R/s
 };
 
 /// Applies S Eq. 3, by which the tip stays in a half ball. The half ball has its centre at the root and the

@@ -1,6 +1,7 @@
 // The arrays of the serial C++ solvers, which are baselines of the OpenCL solvers. Each component of a vector
-// has its own array. Lengths are in R, the radius of the mesh's bounding sphere. On shared prisms, adjacent
-// prisms share their sticks.
+// has its own array. Lengths are in R, the radius of the mesh's bounding sphere. Shared prisms are the
+// topology in which adjacent prisms share their sticks. Separable prisms are the topology in which each prism
+// has its own three sticks.
 #pragma once
 #include "harness/springs/model/dynamics.hpp"
 #include "harness/springs/model/network.hpp"
@@ -9,9 +10,9 @@ namespace pelage::springs {
 
 /// Pointers to the arrays of the conjugate-gradient solver. Backward Euler on shared prisms uses this solver
 /// for its linear equations A x = b. Each component of a vector and each element of a matrix has its own
-/// array. A symmetric 3 x 3 matrix has the elements xx, yy, zz, xy, xz and yz. `product` and `diagonal` have
-/// separate arrays for each of two threads. The arrays of the second thread contain zeros except while the
-/// threads add their results.
+/// array. A symmetric 3 x 3 matrix has the elements xx, yy, zz, xy, xz and yz. The first index of `product`
+/// and `diagonal` is the thread (0 or 1), because both threads add terms of edges at the same time. The
+/// arrays of thread 1 are then added to those of thread 0 and set to 0.
 template <class T>
 struct Gradients {
   T *change[3]{}, *load[3]{}, *residual[3]{}, *precond[3]{},

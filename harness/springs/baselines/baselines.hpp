@@ -11,8 +11,8 @@
 
 namespace pelage::springs {
 
-/// State of the top masses, per stick: position relative to the base in R (the radius of the mesh's bounding
-/// sphere), velocity in R/s.
+/// State of the top mass of each stick: its position relative to the stick's base in R, and its velocity in
+/// R/s. R is the radius of the mesh's bounding sphere.
 struct Motions {
   std::vector<glm::vec3> offset, speed;
 };

@@ -36,8 +36,9 @@ void edge_rows(const Arrays<T> a, const Constants<T> p, int part, int first, int
 }
 
 // Computes the diagonal blocks, their inverses and the right-hand sides of the sticks `first` to `end` - 1.
-// The diagonal blocks and the right-hand sides include the terms of the edges, which edge_rows() has stored
-// in the arrays of both threads. Sets the arrays of the second thread to 0.
+// The blocks and the right-hand sides include the terms of the edges. With two threads, each thread has added
+// the terms of its edges to its own arrays (edge_rows()). This function adds the arrays of the second thread
+// to those of the first, and sets the arrays of the second thread to 0.
 template <class T>
 void stick_rows(const Arrays<T> a, const Constants<T> p, int threads, int first, int end) {
   const Gradients<T>& g = a.gradients;

@@ -194,9 +194,9 @@ void stick_forces(const Arrays<T> a, const Constants<T> constants, const Moment&
     put(a.force[0], i, stick_force(p, t, place(a, i), at(state.q, i), at(state.v, i)));
 }
 
-// Adds the forces of the springs between top masses to `force`, for the edges `first` to `end` - 1. For each
-// tile of edges, one loop computes the spring forces, and a second loop adds them to the forces on both ends
-// of the edges.
+// Adds the forces of the edges `first` to `end` - 1 to `force`. An edge is a spring between two top masses.
+// For each tile of 256 edges, one loop computes the spring forces, and a second loop adds them to the forces
+// on both ends of the edges.
 template <class T>
 void edge_forces(const Arrays<T> a, const Constants<T> p, const Lists<T> state, T* const force[3], int first,
                  int end) {

@@ -27,8 +27,8 @@ std::vector<std::vector<Neighbour>> neighbours(const SpringNetwork& topology) {
   return found;
 }
 
-// Divides the sticks into windows of 256 and sorts the sticks of each window by descending number of
-// neighbours. Returns the index of each stick in the new order of all sticks.
+// Divides the sticks into windows of 256 consecutive sticks, and sorts the sticks of each window by
+// descending number of neighbours. Returns the index of each stick in the new order of all sticks.
 std::vector<std::uint32_t> sorted_places(const std::vector<std::vector<Neighbour>>& around) {
   std::vector<std::uint32_t> order(around.size()), place(around.size());
   std::iota(order.begin(), order.end(), 0u);

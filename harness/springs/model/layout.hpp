@@ -17,14 +17,14 @@ namespace pelage::springs {
 /// that have no springs to other sticks. Sticks keep the order of the topology, with two exceptions. For the
 /// topology separable-prisms, three consecutive slices hold the sticks of 16 triangles. The first of these
 /// slices holds the stick at corner 0 of each triangle, the second slice the stick at corner 1, and the third
-/// slice the stick at corner 2. For the topology prisms, the sticks of each window of 256 are sorted by their
+/// slice the stick at corner 2. For the topology prisms, every 256 consecutive sticks are sorted by their
 /// number of springs, so that the sticks of a slice have similar numbers of springs.
 struct Layout {
   /// 3 for the topology separable-prisms, in which three consecutive slices hold the sticks at the three
   /// corners of the same 16 triangles. 1 for all other topologies.
   int corners = 1;
-  /// Number of slices of 16 sticks, padding included. It is a multiple of 3 for separable-prisms, and of 4
-  /// for sticks and separable-sticks.
+  /// Number of slices of 16 places, which include unused places. It is a multiple of 3 for separable-prisms,
+  /// and of 4 for sticks and separable-sticks.
   int slices = 0;
   std::vector<std::uint32_t> place;  ///< for each stick, its index in the kernels' order
   /// Constants of the stick at each place, in SITE_COLUMNS columns: position of the base in R, unit normal,

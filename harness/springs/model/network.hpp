@@ -30,10 +30,10 @@ enum class Vertices { points, copies };
 /// base of the stick.
 enum class Gusts { sticks, triangles };
 
-/// Masses and springs of a topology. Stick i connects mass i with mass i + sticks(). Mass i is fixed to the
-/// skin. Mass i + sticks() is the stick's top mass, on the outermost layer. The first sticks() springs are
-/// the sticks. The other springs connect top masses, and each of them occurs once. In the topologies
-/// separable-sticks and separable-prisms, stick 3 * f + c stands on corner c of triangle f. In
+/// Masses and springs of a topology. Stick i connects mass i with mass i + sticks(). Mass i is the base of
+/// stick i and is fixed to the skin. Mass i + sticks() is the top mass of stick i and can move. The first
+/// sticks() springs are the sticks. The other springs connect top masses, and each of them occurs once. In
+/// the topologies separable-sticks and separable-prisms, stick 3 * f + c stands on corner c of triangle f. In
 /// separable-prisms, the springs between the top masses of triangle f connect corners (0, 1), (1, 2) and (2,
 /// 0), in that order.
 struct SpringNetwork {

@@ -14,7 +14,7 @@ std::string frame_kernel(const Solver& solver) {
   return name + "_frame";
 }
 
-// Returns the number of slices (16 sticks each) whose sticks a work-item computes at the same time. On the
+// Returns the number of slices (16 sticks each) from which a work-item takes sticks at the same time. On the
 // topology separable-prisms the number is 3, one slice per corner of a triangle. On the other topologies the
 // number is 1 or 2. An explicit or semi-implicit Euler step of a stick is a short chain of dependent
 // operations. With 16 lanes (CPU), one slice therefore does not keep the vector unit of a core busy, and the

@@ -9,7 +9,7 @@
 namespace pelage::springs {
 namespace {
 
-enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // implicit solver: indices in kernels_
+enum { SET_UP, PRODUCT, ADVANCE, TURN, MOVE };  // indices of the implicit solver's kernels in kernels_
 // Indices of the results that the kernel gradients_whole writes: the total number of iterations, the greatest
 // number of iterations in a step, and the greatest |r| / |b| at the end of a step. SOLVED is the number of
 // results.
@@ -170,9 +170,10 @@ void PrismStage::euler(const cl::Queue& queue, const TopologyParams& params, Buf
 }
 
 void PrismStage::rk4(const cl::Queue& queue, const TopologyParams& params, Buffers& b, int substep) {
-  // The four stages of RK4 have the numbers 0 to 3. Stages 1 and 3 read tips and speeds from other_tip_ and
-  // other_speed_. Stage 2 reads them from spare_tip_ and spare_speed_. The tips and speeds at the start of
-  // the step stay in tip_ and b.speed until stage 3 overwrites them with the result.
+  // The four stages of RK4 have the numbers 0 to 3. Stages 1 and 3 read the positions (tips) and speeds of
+  // the top masses from other_tip_ and other_speed_. Stage 2 reads them from spare_tip_ and spare_speed_. The
+  // tips and speeds at the start of the step stay in tip_ and b.speed until stage 3 overwrites them with the
+  // result.
   cl::Buffer<float>*tips[] = {&tip_, &other_tip_, &spare_tip_, &other_tip_},
   *speeds[] = {&b.speed, &other_speed_, &spare_speed_, &other_speed_};
   for (int stage = 0; stage < 4; ++stage) {

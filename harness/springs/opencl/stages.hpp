@@ -19,8 +19,8 @@ struct Buffers {
   /// params.first_moment on.
   cl::Buffer<Moment> moments;
   cl::Buffer<float> sites, push, offset, speed;
-  /// One value per stick, padding included: the number of the first step after which the stick's top mass
-  /// had diverged (see diverged() in kernels/springs/equations.clh).
+  /// One value for each stick and for each unused place of a slice: the number of the first step after which
+  /// the top mass of the stick had diverged (see diverged() in kernels/springs/equations.clh).
   cl::Buffer<std::int32_t> diverged_at;
   cl::Buffer<std::int32_t> first;  ///< one value: the minimum of all values of diverged_at
 };
@@ -32,8 +32,8 @@ std::string build_options(int lanes, bool turning);
 /// Returns the number of units per work-item. A unit is what a work-item computes at a time. On the topology
 /// separable-prisms it is `lanes` triangles. On the other topologies it is `lanes` sticks of one slice, or
 /// `lanes` sticks of each of two slices. `units` is the number of units of the whole model. `wanted` is
-/// MassSpringOptions::blocks_per_item. If `wanted` is above 0, the function returns wanted * 16 / lanes. If
-/// `wanted` is 0, the function returns the device's default.
+/// MassSpringOptions::blocks_per_item, a number of slices. If `wanted` is above 0, the function returns
+/// wanted * 16 / lanes. If `wanted` is 0, the function returns the device's default.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int units, int wanted);
 
 /// Returns the work-group size: `wanted` if it is above 0, else 64 if `lanes` is 1 (GPU), and 1 if
@@ -62,7 +62,8 @@ class BlockStage {
 
 /// Computes time steps of the topology prisms, in which adjacent prisms share their sticks. Explicit solvers
 /// need one launch per evaluation of the forces, and conjugate gradients three launches per iteration. If
-/// `whole` is set, one work-item computes all steps of the whole model in one launch.
+/// `whole` is set, one work-item computes all steps of the whole model in one launch; an exception is a
+/// launch of a single explicit or semi-implicit Euler step, which has many work-items.
 class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
@@ -104,7 +105,8 @@ class PrismStage {
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  cl::Buffer<float> tip_, other_tip_, other_speed_;  // one row of four floats per stick, padding included
+  // These buffers have a row of four floats for each stick and for each unused place of a slice.
+  cl::Buffer<float> tip_, other_tip_, other_speed_;
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
   // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_ holds the 3 x 3 diagonal

@@ -126,7 +126,7 @@ glm::dmat3 across(glm::dvec3 unit) {
 
 // Derivatives of the force on the top mass of stick `row`. The matrix j is the derivative with respect to the
 // position of the top mass of stick `column`, and d is the derivative with respect to the velocity of this
-// top mass. Several objects can have the same row and column; their matrices are added.
+// top mass. Several Block values can have the same row and column; their matrices are added.
 struct Block {
   std::size_t row, column;
   glm::dmat3 j, d;

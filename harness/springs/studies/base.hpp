@@ -16,9 +16,9 @@ Motions rest_motions(const SpringNetwork& topology);
 /// Converts the positions and velocities of the top masses to a state of the double-precision reference.
 reference::State reference_state(const SpringNetwork& topology, const Motions& motions);
 
-/// Simulates `seconds` of motion. Each kernel launch simulates about `look` seconds, but at least one time
-/// step. After each launch, calls `after` with the simulated time in seconds. The simulation ends early if
-/// `after` returns false.
+/// Simulates `seconds` of motion. Each call of masses.enqueue() simulates about `look` seconds, but at least
+/// one time step. After each of these calls, calls `after` with the time simulated so far, in seconds. The
+/// simulation ends early if `after` returns false.
 void simulate(const cl::Queue& queue, MassSprings& masses, const Dynamics& dynamics, double seconds,
               double look = 1.0 / 60, const std::function<bool(double)>& after = {});
 

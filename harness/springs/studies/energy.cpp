@@ -68,8 +68,9 @@ class EnergyStudy : public Study {
     needs_0("dynamics.motion.swing", double(d.motion.swing));
     needs_0("length of dynamics.motion.shake", double(glm::length(d.motion.shake)));
   }
-  // Adds the metrics `drift` and `drift_most`. Their unit is the energy that all masses would release if they
-  // fell by the fur's length.
+  // Adds the metrics `drift` and `drift_most`. `drift` is the change of the energy from the start to the end
+  // of the simulation. `drift_most` is the largest absolute change from the start to any recorded time. Their
+  // unit is the energy that all masses would release if they fell by the fur's length.
   void describe_drift(Row& row) const {
     const double unit = double(setting_.topology.sticks()) * double(setting_.dynamics.mass) *
                         double(glm::length(setting_.dynamics.gravity)) * double(setting_.topology.length);

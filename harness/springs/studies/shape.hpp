@@ -1,5 +1,5 @@
-// Computes two properties of the fur in one state of a mass-spring topology: how far the sticks lean, and how
-// large the gaps between the sticks at one surface point are.
+// Computes properties of the fur in one state of a mass-spring topology: how far the sticks lean, how high
+// the top masses are above the surface, and how large the gaps between the sticks at one surface point are.
 #pragma once
 #include "harness/journal/row.hpp"
 #include "harness/springs/model/network.hpp"

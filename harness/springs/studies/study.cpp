@@ -48,7 +48,8 @@ std::unique_ptr<Subject> solver_after_start(SubjectContext& context, const Case&
 // Returns the state of the scene after one second, computed with very short time steps. The result is stored
 // and used again by other cases of the same scene.
 const Motions& exact_of(SubjectContext& context, const Scene& scene, const Setting& setting) {
-  Scene any = scene;  // the exact solution does not depend on the keys that the next lines set
+  // The exact solution does not depend on step, substeps, tolerance and solver.
+  Scene any = scene;
   any.dynamics.step = 1;
   any.dynamics.substeps = 1;
   any.dynamics.tolerance = 0;

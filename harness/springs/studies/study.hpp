@@ -14,8 +14,8 @@
 namespace pelage::springs {
 
 /// The mass-spring system of one case of an experiment. Only make_solver() and
-/// make_solver_against_baselines() set `start`, the initial state. To compute it, the device simulates
-/// dynamics.time (a key of the scene) seconds from rest.
+/// make_solver_against_baselines() set `start`, the initial state. To compute `start`, the device simulates
+/// the motion from rest. The scene's key dynamics.time is the duration of this motion in seconds.
 struct Setting {
   SpringNetwork topology;
   Dynamics dynamics;

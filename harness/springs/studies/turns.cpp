@@ -22,9 +22,9 @@ class TurnsStudy : public Study {
       : Study(device, std::move(setting)), exact_(exact), most_error_(most_error) {
     if (!(most_error_ > 0))
       throw InputError(
-          "dynamics.tolerance = 0: the pipeline springs-turns needs the largest rms error of the solvers, as "
-          "a fraction of fur.length; give a tolerance above 0");
-    enter(default_solver);  // first: the times of the other solvers are divided by this solver's time
+          "dynamics.tolerance = 0: the pipeline springs-turns needs the largest permitted rms error, as a "
+          "fraction of fur.length; give a tolerance above 0");
+    enter(default_solver);  // the first entrant: the other solvers' times are divided by its time
     for (const Solver& solver : solvers)
       if (solver != default_solver) enter(solver);
     if (entrants_.empty())

@@ -78,8 +78,8 @@ ChainMoment moment(const ChainDynamics& d, double time) {
 }  // namespace
 
 void check(const ChainDynamics& d) {
-  // With a time step shorter than 1e-4 s, a slow rotation per step is smaller than the rounding error of a
-  // direction, and the strand stops moving.
+  // With a time step shorter than 1e-4 s, the rotation of a slow strand in one step is smaller than the
+  // rounding error of its direction, and the strand stops moving.
   in_range("time step of the strands (s)", d.step, 1e-4f, 1);
   in_range("length of the first segment (as a fraction of the strand's length)", d.first_segment, 0.05f,
            0.95f);

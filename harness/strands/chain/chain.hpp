@@ -68,7 +68,8 @@ std::vector<ChainMoment> moments(const ChainDynamics& dynamics, long first, int 
 /// Throws InputError if a constant is not finite or outside its valid range.
 std::vector<float> strand_columns(const std::vector<Chain>& chains, const springs::Wind& wind);
 
-/// Returns the state of a strand that rests in its rest direction, in the pose at time 0.
+/// Returns the state at time 0 of a strand at rest: both segments point in the rest direction, and the rates
+/// are 0.
 ChainState at_rest(const Chain& chain);
 
 /// state_columns() converts states to the memory layout of the kernels, with CHAIN_COLUMNS columns.

@@ -15,18 +15,19 @@ namespace pelage::strands {
 namespace {
 
 // A disc around each accepted candidate keeps later candidates away. A lower density gives larger discs.
-// Below this density the size of the discs stays constant, because a search within a larger radius would take
-// too long. Instead, only some of these discs get a root.
+// Below this density the discs do not grow further, because a search within a larger radius would take too
+// long. Some of these discs then get no root, so that the roots have the lower density.
 constexpr double least_spaced_density = 1.0 / 16;
 // A level is one pass of the outer loop in scatter_roots(), with one distance `radius`. The constant is the
-// number of candidates of a level, divided by the number of points at this distance that fit on the surface.
-// More candidates give more even distances.
+// number of candidates of a level, divided by the number of points that fit on the surface at this distance
+// from each other. More candidates give more even distances.
 constexpr double candidates_per_disc = 4;
 constexpr float radius_step = 0.840896415f;  // 2^(-1/4): sqrt(2) times as many points fit in the next level
 
-// Each batch of candidates is tested in the order of the triangles, because neighbouring triangles are near
-// each other in memory. If the first n roots of the list end within a batch, the distances between these n
-// roots are less even than for other values of n.
+// The candidates of a level are divided into this many batches. The candidates of a batch are tested in the
+// order of the triangles, because neighbouring triangles are near each other in memory. If the first n roots
+// of the list end within a batch, the distances between these n roots are less even than for other values of
+// n.
 constexpr double batches_per_level = 64;
 
 // Stream numbers (class Random) for the candidates and for the order of the roots.
@@ -39,7 +40,7 @@ std::array<glm::dvec3, 3> corners_of(const Mesh& mesh, std::uint32_t face) {
 
 struct Candidate {
   Root root;
-  double density = 0;   ///< at least least_spaced_density
+  double density = 0;   ///< density at the root, or least_spaced_density if that is greater
   bool rooted = false;  ///< whether the candidate's disc gets a root
 };
 
@@ -61,8 +62,9 @@ class Candidates {
   double area() const { return sums_.empty() ? 0 : sums_.back(); }
 
   /// Draws a batch of `count` candidates with the indices `first` to `first` + `count` - 1. The surface is
-  /// divided into `count` strips of equal area, and each strip gets one candidate. The function appends
-  /// the candidates that the density does not reject to `into`, in the order of the triangles.
+  /// divided into `count` strips of equal area, and each strip gets one candidate. The function keeps a
+  /// candidate with the probability Candidate::density, and none where the density is 0. It appends the kept
+  /// candidates to `into`, in the order of the triangles.
   void draw(std::uint64_t first, std::size_t count, std::vector<Candidate>& into) const {
     auto face = sums_.begin();
     for (std::size_t k = 0; k < count; ++k) {
@@ -84,7 +86,7 @@ class Candidates {
  private:
   const Density& density_;
   Random random_;
-  std::vector<double> sums_;  ///< for each triangle, the area of all triangles up to it
+  std::vector<double> sums_;  ///< for each triangle, the area of all triangles up to and including it
 };
 
 /// A disc around an accepted candidate. Its radius is `factor` times the variable `radius` of

@@ -15,7 +15,8 @@ struct ChainOptions {
 
 class Chains {
  public:
-  /// Creates the strands at rest in the pose at time 0. Throws InputError if a value is not valid.
+  /// Creates the strands at rest at time 0 (at_rest() of chain.hpp). Throws InputError if a value is not
+  /// valid.
   Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const ChainDynamics& dynamics,
          const ChainOptions& options = {});
 

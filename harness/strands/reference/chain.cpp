@@ -14,7 +14,7 @@ namespace {
 
 using springs::turned;
 using Vec = glm::dvec3;
-using Pair = Eigen::Matrix<double, 6, 1>;        // the rates of both segments, or a force on both
+using Pair = Eigen::Matrix<double, 6, 1>;        // the rates of both segments, or forces on both
 using PairMatrix = Eigen::Matrix<double, 6, 6>;  // a linear map from a Pair to a Pair
 using FourPairs = Eigen::Matrix<double, 6, 4>;   // one pair in each column
 using FourPairsT = Eigen::Matrix<double, 4, 6>;  // one pair in each row
@@ -31,7 +31,7 @@ Vec second(const Pair& p) {
   return {p[3], p[4], p[5]};
 }
 
-// The values at one time of the symbols that docs/strands.md defines.
+// The values of the symbols of docs/strands.md at one time.
 struct Model {
   double l1, l2, m1, m2, c1, c2, d1, d2, k1, k2;
   double inertia_u, inertia_w, inertia_uw;  // A, B, C
@@ -94,7 +94,7 @@ std::array<double, 4> gaps(const Model& m, Vec u, Vec w) {
           glm::dot(m.n, m.l1 * u + m.l2 * w)};
 }
 
-// Returns the derivatives J of the four gaps, one in each column.
+// Returns the derivatives J of the four gaps with respect to u and w, one gap in each column.
 FourPairs gap_derivatives(const Model& m, Vec u, Vec w) {
   FourPairs j;
   j << pair(m.d, Vec(0)), pair(m.n, Vec(0)), pair(w, u), pair(m.l1 * m.n, m.l2 * m.n);
@@ -108,7 +108,7 @@ std::array<Vec, 2> tangents(Vec v) {
   return {one, glm::normalize(glm::cross(v, one))};
 }
 
-// The equations of item 2.
+// The linear equations for the rates without stops (item 2).
 struct Equations {
   double a, b, c;  // A', B', C'
   Pair right;      // right-hand sides, before the multiplication by P_u and P_w
@@ -127,8 +127,9 @@ Equations equations(const Model& m, const State& s, double eta) {
   return e;
 }
 
-// Returns the matrix that maps right-hand sides to the rates that solve the equations. The rates are sums of
-// tangents of u and w, and the equations are multiplied by the same tangents: 4 equations with 4 unknowns.
+// Returns the matrix that maps right-hand sides to the rates that solve the equations. The rates are linear
+// combinations of vectors orthogonal to u or w (tangents). The equations are projected onto the same
+// tangents, which gives 4 equations with 4 unknowns.
 PairMatrix solution(const Equations& e, Vec u, Vec w) {
   const auto [u1, u2] = tangents(u);
   const auto [w1, w2] = tangents(w);
@@ -143,8 +144,8 @@ PairMatrix solution(const Equations& e, Vec u, Vec w) {
   return basis * solved;
 }
 
-// Returns the impulses of item 3. Without impulses, the value of gap_i / h + J_i . V is gap[i] / h +
-// speed[i].
+// Returns the impulses of the four stops (item 3). `lambda` holds the impulses of the previous step. Without
+// impulses, the value of gap_i / h + J_i . V is gap[i] / h + speed[i].
 std::array<double, 4> impulses(std::array<double, 4> lambda, const std::array<double, 4>& gap, double h,
                                const Eigen::Vector4d& speed, const Eigen::Matrix4d& W, double softening) {
   for (int sweep = 0; sweep < 4; ++sweep)
@@ -174,8 +175,8 @@ Vec in_cone(Vec v, Vec axis, double limit) {
   return angle_between(axis, v) > limit ? turned(axis, axis_between(axis, v), limit) : v;
 }
 
-// Returns `v`, or, if `height` of `v` is negative, the direction on the arc from `v` to `end` where `height`
-// becomes 0. It is not negative at `end`.
+// Returns `v` if height(v) is not negative. Otherwise returns the direction on the arc from `v` to `end` at
+// which `height` becomes 0. height(end) must not be negative.
 template <class Height>
 Vec along_arc(Vec v, Vec end, const Height& height) {
   if (height(v) >= 0) return v;
@@ -238,7 +239,7 @@ State step(const Chain& chain, const ChainDynamics& dynamics, const State& state
     rates += solve * (J * Eigen::Vector4d(next.stop[0], next.stop[1], next.stop[2], next.stop[3]));
   }
 
-  // Item 4. The formula of the document, with y = h Va / 2, is a rotation by 2 atan |y|.
+  // Item 4. With y = h Va / 2, the document's formula for the new direction is a rotation by 2 atan |y|.
   Pair carried = rates;
   if (!held && !acts(next)) carried += (1 / theta - 1) * (rates - pair(state.a, state.b));
   const auto rotated = [&](Vec v, Vec direction, Vec rate) {
@@ -249,7 +250,8 @@ State step(const Chain& chain, const ChainDynamics& dynamics, const State& state
   next.a = rotated(first(carried), state.u, first(rates));
   next.b = rotated(second(carried), state.w, second(rates));
 
-  // Item 5. Each of these four statements changes nothing if its gap is not negative.
+  // Item 5. Each of the four statements belongs to one stop, and changes nothing if the gap of this stop is
+  // not negative.
   next.u = in_cone(next.u, m.d, m.limit1);
   next.u = along_arc(next.u, m.d, [&](Vec v) { return glm::dot(m.n, v); });
   next.w = in_cone(next.w, next.u, m.limit2);

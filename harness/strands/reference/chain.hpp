@@ -1,7 +1,7 @@
 // The double-precision reference for the simulation of strands (docs/strands.md, section Simulation). It
 // computes one strand at a time and shares no code with the kernels. It solves the equations of a step as a
 // dense linear system, and finds the points at which segments touch the skin by bisection. The kernels have
-// closed formulas for both. Tests compare the kernels' results with the reference.
+// closed formulas for both tasks. Tests compare the kernels' results with the reference.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
@@ -19,12 +19,13 @@ struct State {
   std::array<double, 4> stop{};  ///< impulses of the four stops in the last step, at least 0
 };
 
-/// Returns the state of a strand that rests in its rest direction, in the pose at time 0.
+/// Returns the state at time 0 of a strand at rest: both segments point in the rest direction, and the rates
+/// are 0.
 State at_rest(const Chain& chain);
 
-/// Returns the state after one more time step. `number` is the index of this step, starting at 0. Forces,
-/// rest direction and normal are those at the end of the step, that is at the time (number + 1) h. The values
-/// in `chain` and `dynamics` must be in their valid ranges.
+/// Returns the state after one more time step. `number` is the index of this step, starting at 0, and h is
+/// the time step. The step uses the external forces, the rest direction and the normal at its end, which is
+/// the time (number + 1) h. The values in `chain` and `dynamics` must be in their valid ranges.
 State step(const Chain& chain, const ChainDynamics& dynamics, const State& state, long number);
 
 /// Returns the kinetic energy plus the potential energy at `time` in seconds. The potential energy contains

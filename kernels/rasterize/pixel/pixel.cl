@@ -29,9 +29,9 @@ static Hit hit_at(Setup t) {
   return h;
 }
 
-// Tests whether a triangle of layer n covers the pixel with the centre (origin_x, origin_y), and locates the
-// pixel on the triangle. If the triangle crosses the near plane or the guard band, this function first clips
-// it.
+// Tests whether a triangle of layer n covers a pixel, and locates the pixel on the triangle. (origin_x, origin_y) is
+// the pixel's centre in 1/256 pixel, relative to the image centre. If the triangle crosses the near plane or the guard
+// band, this function first clips the triangle.
 static Hit triangle_hit(const RasterParams *s, Geometry m, Layer l, int n, int triangle, int origin_x, int origin_y, int *vertex) {
   Triangles b = triangles_at(s, m, n, gather_rows(m.corners, triangle), origin_x, origin_y);
   for (int c = 0; c < 3; ++c) vertex[c] = b.vertex[c];

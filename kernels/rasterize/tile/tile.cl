@@ -1,6 +1,6 @@
 // Draws the fur by a method that is fast on CPUs: a work-item draws one tile (TILE_W x TILE_H pixels) at a
 // time. The work-item sets up LANES triangles at once. It adds each triangle to the lists of the blocks
-// (4 x 4 pixels each) that the triangle covers. It shades LANES pixels at once. Silva et al. 2010 (Curling and
+// (LANES pixels each) that the triangle covers. It shades LANES pixels at once. Silva et al. 2010 (Curling and
 // Clumping Fur, section 4) draw the layers from the innermost to the outermost with the 'over' operator. This
 // file uses the 'under' operator. It draws the layers from the outermost to the innermost, and the triangles
 // of each layer from the last to the first. Both orders blend the same fragments, because layers write no

@@ -11,7 +11,7 @@ namespace pelage::pictures {
 namespace {
 
 // The opacity of the fur is 26/255. The kernels may skip further triangles of a pixel when its transmittance
-// is at most 1/512. Under 57 triangles with this opacity, the transmittance is still above 1/512.
+// is at most 1/512. After 57 triangles with this opacity, the transmittance is still above 1/512.
 constexpr int coverage = 26;
 
 /// Returns a frame with the triangles of `flat` in the plane z = 0 and upright strands of length 1. The fur

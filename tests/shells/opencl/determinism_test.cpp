@@ -1,7 +1,7 @@
-// A mapping is a way to assign pixels to work-items. The mapping tile divides the picture into tiles and
-// processes the layers in batches. This file tests that it draws a scene with the same bits in every run,
+// A mapping is a way to assign pixels to work-items. The mapping `tile` divides the picture into tiles and
+// processes the layers in batches. This file tests that `tile` draws a scene with the same bits in every run,
 // with any tile size, and with any number of layers per batch (GROUP). The file also compares the pictures of
-// the mappings tile and pixel.
+// the mappings `tile` and `pixel`.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -77,8 +77,8 @@ TEST(Determinism, MappingsAgree) {
   const Picture tile = drawn(input, "tile", {}), pixel = drawn(input, "pixel", {});
   const Agreement agreement = compare(tile, pixel);
   EXPECT_TRUE(within(agreement)) << describe(agreement);
-  // Alpha is 0 in pixels without base surface and fur. The mappings tile and pixel must set alpha to 0 in the
-  // same pixels.
+  // Alpha is 0 in pixels without base surface and fur. The mappings `tile` and `pixel` must set alpha to 0 in
+  // the same pixels.
   std::size_t differing = 0;
   for (std::size_t i = 0; i < tile.pixel.size(); ++i)
     differing += (tile.pixel[i].a == 0) != (pixel.pixel[i].a == 0);

@@ -1,7 +1,7 @@
-// A mapping is a way to assign pixels to work-items. This file tests the mapping `group`. It must cover the
-// same pixels as the mapping `tile`, and draw the same picture in every run. picture_test.cpp compares its
-// pictures with the reference. properties_coverage_test.cpp compares its coverage with exact integer
-// computations.
+// A mapping is a way to assign pixels to work-items. This file tests that the mapping `group` covers the same
+// pixels as the mapping `tile`, and that it draws the same picture in every run. picture_test.cpp compares
+// the pictures of `group` with the reference. properties_coverage_test.cpp compares the coverage of `group`
+// with exact integer computations.
 #include <gtest/gtest.h>
 
 #include <algorithm>

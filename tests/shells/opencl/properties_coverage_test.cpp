@@ -29,7 +29,7 @@ struct Mapping {
   int pictures;    ///< number of pictures of random triangles
   int triangles;   ///< number of random triangles per picture; the pictures of "tile" have a million in total
   int repeats;     ///< number of random meshes of each kind in the test of shared edges
-  int coarser;     ///< the grids of "tile" have this many times as many columns and rows
+  int coarser;     ///< the grids' numbers of columns and rows are divided by this number
   int spokes;      ///< number of triangles around the common corner in each mesh made by star()
   double samples;  ///< least number of pixel centres next to shared edges, summed over all meshes of a test
 };

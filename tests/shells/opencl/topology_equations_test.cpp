@@ -164,8 +164,9 @@ TEST(SpringStage, ARayPokesTheTriangleThatItMeets) {
       if (force[i] != glm::vec3(0)) found.push_back(i);
     return found;
   };
-  // The next lines find the face that the ray of the poke meets first. The ray runs in the direction -x on
-  // the line y = 0.1, z = 0.05. It first meets the face that crosses this line at the greatest x.
+  // The poke (a local force) acts on the face that its ray meets first. The next lines find this face. The
+  // ray runs in the direction -x on the line y = 0.1, z = 0.05. It first meets the face that crosses this
+  // line at the greatest x.
   std::size_t face = 0;
   double farthest = -1;
   for (std::size_t f = 0; f < input.mesh->triangle.size(); ++f) {

@@ -163,9 +163,9 @@ TEST_F(OneClump, TheDisplacementIsEquation5) {
 }
 
 TEST_F(OneClump, Algorithm2DiscardsWhatLooksIntoDryFur) {
-  // On the outermost layer, f = 1 in Eq. 5 of paper S. The wetness rho times clump.gain is also 1, so the
-  // displacement d is the vector from the clump's centre to p. The displaced point p + d is therefore twice
-  // as far from the clump's centre as the fragment's position p.
+  // On the outermost layer, f = 1 in Eq. 5 of paper S. The wetness rho times clump.gain is also 1. Let p be
+  // the fragment's position. The displacement d is then the vector from the clump's centre to p, and the
+  // displaced point p + d is twice as far from the clump's centre as p.
   EXPECT_FALSE(clump_displacement(input, mask, {.59, .5}, 15).discarded);
   EXPECT_TRUE(clump_displacement(input, mask, {.62, .5}, 15).discarded);
   EXPECT_FALSE(clump_displacement(input, mask, {.62, .5}, 3).discarded);

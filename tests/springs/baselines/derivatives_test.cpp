@@ -1,6 +1,7 @@
 // A baseline is another implementation of the solvers: serial C++ loops or the library Eigen. This file tests
-// the backward Euler step of every baseline. The test computes the matrix of a linear system by finite
-// differences of the reference's forces. The change of the velocities must solve this system.
+// the backward Euler step of every baseline. A backward Euler step solves a linear system for the change of
+// the velocities. The test computes the matrix of this system by finite differences of the reference's
+// forces. The baseline's change of the velocities must solve the system.
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"

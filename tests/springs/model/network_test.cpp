@@ -55,7 +55,7 @@ TEST(Topology, ThePapersGrassHas13VerticesAnd16Faces) {
   ASSERT_EQ(mesh->triangle.size(), 16u);
   expect_counts(build(Kind::sticks, *mesh, length), 26, 13);
   // A disk with V = 13 vertices and F = 16 faces has V + F - 1 = 28 edges (Euler's formula). The topology
-  // prisms has one spring per vertex and one spring per edge.
+  // `prisms` has one spring per vertex and one spring per edge.
   expect_counts(build(Kind::prisms, *mesh, length), 26, 13 + 28);
   expect_counts(build(Kind::separable_sticks, *mesh, length), 96, 48);
   expect_counts(build(Kind::separable_prisms, *mesh, length), 96, 96);

@@ -1,5 +1,6 @@
-// Tests adaptive steps. Their result must be close to a solution with short time steps. The simulation
-// must take many steps if the springs are stiff, and few steps if the system is at rest.
+// Tests mass-spring simulations with adaptive time steps. The result must be close to a solution with short
+// time steps. The simulation must take many steps if the springs are stiff, and few steps if the system is at
+// rest.
 #include "harness/springs/opencl/adaptive.hpp"
 
 #include <gtest/gtest.h>

@@ -98,10 +98,10 @@ Spread spread(const std::vector<glm::vec3>& a, const std::vector<glm::dvec3>& b)
   return {std::sqrt(squares / double(error.size())), error[error.size() * 99 / 100], error.back()};
 }
 
-// Tests an irregular mesh of the paper's size. On shared prisms (adjacent prisms share their sticks),
-// compressed springs between tops may buckle in a direction that depends on rounding. A few top masses may
-// therefore have large errors, so the test limits the rms and the 99th percentile of the errors instead of
-// the largest error.
+// Tests an irregular mesh: an elephant with as many triangles as in Banisch and Wuethrich (2006). On shared
+// prisms (adjacent prisms share their sticks), compressed springs between tops may buckle in a direction that
+// depends on rounding. A few top masses may therefore have large errors, so the test limits the rms and the
+// 99th percentile of the errors instead of the largest error.
 TEST(StepsOnTheElephant, AreTheReferencesAfterASecondOfWind) {
   const auto mesh = load_model("banisch-elephant");
   for (const Kind kind : {Kind::prisms, Kind::separable_prisms})

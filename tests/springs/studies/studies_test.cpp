@@ -58,7 +58,7 @@ TEST(EqualError, EverySolverTakesAsFewStepsAsItNeeds) {
     EXPECT_EQ(row.samples.at(name).wall_ms.size(), 6u) << name;
     EXPECT_EQ(row.metrics.contains(name + "_ratio"), solver != default_solver) << name;
     if (steps == 1) continue;
-    // With one time step fewer per frame, the error must be above the limit.
+    // With one time step fewer per frame, the error must be above `limit`.
     Dynamics d = windy();
     d.solver = solver;
     d.step = 1.0f / float(60 * (steps - 1));

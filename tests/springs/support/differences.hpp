@@ -14,8 +14,8 @@ namespace pelage::springs::test {
 
 using Matrix = Eigen::MatrixXd;
 
-/// Returns the derivative of the forces on the top masses with respect to the positions of the top masses or,
-/// if `by_velocity` is true, to their velocities.
+/// Returns the derivative of the forces on the top masses with respect to the positions of the top masses. If
+/// `by_velocity` is true, returns the derivative with respect to their velocities instead.
 inline Matrix differences(const reference::System& system, const reference::State& state, double time,
                           bool by_velocity) {
   const SpringNetwork& topology = system.topology;

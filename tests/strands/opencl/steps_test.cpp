@@ -28,8 +28,8 @@ struct Errors {
   std::vector<double> direction, rate;
   std::size_t touching = 0;
 
-  /// Adds the errors of one strand. The unit of a rate is the root of k1 + g / L, which is of the order of
-  /// the strand's angular frequency.
+  /// Adds the errors of one strand. The unit of a rate is the square root of k1 + g / L, which is of the
+  /// order of the strand's angular frequency.
   void add(const Chain& chain, const ChainState& device, const reference::State& exact) {
     direction.push_back(std::max(glm::distance(glm::dvec3(device.direction[0]), exact.u),
                                  glm::distance(glm::dvec3(device.direction[1]), exact.w)));
@@ -46,8 +46,9 @@ double quantile(std::vector<double> values, double part) {
   return values[std::size_t(part * double(values.size() - 1))];
 }
 
-// A stop that acts in one computation and not in the other, because of rounding, changes the rates of a
-// strand. Such strands are rare, so the worst 0.1% have no limit.
+// Rounding may make a stop (a limit of an angle, or the skin) act on a strand in only one of the two
+// computations. The rates of this strand then differ. Such strands are rare, so the worst 0.1% of the errors
+// have no limit.
 TEST(Steps, AgreeWithTheReference) {
   const std::vector<Chain> chains = sphere_of(2000);
   const ChainDynamics d = shaken();

@@ -19,8 +19,9 @@ TEST(ChainReference, EnergyIsThatOfTwoMasses) {
   }
 }
 
-// With k1 = k2 = 0, the potential energy is -Gu . u - Gw . w, so its values at opposite directions give Gu
-// and Gw. The test finds the root's velocity and acceleration by finite differences of its position.
+// Without stiffness (k1 = k2 = 0), the potential energy is -Gu . u - Gw . w. The test computes each component
+// of Gu and of Gw from the energies for two opposite directions. It computes the velocity and the
+// acceleration of the root by finite differences of the root's position.
 TEST(ChainReference, ForcesFollowTheMovingRoot) {
   constexpr double limit = 1e-5, delta = 1e-4;
   constexpr double tau = 2 * std::numbers::pi, time = 0.37;
@@ -65,7 +66,7 @@ TEST(ChainReference, ForcesFollowTheMovingRoot) {
 }
 
 TEST(ChainReference, AShortStepHasTheAccelerationAndThePowerOfTwoMasses) {
-  constexpr double limit = 2e-3;  // relative; the step's error is proportional to the step of 1e-6 s
+  constexpr double limit = 2e-3;  // relative error; it is proportional to the time step, here 1e-6 s
   std::mt19937 random(2);
   const Chain c = strand({0, 1, 0});
   const ChainDynamics s = windy(1e-6f);
@@ -115,8 +116,9 @@ TEST(ChainReference, BothModesHaveTheirFrequencies) {
   }
 }
 
-// For small displacements a step is the theta method of M x'' + D x' + K x = 0, with theta = 1 if a stop
-// holds the strand. At this step of 1/240 s the terms in h^2 are large.
+// For small displacements, a time step must equal a step of the theta method for M x'' + D x' + K x = 0. If a
+// stop (a limit of an angle, or the skin) had an impulse in the previous step, theta is 1. With the time step
+// h = 1/240 s, the terms in h^2 are large.
 TEST(ChainReference, OneStepIsTheThetaMethod) {
   constexpr double limit = 1e-5;
   const Chain c = strand({0, -1, 0});

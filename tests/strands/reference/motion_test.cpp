@@ -1,5 +1,5 @@
 // Tests properties of the motion that the reference for strands computes: equilibrium, convergence to the
-// motion of two point masses, energy, stops, and rest with the conditions of contact.
+// motion of two point masses, energy, stops (limits of angles, and the skin), and contact forces at rest.
 #include <gtest/gtest.h>
 
 #include "tests/strands/reference/two_masses.hpp"
@@ -22,9 +22,10 @@ TEST(ChainReference, RestsWhereThePotentialEnergyIsStationary) {
     EXPECT_NEAR(slope, 0, limit);
 }
 
-// The steps are powers of 2, so that all runs end at exactly the same time.
+// The time steps are powers of 2, so that all simulations end at exactly the same time. With half the time
+// step, a first-order method has half the error. The test permits `ratio` times the error.
 void expect_convergence(const Chain& c, ChainDynamics s, const State& start) {
-  constexpr double until = 0.5, largest = 0.02, ratio = 0.6;  // a method of first order has the ratio 0.5
+  constexpr double until = 0.5, largest = 0.02, ratio = 0.6;
   const State expected = Masses(c, s).runge_kutta(start, until, 4096);
   double last = 0;
   for (const int steps : {256, 512, 1024}) {
@@ -90,7 +91,7 @@ TEST(ChainReference, EnergyNeverRises) {
 }
 
 TEST(ChainReference, DirectionsStayUnitVectorsWithinTheStops) {
-  constexpr double limit = 1.001e-6;  // step 6 keeps directions with gaps down to -1e-6
+  constexpr double limit = 1.001e-6;  // item 6 of "Time step" in docs/strands.md permits -1e-6
   constexpr double rounding = 1e-9;
   std::array<int, 4> acted{};
   for (int number = 0; number < 4; ++number) {
@@ -119,8 +120,9 @@ TEST(ChainReference, DirectionsStayUnitVectorsWithinTheStops) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_GT(acted[k], 0) << "stop " << k;
 }
 
-// At rest the impulses divided by h are the contact forces: the gradient of the potential energy is the sum
-// of the gaps' gradients times these forces.
+// The gap of a stop is negative if the strand violates the stop's constraint. At rest, the contact force of a
+// stop is its impulse divided by the time step. The gradient of the potential energy must equal the sum of
+// the gradients of the gaps, each multiplied by the contact force of its stop.
 TEST(ChainReference, AfterTenSecondsStopsCarryTheStrandAtRest) {
   constexpr double rate_limit = 1e-3;   // rad/s
   constexpr double force_limit = 0.05;  // 1/s^2; the forces on the stops are between 10 and 50 / s^2

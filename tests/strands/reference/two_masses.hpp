@@ -93,8 +93,7 @@ struct Masses {
   }
 };
 
-// Returns a strand whose stops are far away, with unequal lengths and masses, so that exchanged symbols
-// change the results.
+// Returns a strand whose stops (limits of angles, and the skin) are far away.
 inline Chain strand(glm::vec3 rest) {
   Chain c;
   c.rest = c.normal = rest;
@@ -103,6 +102,8 @@ inline Chain strand(glm::vec3 rest) {
   return c;
 }
 
+// Returns dynamics without external forces and damping. The two segments have unequal lengths, and the two
+// masses are unequal, so that exchanged symbols change the results of the tests.
 inline ChainDynamics still(float step) {
   ChainDynamics s;
   s.step = step;
@@ -165,14 +166,14 @@ inline std::array<double, 4> gradient(const State& state, const std::function<do
   return found;
 }
 
-// The matrices of small oscillations about the rest direction, where gravity points along this direction:
-// M x'' + D x' + K x = 0 for the displacements x of u and w along one tangent.
+// The matrices of the equation M x'' + D x' + K x = 0 of small oscillations about the rest direction. x
+// contains the displacements of u and w along one tangent. Gravity must point along the rest direction.
 struct Linear {
   Eigen::Matrix2d M, D, K;
 };
 
 inline Linear linear(const Masses& m) {
-  Eigen::Matrix2d to_positions;  // displacements of joint and tip
+  Eigen::Matrix2d to_positions;  // maps x to the displacements of joint and tip
   to_positions << m.l1, 0, m.l1, m.l2;
   const Eigen::Matrix2d mass = Eigen::Vector2d(m.m1, m.m2).asDiagonal();
   const double weight = glm::dot(m.gravity, m.rest);
@@ -187,8 +188,11 @@ inline Linear linear(const Masses& m) {
   return s;
 }
 
-// Strands that rest on the stops of their number when they hang down: 0 on the first limit, 1 on the skin
-// with joint and tip, 2 on the second limit, 3 on the first limit and with the tip on the skin.
+// Returns the strand `number`. With the dynamics of pressing(), it comes to rest on these stops:
+// strand 0: Chain::limit_first
+// strand 1: the skin below the joint, and the skin below the tip
+// strand 2: Chain::limit_second
+// strand 3: Chain::limit_first, and the skin below the tip
 inline Chain pressed(int number) {
   Chain c;
   const float tilt = number == 1 || number == 3 ? glm::radians(60.0f) : 0.0f;

@@ -1,0 +1,57 @@
+// The input of a picture of strands (docs/strands.md, section Drawing). R is the radius of the mesh's
+// bounding sphere.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "harness/prepare/frame_input.hpp"
+
+namespace pelage::strands {
+
+/// A strand as it is drawn. Positions and directions are in the object's frame.
+struct DrawnStrand {
+  /// Control points of a quadratic Bezier curve: root, joint and tip, in R.
+  std::array<glm::vec3, 3> point{};
+  glm::vec3 normal{0, 1, 0};  ///< normal of the skin at the root, unit vector
+  glm::vec3 colour{0.5f};     ///< colour of the strand, gamma-encoded, each component 0 to 1
+  float width = 0.002f;       ///< width at the root, R
+  int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
+};
+
+/// The values that all strands of a picture share.
+struct Look {
+  int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 8
+  float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
+  float opacity = 0.85f;                ///< alpha of a strand at its root, 0 to 1; it falls to 0 at the tip
+  glm::vec3 light{0.25f, 1.0f, -0.4f};  ///< direction towards the key light, of any length above 0
+  float intensity = 1.0f;               ///< intensity of the key light
+  float ambient = 0.2f;                 ///< ambient light
+  glm::vec3 specular{0.2f};             ///< colour of the highlight
+  float exponent = 24.0f;               ///< exponent of the highlight, at least 1
+  glm::vec3 background{0.30f, 0.34f, 0.39f};
+};
+
+/// The part of the view depth that the sort divides into 2^24 steps.
+struct DepthRange {
+  float nearest = 0;    ///< view depth of the first step, R
+  float per_depth = 1;  ///< number of steps per R
+};
+
+/// An entry of the list of strands to draw.
+struct Entry {
+  std::uint32_t key = 0;     ///< the rank in the upper 8 bits, and the depth step in the lower 24 bits
+  std::uint32_t strand = 0;  ///< index of the strand
+  bool operator==(const Entry&) const = default;
+};
+
+/// Returns the depth range of a view in which no joint is further than `radius` from the object's origin.
+/// `radius` is in R and above 0.
+DepthRange depth_range(const Camera& camera, float radius);
+
+/// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
+/// valid range.
+void check(const Look& look);
+
+}  // namespace pelage::strands

@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+"""Checks the measured figures in sentences of the documents, or writes them.
+
+SENTENCES below lists sentences with places for numbers, and a function that computes the numbers. The functions read the
+tables that scripts/record_all.sh wrote to docs/: docs/rivals, docs/topology, docs/scaling and docs/roofline. A sentence may
+be broken into lines anywhere in the document.
+
+  scripts/figures.py           writes the numbers into the documents, after new rows were recorded
+  scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
+                               there is one. The test house.Figures runs this command.
+"""
+import csv
+import math
+import re
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+NUMBER = r"-?[0-9][0-9.,]*[0-9]|[0-9]"
+LARGE = ("bunny", "elephant", "lion")  # the models of Table 1 with the most triangles
+
+
+def table(name):
+    """Returns the rows of a CSV file whose status is ok, with numbers where a cell is a number."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    with (ROOT / "docs" / name).open(newline="", encoding="utf-8") as file:
+        rows = [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+    return [row for row in rows if row.get("status", "ok") == "ok"]
+
+
+def mean(values):
+    """Returns the geometric mean."""
+    values = list(values)
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def median(values):
+    values = sorted(values)
+    return (values[(len(values) - 1) // 2] + values[len(values) // 2]) / 2
+
+
+def by(rows, *keys):
+    """Returns a dictionary from the values of `keys` to the rows with these values."""
+    groups = defaultdict(list)
+    for row in rows:
+        groups[tuple(row[key] for key in keys)].append(row)
+    return groups
+
+
+def cell(row):
+    return f"{row['model']}, {row['layers']:.0f} layers, {row['size'].replace('x', ' x ')}"
+
+
+def ends(values, form):
+    """Returns the smallest and the largest value as text."""
+    values = list(values)
+    return {"least": format(min(values), form), "most": format(max(values), form)}
+
+
+def rivals():
+    return [row for row in table("rivals/rivals-ratio.csv") if row["reading"] == "default" and "-" not in row["model"]]
+
+
+def rival_ratios():
+    rows = sorted(rivals(), key=lambda row: row["ratio"])
+    return {"cells": len(rows), "mean": f"{mean(row['ratio'] for row in rows):.2f}",
+            "least": f"{rows[0]['ratio']:.1f}", "least_cell": cell(rows[0]),
+            "most": f"{rows[-1]['ratio']:.1f}", "most_cell": cell(rows[-1])}
+
+
+def rival_ratios_of_large_models():
+    rows = sorted((row for row in rivals() if row["model"] in LARGE), key=lambda row: row["ratio"])
+    return {"least": f"{rows[0]['ratio']:.1f}", "low": f"{rows[0]['ratio_low']:.1f}",
+            "high": f"{rows[0]['ratio_high']:.1f}", "cell": cell(rows[0]),
+            "second": f"{rows[1]['ratio']:.1f}", "most": f"{rows[-1]['ratio']:.1f}"}
+
+
+def rival_ratios_of_models():
+    means = {model: mean(row["ratio"] for row in rows) for (model,), rows in by(rivals(), "model").items()}
+    return {model: f"{means[model]:.1f}" for model in ("torus", "lion")}
+
+
+def default_options():
+    """The time of the default variant divided by the time of the fastest variant, in each of two cells."""
+    return {"mean": f"{mean(row['by_fastest'] for row in table('rivals/rival-options.csv') if row['way'] == 'opengl'):.2f}"}
+
+
+def topologies():
+    """For each cell of Table 1, a dictionary from topology to row."""
+    cells = by(table("topology/topology-table1.csv"), "model", "layers", "size")
+    return [{row["topology"]: row for row in rows} for rows in cells.values()]
+
+
+def simulate_ms(*topology):
+    return [c[t]["simulate_ms"] for c in topologies() for t in topology]
+
+
+def simulate_ratio(topology, other):
+    return [c[t]["simulate_ms"] / c[other]["simulate_ms"] for c in topologies() for t in topology]
+
+
+def shares():
+    return {kind: [100 * c[kind]["simulate_ms"] / c[kind]["median_ms"] for c in topologies()] for kind in topologies()[0]}
+
+
+def frames_by_silva(topology):
+    return f"{mean(c[topology]['median_ms'] / c['silva']['median_ms'] for c in topologies()):.2f}"
+
+
+def layer_ratios(column, models=None):
+    rows = [row for row in table("scaling/layers.csv") if row["layers"] == 64 and (not models or row["model"] in models)]
+    return ends((row[column] for row in rows), ".2f")
+
+
+def scaling_text(pattern):
+    text = (ROOT / "docs/scaling/scaling.txt").read_text(encoding="utf-8")
+    return [tuple(float(x) for x in found) if isinstance(found, tuple) else float(found) for found in re.findall(pattern, text)]
+
+
+def held_out():
+    [(middle, low, high)] = scaling_text(r"held out: predicted / measured - 1 is (\d+)% in the middle, (-?\d+)% to \+(\d+)%")
+    return {"middle": f"{middle:.0f}", "most": f"{max(-low, high):.0f}"}
+
+
+def largest_pictures():
+    pairs = scaling_text(r"3840x2160 +([\d.]+) ms measured, +([\d.]+) predicted")
+    return ends((100 * (1 - measured / predicted) for measured, predicted in pairs), ".0f")
+
+
+def drawing_share(model):
+    rows = [row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells" and row["case"].startswith(model + "-")]
+    return [100 * row["ms"] / row["frame_ms"] for row in rows]
+
+
+def share_of_roof():
+    return ends((100 * row["share_of_roof"] for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), ".0f")
+
+
+SENTENCES = [
+    ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}. The lowest ratio is "
+     "{least} ({least_cell}). The highest ratio is {most} ({most_cell}).", rival_ratios),
+    ("docs/rival.md", "On bunny, elephant and lion, the lowest ratio is {least} (95% interval {low} to {high}; {cell}). In the "
+     "other cells of these three models the ratio is {second} to {most}.", rival_ratios_of_large_models),
+    ("docs/rival.md", "the geometric mean over the four cells of a model is {torus} for the torus and {lion} for the lion",
+     rival_ratios_of_models),
+    ("docs/rival.md", "The geometric mean of the two quotients is {mean}", default_options),
+    ("docs/topology.md", "the simulation of sticks takes the least time: {least} to {most} ms",
+     lambda: ends(simulate_ms("sticks"), ".2f")),
+    ("docs/topology.md", "in frames of {least} to {most} ms",
+     lambda: ends((c["sticks"]["median_ms"] for c in topologies()), ".0f")),
+    ("docs/topology.md", "The simulation of sticks takes {least} to {most} times as long as the simulation of Silva's strands",
+     lambda: ends(simulate_ratio(["sticks"], "silva"), ".2f")),
+    ("docs/topology.md", "The simulation of separable topologies takes {least} to {most} times as long as the simulation of "
+     "sticks.", lambda: ends(simulate_ratio(["separable-sticks", "separable-prisms"], "sticks"), ".1f")),
+    ("docs/topology.md", "The simulation of shared prisms takes {least} to {most} ms.",
+     lambda: ends(simulate_ms("prisms"), ".2f")),
+    ("docs/topology.md", "No simulation takes more than {most}% of the frame time.",
+     lambda: {"most": f"{max(x for values in shares().values() for x in values):.1f}"}),
+    ("docs/topology.md", "the simulation's share of the frame time has a median of at most {most}% over all cases",
+     lambda: {"most": f"{max(median(values) for values in shares().values()):.1f}"}),
+    ("docs/topology.md", "{sticks} times as long with separable sticks and {prisms} times with separable prisms (geometric "
+     "means)", lambda: {"sticks": frames_by_silva("separable-sticks"), "prisms": frames_by_silva("separable-prisms")}),
+    ("docs/performance.md", "on the models of `silva2010-table1`, frames with twice as many layers take {least} to {most} times "
+     "as long",
+     lambda: layer_ratios("half_ratio")),
+    ("docs/performance.md", "Frames with four times as many layers take {least} to {most} times as long",
+     lambda: layer_ratios("quarter_ratio")),
+    ("docs/performance.md", "on bunny, elephant and lion they take {least} to {most} times as long",
+     lambda: layer_ratios("quarter_ratio", LARGE)),
+    ("docs/performance.md", "In this experiment, frames with twice as many layers take {least} to {most} times as long.",
+     lambda: ends(scaling_text(r"layers: .* ms, ([\d.]+) times"), ".2f")),
+    ("docs/performance.md", "the median error of the predicted frame time is {middle}% and the largest error is {most}%",
+     held_out),
+    ("docs/performance.md", "Pictures of 3840 x 2160 pixels take {least} to {most}% less time than the linear model predicts",
+     largest_pictures),
+    ("docs/performance.md", "`tile_shells` takes {least} to {most}% of the frame time of the lion",
+     lambda: ends(drawing_share("lion"), ".0f")),
+    ("docs/performance.md", "and {least} to {most}% of the frame time of the torus",
+     lambda: ends(drawing_share("torus"), ".0f")),
+    ("docs/performance.md", "the rate of operations of `tile_shells` is {least} to {most}% of its roof", share_of_roof),
+]
+
+
+def pattern_of(template):
+    """Returns a regular expression that matches the sentence with any numbers, broken into lines anywhere."""
+    parts = re.split(r"(\{\w+\})", template)
+    made = ""
+    for part in parts:
+        if re.fullmatch(r"\{\w*cell\}", part):
+            made += f"(?P<{part[1:-1]}>[^()]+?)"
+        elif re.fullmatch(r"\{\w+\}", part):
+            made += f"(?P<{part[1:-1]}>{NUMBER})"
+        else:
+            made += r"\s+".join(re.escape(word) for word in re.split(r"\s+", part))
+    return re.compile(made)
+
+
+def checked(text, template, values):
+    """Returns the text with the computed values in the sentence, and the faults."""
+    found = list(pattern_of(template).finditer(text))
+    if len(found) != 1:
+        return text, [f"occurs {len(found)} times, must be once: {template}"]
+    faults = []
+    for name in sorted(found[0].groupdict(), key=found[0].start, reverse=True):
+        here, wanted = found[0].group(name), str(values[name])
+        if " ".join(here.split()) != wanted:
+            faults.append(f"says {' '.join(here.split())} instead of {wanted}: {template}")
+            text = text[:found[0].start(name)] + wanted + text[found[0].end(name):]
+    return text, faults
+
+
+def main():
+    only_check = sys.argv[1:] == ["--check"]
+    if sys.argv[1:] and not only_check:
+        sys.exit(__doc__)
+    failed = False
+    documents = {}
+    for name, template, compute in SENTENCES:
+        text = documents.get(name) or (ROOT / name).read_text(encoding="utf-8")
+        documents[name], faults = checked(text, template, compute())
+        for fault in faults:
+            missing = fault.startswith("occurs")
+            failed = failed or only_check or missing
+            print(f"{name}: {fault}" if only_check or missing else f"{name}: {fault.split(':')[0].replace('says', 'was')}")
+    if not only_check:
+        for name, text in documents.items():
+            (ROOT / name).write_text(text, encoding="utf-8")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
