@@ -93,7 +93,7 @@ def default_options():
 def topologies():
     """For each cell of Table 1, a dictionary from topology to row."""
     cells = by(table("topology/topology-table1.csv"), "model", "layers", "size")
-    return [{row["topology"]: row for row in rows} for rows in cells.values()]
+    return [{row["dynamics.topology"]: row for row in rows} for rows in cells.values()]
 
 
 def simulate_ms(*topology):
@@ -113,7 +113,7 @@ def frames_by_silva(topology):
 
 
 def layer_ratios(column, models=None):
-    rows = [row for row in table("scaling/layers.csv") if row["layers"] == 64 and (not models or row["model"] in models)]
+    rows = [row for row in table("scaling/layers-ratios.csv") if row["layers"] == 64 and (not models or row["model"] in models)]
     return ends((row[column] for row in rows), ".2f")
 
 

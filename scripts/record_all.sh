@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
 # use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/scaling, docs/roofline, the table of
-# README.md and the verdicts in docs/claims.md. The machine must run nothing else. It takes about two hours on two cores.
+# README.md, the verdicts in docs/claims.md and the figures in the documents (scripts/figures.py). The machine must run
+# nothing else. The script takes about two hours on two cores.
 #
 # Usage: scripts/record_all.sh FOLDER
 # FOLDER receives the runs. If the script is stopped, the same command continues after the last complete part.
@@ -14,7 +15,8 @@ export PELAGE=${PELAGE:-build/release/pelage}
 runs=$1
 mkdir -p "$runs"
 
-# Runs a part once: part NAME COMMAND... The option -o of pelage run names the folder of the part.
+# A part is a command whose results lie in the folder NAME of FOLDER. The file NAME.done says that the part is complete.
+# A complete part is not run again. Usage: part NAME COMMAND...
 part() {
   local name=$1
   shift
@@ -26,7 +28,8 @@ part() {
 }
 
 # Runs experiments into the folder of a part: measure NAME EXPERIMENT... OPTION...
-# A picture that fails its check gives exit code 1. Its row says so, and the claims leave it out.
+# The exit code is 1 if a picture fails its check. The row of such a case has the status `failed-check`, and the claims
+# do not use the row.
 measure() {
   local name=$1 code=0
   shift
@@ -61,3 +64,4 @@ scripts/record_report.sh docs/rivals "$runs"/{rivals,rivals-tori,rival-options}
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 cp "$runs"/roofline/roofline.{csv,svg,pdf} docs/roofline/
 scripts/claims_table.py "$PELAGE"
+scripts/figures.py

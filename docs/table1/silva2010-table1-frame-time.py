@@ -1,95 +1,224 @@
 #!/usr/bin/env python3
-"""Frame time against triangles, per layer count and picture size, log-log; the paper's own figures beside.
+"""Draws one column of a table of results against another column, as a JSON description states.
 
-usage: frame_time.py TABLE.csv OUT.svg [OUT.pdf ...]
+usage: plot.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is the table that stands beside this file in a report. Only matplotlib is needed.
+`pelage report` writes this program, the table (TABLE.csv) and the description (TABLE.json) into one folder. The program
+needs only matplotlib. If all values of x are numbers, it draws lines; otherwise it draws points. A picture size
+such as 800x600 counts as a number, its number of pixels. The error bars are the 95% intervals.
 """
 import csv
+import itertools
+import json
+import math
+import re
 import sys
+from pathlib import Path
 
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's colours, told apart by everyone; also different markers, for print in grey.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
-MARKERS = ["o", "s", "^", "D"]
+# Colour-blind readers can distinguish these colours of Okabe and Ito. The markers distinguish the lines in grey print.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00", "#000000"]
+MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<"]  # Eight markers and seven colours give 56 different series.
+MOST_COLUMNS = 4  # This is the largest number of panels side by side.
+MOST_LEGEND = 24  # This is the largest number of series in the legend.
 
 
 def number(text):
-    return float(text) if text else None
+    """Returns the number in the text. Returns the number of pixels for a picture size, and None for other texts."""
+    try:
+        value = float(text)
+    except (TypeError, ValueError):
+        size = re.fullmatch(r"(\d+)x(\d+)", text or "")
+        return float(size[1]) * float(size[2]) if size else None
+    return value if math.isfinite(value) else None
 
 
-def leading(text):
-    digits = "".join(c if c.isdigit() else " " for c in text).split()
-    return int(digits[0]) if digits else 0
+def natural(text):
+    value = number(text)
+    if value is not None:
+        return (0, value, [])
+    return (1, 0.0, [(0, int(p), "") if p.isdigit() else (1, 0, p) for p in re.split(r"(\d+)", text) if p])
+
+
+class Keys:
+    """Sorts and labels the values of the table's columns."""
+
+    def __init__(self, description):
+        self.order, self.labels = description["order"], description["labels"]
+
+    def place(self, column, value):
+        order = self.order.get(column, [])
+        return (order.index(value) if value in order else len(order), natural(value))
+
+    def combinations(self, rows, columns):
+        found = {tuple(r[c] for c in columns) for r in rows}
+        return sorted(found, key=lambda values: [self.place(c, v) for c, v in zip(columns, values)])
+
+    def text(self, columns, values):
+        parts = [self.labels.get(c, "{}").replace("{}", re.sub(r"^(\d+)x(\d+)$", "\\1 × \\2", v))
+                 for c, v in zip(columns, values) if not (c == "reading" and v == "default")]
+        return ", ".join(p for p in parts if p)
+
+
+def bars(rows, value, low, high):
+    """Returns the lengths of the error bars below and above the values, or None if there are no intervals."""
+    if not low:
+        return None
+    below = [max(0.0, v - (number(r[low]) if number(r[low]) is not None else v)) for v, r in zip(value, rows)]
+    above = [max(0.0, (number(r[high]) if number(r[high]) is not None else v) - v) for v, r in zip(value, rows)]
+    return [below, above]
+
+
+def draw_published(axis, rows, x_of, published, style):
+    """Draws the numbers of the paper. If a number is only a lower limit, draws an arrow that points up from it."""
+    column = published["column"]
+    have = [r for r in rows if number(r[column]) is not None]
+    known = [r for r in have if number(r[column + "_high"]) is not None or number(r[column + "_low"]) is None]
+    handle = None
+    if known:
+        y = [number(r[column]) for r in known]
+        handle = axis.errorbar([x_of(r) for r in known], y, yerr=bars(known, y, column + "_low", column + "_high"),
+                               markerfacecolor="white", linewidth=0.9, linestyle="--", **style)
+    for r in have:
+        if r not in known:
+            x, y = x_of(r), number(r[column])
+            axis.annotate("", (x, y * 2), (x, y),
+                          arrowprops={"arrowstyle": "->", "color": style["color"], "linestyle": "--"})
+            axis.plot(x, y, linestyle="none", markerfacecolor="white",
+                      **{k: v for k, v in style.items() if k != "capsize"})
+            axis.plot(x, y * 2.2, alpha=0)  # invisible; extends the axis, so that the arrow fits
+    return handle
+
+
+def least_step(rows, d):
+    """Returns the smallest distance between two values of x, or between their logarithms if the axis is logarithmic.
+
+    Returns 0 if x has only one value.
+    """
+    values = sorted({number(r[d["x"]]) for r in rows if number(r[d["x"]]) is not None})
+    if d["x_scale"] == "log":
+        values = [math.log(v) for v in values if v > 0]
+    return min((b - a for a, b in zip(values, values[1:])), default=0)
+
+
+def draw_panel(axis, rows, series, categories, keys, d):
+    """Draws the series of one panel. Returns a map from the labels of the legend to the drawn artists."""
+    handles = {}
+    # Error bars at the same x would cover each other. They are therefore drawn beside each other. The distance between
+    # two neighbouring bars is 4% of the smallest distance between two values of x, and less if there are more than four
+    # series.
+    beside = 0 if categories or not d["low"] else 0.04 * least_step(rows, d) / max(1, len(series) / 4)
+    for i, values in enumerate(series):
+        colour, marker = COLOURS[i % len(COLOURS)], MARKERS[i % len(MARKERS)]
+        style = {"color": colour, "marker": marker, "markersize": 4.5, "capsize": 2}
+        mine = [r for r in rows if tuple(r[c] for c in d["series"]) == values]
+        if categories:
+            shift = 0.7 / max(1, len(series)) * (i - (len(series) - 1) / 2)
+
+            def x_of(r, shift=shift):
+                return categories.index(r[d["x"]]) + shift
+        else:
+            mine = sorted((r for r in mine if number(r[d["x"]]) is not None), key=lambda r: number(r[d["x"]]))
+
+            def x_of(r, shift=beside * (i - (len(series) - 1) / 2)):
+                x = number(r[d["x"]])
+                return x * math.exp(shift) if d["x_scale"] == "log" else x + shift
+        have = [r for r in mine if number(r[d["y"]]) is not None]
+        y = [number(r[d["y"]]) for r in have]
+        label = keys.text(d["series"], values)
+        ours = ", ".join(p for p in ("ours" if "published" in d else "", label) if p)
+        if have:
+            # If several points have the same x (models with equal numbers of triangles), no line joins the points.
+            joined = not categories and len({x_of(r) for r in have}) == len(have)
+            handles[ours] = axis.errorbar([x_of(r) for r in have], y, yerr=bars(have, y, d["low"], d["high"]),
+                                           linewidth=1.3, elinewidth=1, linestyle="-" if joined else "none", **style)
+        if "published" in d:
+            handle = draw_published(axis, mine, x_of, d["published"], style)
+            if handle:
+                name = d["published"]["label"]
+                handles[f"{name}, {label}" if label else name] = handle
+    return handles
+
+
+def decorate(axis, title, categories, values, d):
+    """Sets the scales, ticks and title of a panel. If x is numeric, `values` contains its values."""
+    axis.set_yscale(d["y_scale"])
+    if categories:
+        axis.set_xticks(range(len(categories)), categories, rotation=30 if len(categories) > 4 else 0,
+                        ha="right" if len(categories) > 4 else "center")
+        axis.set_xlim(-0.6, len(categories) - 0.4)
+    else:
+        axis.set_xscale(d["x_scale"])
+        if d["x_scale"] == "linear":
+            axis.xaxis.set_major_locator(matplotlib.ticker.FixedLocator(values) if 1 < len(values) <= 5 else
+                                         matplotlib.ticker.MaxNLocator(5))
+            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+    if "guide" in d:
+        axis.axhline(d["guide"], color="0.4", linewidth=0.8)
+    axis.set_title(title, fontsize=9)
+    axis.grid(True, which="major", color="0.85", linewidth=0.6)
+    axis.grid(True, which="minor", color="0.93", linewidth=0.4)
+    axis.set_axisbelow(True)
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+
+
+def plain_ticks(axis):
+    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades."""
+    for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
+                                 (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
+        if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
+            continue
+        steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
+        ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
+        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+        ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
 def main(table, outputs):
     with open(table, newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    layers = sorted({r["layers"] for r in rows}, key=leading)
-    sizes = sorted({r["size"] for r in rows}, key=leading)
+    d = json.loads(Path(table).with_suffix(".json").read_text(encoding="utf-8"))
+    keys = Keys(d)
+    panels = keys.combinations(rows, d["panels"]) or [()]
+    series = keys.combinations(rows, d["series"]) or [()]
+    numeric = all(number(r[d["x"]]) is not None for r in rows if r[d["x"]])
+    numbers = sorted({number(r[d["x"]]) for r in rows if r[d["x"]]}) if numeric else []
+    in_order = list(dict.fromkeys(r[d["x"]] for r in rows))
+    categories = [] if numeric else sorted(in_order, key=lambda v: (keys.place(d["x"], v)[0], in_order.index(v)))
 
     plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
-    figure, axes = plt.subplots(1, max(1, len(layers)), figsize=(3.6 * max(1, len(layers)) + 1.2, 4.2),
-                                sharex=True, sharey=True, squeeze=False, constrained_layout=True)
-    drawn = {}
-    top = max([number(r["median_ms_high"]) or 0 for r in rows] +
-              [2200 for r in rows if r["paper_relation"] == "<"], default=0)
-    for axis, layer in zip(axes[0], layers):
-        for i, size in enumerate(sizes):
-            colour, marker = COLOURS[i % 4], MARKERS[i % 4]
-            cell = sorted((r for r in rows if r["layers"] == layer and r["size"] == size and r["triangles"]),
-                          key=lambda r: float(r["triangles"]))
-            ours = [r for r in cell if number(r["median_ms"])]
-            x = [float(r["triangles"]) for r in ours]
-            y = [float(r["median_ms"]) for r in ours]
-            error = [[max(0, m - float(r["median_ms_low"])) for m, r in zip(y, ours)],
-                     [max(0, float(r["median_ms_high"]) - m) for m, r in zip(y, ours)]]
-            if ours:
-                drawn["ours, " + size.replace("x", " × ")] = axis.errorbar(
-                    x, y, yerr=error, color=colour, marker=marker, markersize=5, linewidth=1.4, capsize=2)
-            paper = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] != "<"]
-            if paper:
-                # A whole number of frames per second stands for all that rounds to it.
-                y = [1000 / float(r["paper_fps"]) for r in paper]
-                error = [[m - 1000 / (number(r["paper_fps_high"]) or 1000 / m) for m, r in zip(y, paper)],
-                         [1000 / (number(r["paper_fps_low"]) or 1000 / m) - m for m, r in zip(y, paper)]]
-                drawn["paper, " + size.replace("x", " × ")] = axis.errorbar(
-                    [float(r["triangles"]) for r in paper], y, yerr=error, color=colour, marker=marker,
-                    markersize=5, markerfacecolor="white", linewidth=0.9, linestyle="--", capsize=2)
-            # "< 1 fps" is a bound: the frame took longer than this.
-            bounds = [r for r in cell if number(r["paper_fps"]) and r["paper_relation"] == "<"]
-            for r in bounds:
-                bound = 1000 / float(r["paper_fps"])
-                axis.annotate("", (float(r["triangles"]), bound * 2), (float(r["triangles"]), bound),
-                              arrowprops={"arrowstyle": "->", "color": colour, "linestyle": "--"})
-                axis.plot(float(r["triangles"]), bound, color=colour, marker=marker, markersize=5,
-                          markerfacecolor="white", linestyle="none")
-            if bounds:
-                axis.annotate("paper: < 1 fps", (float(bounds[0]["triangles"]), 2000), xytext=(-6, 0),
-                              textcoords="offset points", ha="right", va="center", fontsize=8, color="0.35")
-        axis.set_xscale("log")
-        axis.set_yscale("log")
-        axis.set_title(layer + " layers", fontsize=10)
-        axis.set_xlabel("triangles")
-        axis.grid(True, which="major", color="0.85", linewidth=0.6)
-        axis.grid(True, which="minor", color="0.93", linewidth=0.4)
-        for side in ("top", "right"):
-            axis.spines[side].set_visible(False)
-    if top > axes[0][0].get_ylim()[1]:
-        axes[0][0].set_ylim(top=1.3 * top)
-    axes[0][0].set_ylabel("frame time, ms")
-    if drawn:
-        figure.legend(drawn.values(), drawn.keys(), loc="lower center",
-                      ncol=max(2, len(drawn) // 2 if len(drawn) > 4 else len(drawn)), frameon=False,
-                      bbox_to_anchor=(0.5, -0.1))
-    device = rows[0]["device"] if rows else ""
-    if device:
-        figure.suptitle(device, fontsize=9, color="0.35")
+    across = min(MOST_COLUMNS, len(panels))
+    down = math.ceil(len(panels) / across)
+    width = max(3.0, 0.45 * len(categories) * max(1, len(series) / 4) + 1) if categories else 3.2
+    figure, axes = plt.subplots(down, across, figsize=(min(width, 7) * across + 0.8, 3.0 * down + 0.6), sharex=not categories,
+                                sharey=True, squeeze=False, constrained_layout=True)
+    handles = {}
+    for axis, values in itertools.zip_longest(axes.flat, panels):
+        if values is None:
+            axis.set_visible(False)
+            continue
+        mine = [r for r in rows if tuple(r[c] for c in d["panels"]) == values]
+        for label, handle in draw_panel(axis, mine, series, categories, keys, d).items():
+            handles.setdefault(label, handle)
+        decorate(axis, keys.text(d["panels"], values), categories, numbers, d)
+    plain_ticks(axes[0][0])
+    for i, row in enumerate(axes):
+        row[0].set_ylabel(d["y_label"])
+        for j, axis in enumerate(row):
+            if not categories and (i + 1) * across + j >= len(panels):
+                axis.set_xlabel(d["x_label"])
+                axis.tick_params(labelbottom=True)
+    if any(handles):
+        shown = dict(itertools.islice(handles.items(), MOST_LEGEND))
+        figure.legend(shown.values(), shown.keys(), loc="upper center", bbox_to_anchor=(0.5, 0.0),
+                      ncol=min(len(shown), 2 * across, 4), frameon=False)
+    if d["note"]:
+        figure.suptitle(d["note"], fontsize=8, color="0.35")
     for output in outputs:
         meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
         figure.savefig(output, bbox_inches="tight", metadata=meta, dpi=150)

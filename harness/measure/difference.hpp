@@ -19,7 +19,7 @@ struct Timings {
 /// If a set has at least `fewest_processes` processes, the test estimates the variance between these
 /// processes. If it has fewer, the test assumes that the medians of the processes have the relative standard
 /// deviation `assumed_spread`. The times of separate processes in results/ have a relative standard deviation
-/// of 6.5% (experiments/claims.toml); `assumed_spread` is slightly larger.
+/// of 6.2% (experiments/claims.toml); `assumed_spread` is slightly larger.
 inline constexpr std::size_t fewest_processes = 3;
 inline constexpr double assumed_spread = 0.07;
 

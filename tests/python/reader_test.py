@@ -7,9 +7,11 @@ SOURCE is the source tree, and PELAGE is the path of the program. The exit code 
 """
 import io
 import json
+import math
 import os
 import re
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -166,6 +168,15 @@ class Document(unittest.TestCase):
     def blocks(self, language):
         return re.findall(f"```{language}\n(.*?)```", (SOURCE / "docs/results.md").read_text(), re.DOTALL)
 
+    def rate(self):
+        """Returns the mean over the processes of the frame rate of lion-16-1680x1050, cut off after two decimals."""
+        rates = []
+        for file in (SOURCE / "results/silva2010-table1").glob("*.jsonl"):
+            for row in map(json.loads, file.read_text().splitlines()):
+                if row["case"] == "lion-16-1680x1050":
+                    rates.append(1000 / statistics.median(row["samples"]["frame"]["wall_ms"]))
+        return f"{math.floor(100 * sum(rates) / len(rates)) / 100:.2f}"
+
     def test_python(self):
         blocks = self.blocks("python")
         self.assertGreaterEqual(len(blocks), 2)
@@ -174,7 +185,7 @@ class Document(unittest.TestCase):
             with redirect_stdout(said):
                 exec(compile(block, "docs/results.md", "exec"), {})  # pylint: disable=exec-used
             self.assertIn("lion", said.getvalue())
-            self.assertRegex(said.getvalue(), "5[.]27")  # frames per second of the lion with 16 layers, 1680x1050
+            self.assertIn(self.rate(), said.getvalue())
 
     def test_r(self):
         blocks = self.blocks("r")
@@ -184,7 +195,7 @@ class Document(unittest.TestCase):
         Path("block.R").write_text(blocks[0])
         said = subprocess.run(["Rscript", "block.R"], check=True, capture_output=True, text=True).stdout
         self.assertIn("lion", said)
-        self.assertRegex(said, "5[.]27")
+        self.assertIn(self.rate(), said)
 
 
 if __name__ == "__main__":
