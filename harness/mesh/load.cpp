@@ -10,12 +10,12 @@
 
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
+#include "harness/isolated/isolated.hpp"
 #include "harness/mesh/archive.hpp"
 #include "harness/mesh/cache.hpp"
 #include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/gltf_files.hpp"
-#include "harness/isolated/isolated.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/procedural.hpp"

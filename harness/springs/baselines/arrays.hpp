@@ -56,7 +56,7 @@ struct Course {
 };
 
 /// Functions that advance the state by the steps of a Course, one function per kind of topology. All
-/// functions of one object are compiled with the same compiler flags.
+/// functions of one instance of Loops are compiled with the same compiler flags.
 template <class T>
 struct Loops {
   /// Advances the topologies sticks and separable-sticks by the steps of `Course` with any of the four

@@ -64,7 +64,8 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
   }
 }
 
-// longest_step() must agree with the reference, which compares the lengths of all sticks after every step.
+// longest_step() must agree with the reference, which compares the length of every stick with the limit after
+// every step.
 TEST(LongestStep, IsTheOneOfTheReference) {
   const Mesh mesh = sphere(1);
   for (const Kind& kind : {Kind::sticks, Kind::prisms})
