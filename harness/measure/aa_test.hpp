@@ -18,7 +18,7 @@ using TimePipeline = std::function<std::vector<double>()>;
 
 /// Settings of trials. In each round of a trial, run_trial() makes one pipeline with each of two functions.
 struct TrialLimits {
-  int rounds = 12;         ///< number of rounds; at least fewest_processes
+  int rounds = 20;         ///< number of rounds; at least fewest_processes
   double threshold = 0;    ///< see decide()
   double alpha = 0.02;     ///< see decide()
   std::uint64_t seed = 1;  ///< seed of the random order of the two functions in each round

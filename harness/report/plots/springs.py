@@ -6,6 +6,7 @@ usage: springs.py TABLE.csv OUT.svg [OUT.pdf ...]
 TABLE.csv is the table that a report stores next to this program. The program needs only matplotlib.
 """
 import csv
+import math
 import sys
 
 import matplotlib
@@ -65,7 +66,23 @@ def frames(rows):
     return [r for r in rows if r["phase"] == "frame" and r["clock"] == "wall" and r["status"] == "ok"]
 
 
+def pooled(rows):
+    """Returns one row per case, phase and clock. Its time is the geometric mean of the processes' medians. Its interval contains
+    the intervals of all processes."""
+    groups = {}
+    for r in rows:
+        if r["median_ms"]:
+            groups.setdefault((r["case"], r["variant"], r["phase"], r["clock"]), []).append(r)
+    made = []
+    for group in groups.values():
+        times = [float(r["median_ms"]) for r in group]
+        made.append({**group[0], "median_ms": math.prod(times) ** (1 / len(times)),
+                     "low_ms": min(float(r["low_ms"]) for r in group), "high_ms": max(float(r["high_ms"]) for r in group)})
+    return made
+
+
 def update_time(rows):
+    rows = pooled(rows)
     models = list(dict.fromkeys(r["model"] for r in sorted(rows, key=lambda r: -len(r["model"]))))
     models = [m for m in ["banisch-elephant", "banisch-dog", "banisch-grass"] if m in models] or models
     figure, axes = panels(len(models))
