@@ -21,6 +21,10 @@ inline constexpr double flip = 2.0 / 255.0;
 /// pixel. At the borders of texels and triangles, rounding can change these decisions. Rounding changes such
 /// a decision in about 1 of 10^4 pixels.
 inline constexpr double flip_share = 1e-3;
+/// Largest accepted error of a fill light by its projection to spherical harmonics of degree 2 or less, as a
+/// fraction of the light (docs/strands.md, section Light). The projection of the clamped cosine has an error
+/// of 0.0938 of the light at the angle of 90 degrees.
+inline constexpr double projected_fill = 0.1;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers and the
 /// reference filter textures with different arithmetic. Therefore the 99.9th percentile of the baseline's
 /// errors and its share of flipped pixels are not checked.

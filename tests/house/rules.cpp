@@ -82,8 +82,7 @@ std::string harness_fault(const std::string& path, const std::string& what, cons
     return "only harness/mesh includes CGAL and Assimp";
   if (starts_with(what, "OpenImageIO/") && room != "picture")
     return "only harness/picture includes OpenImageIO";
-  if (starts_with(what, "epoxy/") && room != "shells_opengl")
-    return "only harness/shells/opengl includes OpenGL";
+  if (starts_with(what, "epoxy/") && room != "gl") return "only harness/gl includes OpenGL";
   if (starts_with(what, "tests/")) return "the harness does not include tests";
   if (starts_with(what, "kernels/"))
     return ends_with(what, "/params.h") ? "" : "of kernels/ the harness includes a room's params.h only";

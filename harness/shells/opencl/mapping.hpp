@@ -10,7 +10,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/build_options.hpp"
-#include "harness/shells/opencl/phases.hpp"
+#include "harness/cl/phases.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 #include "kernels/rasterize/params.h"
 
@@ -25,7 +25,7 @@ class Mapping {
   /// buffers.list. Enlarges these two buffers if they are too small. Throws DeviceError if all lists together
   /// have so many entries that their indices need more than 31 bits.
   virtual void bin(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
-                   PhaseEvents* events) = 0;
+                   cl::PhaseEvents* events) = 0;
   /// Draws one pass: the layers from params.first_layer to params.end_layer - 1. Uses the lists that bin()
   /// wrote.
   virtual cl::Event draw(const cl::Queue& queue, const RasterParams& params,

@@ -36,7 +36,7 @@ void RasterStage::set_pass(int number) {
   params_.layer_batches = 1 + (layers + params_.layer_batch - 1) / params_.layer_batch;
 }
 
-void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mapping, PhaseEvents* events) {
+void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mapping, cl::PhaseEvents* events) {
   set_pass(number);
   const RasterBuffers& b = buffers_;
   layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);

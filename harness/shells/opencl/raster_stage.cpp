@@ -134,14 +134,14 @@ std::vector<const cl::Program*> RasterStage::programs() const {
 }
 
 const cl::Buffer<float>& RasterStage::strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands,
-                                                  int stride, PhaseEvents* events) {
+                                                  int stride, cl::PhaseEvents* events) {
   strand_tips_.with(params_, slice_, strand_, weight_, strands, std::int32_t(stride), tip_);
   cl::Event event = strand_tips_.enqueue(queue, std::size_t(params_.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));
   return tip_;
 }
 
-void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events) {
+void RasterStage::frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events) {
   const auto keep = [&](const char* phase, cl::Event event) {
     if (events) events->emplace_back(phase, std::move(event));
   };

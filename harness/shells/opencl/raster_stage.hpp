@@ -20,10 +20,10 @@ class RasterStage {
   /// columns of length `stride`. Returns the columns x, y and z of B. The unit of B is the radius of the
   /// mesh's bounding sphere.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
-                                       PhaseEvents* events);
+                                       cl::PhaseEvents* events);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.
-  void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, PhaseEvents* events);
+  void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events);
   const RasterParams& params() const { return params_; }
   /// Returns the vertex table: VERTEX_COLUMNS columns, each with one float per vertex.
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }
@@ -53,7 +53,7 @@ class RasterStage {
   int passes() const;
   void set_pass(int number);
   // Transforms and bins the layers of pass `number`. The caller then calls mapping.draw().
-  void begin_pass(const cl::Queue& queue, int number, Mapping& mapping, PhaseEvents* events);
+  void begin_pass(const cl::Queue& queue, int number, Mapping& mapping, cl::PhaseEvents* events);
 
   const MappingKind& kind_;
   Tuning tuning_;

@@ -35,14 +35,14 @@ struct Shells::State {
       simulate.emplace(queue, *input, geometry, lanes, options.tuning);
   }
 
-  void move(shells::PhaseEvents* events) {
+  void move(cl::PhaseEvents* events) {
     if (springs)
       springs->frame(queue, events);
     else
       simulate->frame(queue, frames, events);
   }
 
-  void draw(shells::PhaseEvents* events) {
+  void draw(cl::PhaseEvents* events) {
     const cl::Buffer<float>& tips =
         springs ? springs->tips(queue, raster.params(), raster.vertex(), events)
                 : raster.strand_tips(queue, simulate->state(), simulate->stride(), events);
@@ -68,7 +68,7 @@ Shells& Shells::operator=(Shells&&) noexcept = default;
 
 FrameTiming Shells::frame() {
   State& s = *state_;
-  shells::PhaseEvents events;
+  cl::PhaseEvents events;
   const auto begin = std::chrono::steady_clock::now();
   s.move(&events);
   s.draw(&events);

@@ -32,7 +32,7 @@ SimulateStage::SimulateStage(const cl::Queue& queue, const FrameInput& input, co
       constants_(queue, std::span<const float>(geometry.strand_constants)),
       state_(queue, std::span<const float>(rest_state(geometry))) {}
 
-void SimulateStage::frame(const cl::Queue& queue, int number, PhaseEvents* events) {
+void SimulateStage::frame(const cl::Queue& queue, int number, cl::PhaseEvents* events) {
   gusts_.write(queue, gust_table(dynamics_, number));
   step_.with(params_, gusts_, constants_, state_);
   const auto items = std::size_t(params_.stride / lanes_), group = std::max<std::size_t>(local_, 1);

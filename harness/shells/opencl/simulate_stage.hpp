@@ -3,7 +3,7 @@
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/geometry.hpp"
-#include "harness/shells/opencl/phases.hpp"
+#include "harness/cl/phases.hpp"
 #include "kernels/simulate/params.h"
 
 namespace pelage::shells {
@@ -14,7 +14,7 @@ class SimulateStage {
  public:
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
                 const Tuning& tuning = {});
-  void frame(const cl::Queue& queue, int number, PhaseEvents* events);
+  void frame(const cl::Queue& queue, int number, cl::PhaseEvents* events);
   /// Returns the tips and velocities of the strands: STATE_COLUMNS columns of stride() floats.
   const cl::Buffer<float>& state() const { return state_; }
   int stride() const { return params_.stride; }

@@ -42,7 +42,7 @@ SpringStage::SpringStage(const cl::Queue& queue, const FrameInput& input, const 
     adaptive_.emplace(float(scene.substeps) * scene.step, scene.substeps, scene.tolerance);
 }
 
-void SpringStage::frame(const cl::Queue& queue, PhaseEvents* events) {
+void SpringStage::frame(const cl::Queue& queue, cl::PhaseEvents* events) {
   std::vector<cl::Event> launches;
   if (adaptive_)
     adaptive_->advance(queue, masses_, events ? &launches : nullptr);
@@ -53,7 +53,7 @@ void SpringStage::frame(const cl::Queue& queue, PhaseEvents* events) {
 }
 
 const cl::Buffer<float>& SpringStage::tips(const cl::Queue& queue, const RasterParams& params,
-                                           const cl::Buffer<float>& vertex, PhaseEvents* events) {
+                                           const cl::Buffer<float>& vertex, cl::PhaseEvents* events) {
   tips_.with(params, level_, stick_, masses_.offset(), vertex, tip_);
   cl::Event event = tips_.enqueue(queue, std::size_t(params.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));

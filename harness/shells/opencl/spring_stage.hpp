@@ -8,7 +8,7 @@
 
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
-#include "harness/shells/opencl/phases.hpp"
+#include "harness/cl/phases.hpp"
 #include "harness/springs/opencl/adaptive.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "kernels/rasterize/params.h"
@@ -22,11 +22,11 @@ class SpringStage {
   SpringStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes);
   /// Advances the masses by one frame, in dynamics.substeps steps. If dynamics.tolerance is above 0, the
   /// steps have adaptive length instead.
-  void frame(const cl::Queue& queue, PhaseEvents* events);
+  void frame(const cl::Queue& queue, cl::PhaseEvents* events);
   /// Computes the tip offset B of every drawn vertex (docs/frame.md, section 3). `vertex` is the vertex table
   /// in VERTEX_COLUMNS columns. Returns the columns x, y and z of B, with one value per vertex.
   const cl::Buffer<float>& tips(const cl::Queue& queue, const RasterParams& params,
-                                const cl::Buffer<float>& vertex, PhaseEvents* events);
+                                const cl::Buffer<float>& vertex, cl::PhaseEvents* events);
   /// Waits for the queue. Then throws springs::Diverged if a mass has diverged in any step that frame() has
   /// enqueued so far.
   void check(const cl::Queue& queue) const { masses_.check(queue); }

@@ -10,9 +10,9 @@
 #include <cstddef>
 
 #include "harness/error.hpp"
+#include "harness/gl/context.hpp"
+#include "harness/gl/objects.hpp"
 #include "harness/scene/shading_models.hpp"
-#include "harness/shells/opengl/context.hpp"
-#include "harness/shells/opengl/objects.hpp"
 #include "harness/shells/opengl/program.hpp"
 #include "harness/shells/opengl/textures.hpp"
 #include "harness/shells/opengl/vertices.hpp"
@@ -20,6 +20,7 @@
 namespace pelage {
 namespace {
 
+using namespace gl;
 using namespace rivals;
 using Clock = std::chrono::steady_clock;
 
@@ -104,8 +105,8 @@ struct OpenGl::State {
     const std::vector<Constant> constants = scene_constants(*input);
     const std::string defines = scene_defines(*input, options, wet);
     const bool baked = options.constants == "baked";
-    skin = Program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
-    fur = Program("shell.vert", "fur.frag", defines, constants, baked);
+    skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
+    fur = scene_program("shell.vert", "fur.frag", defines, constants, baked);
     build_ms = ms_since(begin);
   }
 

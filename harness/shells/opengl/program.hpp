@@ -1,11 +1,10 @@
 // GLSL programs, and their inputs from the scene: constants, "#define" lines and the layer table.
 #pragma once
-#include <epoxy/gl.h>
-
 #include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
+#include "harness/gl/program.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 
@@ -28,23 +27,10 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
 /// by clumps and the self-shadow from "look". shaders/layers.glsl describes the components of the vectors.
 std::vector<glm::vec4> layer_table(const Scene& scene);
 
-/// A linked GLSL program. Move-only.
-class Program {
- public:
-  Program() = default;
-  /// Compiles and links the files `vertex` and `fragment` of the shader folder. Both shaders get `defines`
-  /// and `constants`. The constants are literals if `baked` is true, else uniforms. Throws DeviceError with
-  /// OpenGL's log if OpenGL cannot compile or link the shaders.
-  Program(const std::string& vertex, const std::string& fragment, const std::string& defines,
-          const std::vector<Constant>& constants, bool baked);
-  ~Program();
-  Program(Program&& other) noexcept;
-  Program& operator=(Program&& other) noexcept;
-  void use() const;
-  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program does not use it
-
- private:
-  GLuint id_ = 0;
-};
+/// Returns the program of the files `vertex` and `fragment` of the shader folder. Both shaders get `defines`
+/// and `constants`. The constants are literals if `baked` is true, else uniforms. Throws DeviceError with
+/// OpenGL's log if OpenGL cannot compile or link the shaders.
+gl::Program scene_program(const std::string& vertex, const std::string& fragment, const std::string& defines,
+                          const std::vector<Constant>& constants, bool baked);
 
 }  // namespace pelage::rivals

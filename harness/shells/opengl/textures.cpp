@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "harness/shells/opengl/context.hpp"
+#include "harness/gl/context.hpp"
 
 namespace pelage::rivals {
 namespace {
@@ -42,12 +42,12 @@ Texels merged(const Texels& texels, int side, int layers, int depth) {
   return result;
 }
 
-Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
+gl::Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
   const bool volume = options.fur == "volume";
   const GLsizei levels = GLsizei(fur.level.size());
-  Object texture = make_texture(volume ? GL_TEXTURE_3D : GL_TEXTURE_2D_ARRAY);
+  gl::Object texture = gl::make_texture(volume ? GL_TEXTURE_3D : GL_TEXTURE_2D_ARRAY);
   glTextureStorage3D(texture.id(), levels, format_of(options.texels, false), fur.size, fur.size, fur.layers);
-  check_gl("glTextureStorage3D of the fur");
+  gl::check_gl("glTextureStorage3D of the fur");
   for (GLsizei l = 0; l < levels; ++l) {
     const int side = fur.size >> l, depth = volume ? std::max(1, fur.layers >> l) : fur.layers;
     const Texels& own = fur.level[std::size_t(l)];
@@ -59,11 +59,11 @@ Object deep_texture(const FurTexture& fur, const OpenGlOptions& options) {
   return texture;
 }
 
-Object slice_texture(const FurTexture& fur, int layer, const OpenGlOptions& options) {
+gl::Object slice_texture(const FurTexture& fur, int layer, const OpenGlOptions& options) {
   const GLsizei levels = GLsizei(fur.level.size());
-  Object texture = make_texture(GL_TEXTURE_2D);
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
   glTextureStorage2D(texture.id(), levels, format_of(options.texels, false), fur.size, fur.size);
-  check_gl("glTextureStorage2D of the fur");
+  gl::check_gl("glTextureStorage2D of the fur");
   for (GLsizei l = 0; l < levels; ++l) {
     const int side = fur.size >> l;
     const auto* slice =
@@ -76,33 +76,33 @@ Object slice_texture(const FurTexture& fur, int layer, const OpenGlOptions& opti
 
 }  // namespace
 
-std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options) {
+std::vector<gl::Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  std::vector<Object> textures;
+  std::vector<gl::Object> textures;
   if (options.fur == "slices")
     for (int n = 0; n < fur.layers; ++n) textures.push_back(slice_texture(fur, n, options));
   else
     textures.push_back(deep_texture(fur, options));
-  check_gl("uploading the fur");
+  gl::check_gl("uploading the fur");
   return textures;
 }
 
-Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {
-  Object texture = make_texture(GL_TEXTURE_2D);
+gl::Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options) {
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
   glTextureStorage2D(texture.id(), 1, format_of(options.texels, true), coat.size, coat.size);
   glTextureSubImage2D(texture.id(), 0, 0, 0, coat.size, coat.size, GL_RGBA, GL_UNSIGNED_BYTE,
                       coat.texel.data());
   repeat(texture.id(), GL_LINEAR, GL_LINEAR);
-  check_gl("uploading the coat");
+  gl::check_gl("uploading the coat");
   return texture;
 }
 
-Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
-  Object texture = make_texture(GL_TEXTURE_2D);
+gl::Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
   glTextureStorage2D(texture.id(), 1, GL_RGBA32F, size, size);
   glTextureSubImage2D(texture.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, mask.data());
   repeat(texture.id(), GL_NEAREST, GL_NEAREST);
-  check_gl("uploading the wetness mask");
+  gl::check_gl("uploading the wetness mask");
   return texture;
 }
 

@@ -3,18 +3,18 @@
 #pragma once
 #include <vector>
 
+#include "harness/gl/objects.hpp"
 #include "harness/prepare/frame_input.hpp"
-#include "harness/shells/opengl/objects.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 
 namespace pelage::rivals {
 
 /// Returns the fur texture with the mip levels of `fur`. With options.fur = "slices", returns one texture per
 /// layer.
-std::vector<Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
-Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
+std::vector<gl::Object> fur_textures(const FurTexture& fur, const OpenGlOptions& options);
+gl::Object coat_texture(const CoatTexture& coat, const OpenGlOptions& options);
 /// Returns the wetness mask as a texture of floats with NEAREST filtering. The four floats of a texel are the
 /// centre (u, v) and the radius of a clump, and the wetness.
-Object mask_texture(const std::vector<glm::vec4>& mask, int size);
+gl::Object mask_texture(const std::vector<glm::vec4>& mask, int size);
 
 }  // namespace pelage::rivals

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "harness/error.hpp"
 
@@ -12,6 +13,7 @@ namespace pelage::strands {
 namespace {
 
 constexpr double depth_steps = 1 << 24;
+constexpr float most_frames = 256;
 
 void in_range(const char* what, float value, float least, float most) {
   if (!(value >= least && value <= most))  // also true for NaN
@@ -27,6 +29,28 @@ DepthRange depth_range(const Camera& camera, float radius) {
   return {float(nearest), float((depth_steps - 1) / (furthest - nearest))};
 }
 
+std::array<double, 9> basis_at(glm::dvec3 n) {
+  return {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+}
+
+Irradiance irradiance_of(const Look& look) {
+  using std::numbers::pi;
+  // A_l times the square of the normalization of Y_lm, for each polynomial of basis_at().
+  static constexpr std::array<double, 9> scale{
+      pi / (4 * pi),          2 * pi / 3 * 3 / (4 * pi), 2 * pi / 3 * 3 / (4 * pi), 2 * pi / 3 * 3 / (4 * pi),
+      pi / 4 * 15 / (4 * pi), pi / 4 * 15 / (4 * pi),    pi / 4 * 5 / (16 * pi),    pi / 4 * 15 / (4 * pi),
+      pi / 4 * 15 / (16 * pi)};
+  std::array<glm::dvec3, 9> sum{};
+  for (const FillLight& fill : look.fills) {
+    const std::array<double, 9> basis = basis_at(glm::normalize(glm::dvec3(fill.direction)));
+    const std::size_t used = look.bands >= 2 ? 9 : 4;
+    for (std::size_t i = 0; i < used; ++i) sum[i] += scale[i] * basis[i] * glm::dvec3(fill.colour);
+  }
+  Irradiance sh{};
+  for (std::size_t i = 0; i < 9; ++i) sh[i] = glm::vec3(sum[i]);
+  return sh;
+}
+
 void check(const Look& look) {
   in_range("number of segments", float(look.segments), 1, 8);
   in_range("taper", look.taper, 0, 1);
@@ -40,6 +64,17 @@ void check(const Look& look) {
     in_range("direction of the key light", look.light[axis], -1e6f, 1e6f);
   }
   in_range("length of the direction of the key light", glm::length(look.light), 1e-6f, 1e7f);
+  in_range("highest degree of the spherical harmonics", float(look.bands), 1, 2);
+  in_range("exponent of the rim light", look.rim_exponent, 1, 1000);
+  in_range("shadow of the skin", look.skin_shadow, 0, 1);
+  in_range("height of the shadow of the skin", look.skin_shadow_height, 1e-3f, 1000);
+  in_range("number of frames of the film strip", float(look.film.size()), 0, most_frames);
+  for (const FillLight& fill : look.fills)
+    in_range("length of the direction of a fill light", glm::length(fill.direction), 1e-6f, 1e7f);
+  for (int axis = 0; axis < 3; ++axis) {
+    in_range("colour of the rim light", look.rim[axis], 0, 100);
+    for (const FillLight& fill : look.fills) in_range("colour of a fill light", fill.colour[axis], 0, 1000);
+  }
 }
 
 }  // namespace pelage::strands

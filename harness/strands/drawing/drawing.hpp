@@ -20,6 +20,19 @@ struct DrawnStrand {
   int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
 };
 
+/// A fill light. It is projected to spherical harmonics together with the other fill lights.
+struct FillLight {
+  glm::vec3 direction{0, 1, 0};  ///< towards the light, of any length above 0
+  glm::vec3 colour{0.5f};        ///< intensity for each colour, at least 0
+};
+
+/// A sample of a film strip: factors of a strand's colour, highlight and alpha at one place along the strand.
+struct FilmSample {
+  std::uint8_t luminance = 128, gloss = 128;  ///< 128 means 1
+  std::uint8_t opacity = 255;                 ///< 255 means 1
+};
+using FilmFrame = std::array<FilmSample, 8>;  ///< samples at equal distances from the root to the tip
+
 /// The values that all strands of a picture share.
 struct Look {
   int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 8
@@ -30,6 +43,13 @@ struct Look {
   float ambient = 0.2f;                 ///< ambient light
   glm::vec3 specular{0.2f};             ///< colour of the highlight
   float exponent = 24.0f;               ///< exponent of the highlight, at least 1
+  std::vector<FillLight> fills;
+  int bands = 2;                    ///< highest degree l of the spherical harmonics: 1 or 2
+  glm::vec3 rim{0};                 ///< colour of the rim light
+  float rim_exponent = 3;           ///< exponent of the rim light, at least 1
+  float skin_shadow = 0;            ///< part of the light that a strand loses at its root, 0 to 1
+  float skin_shadow_height = 0.5f;  ///< height above the skin without this loss, in lengths of the strand
+  std::vector<FilmFrame> film;      ///< frames of the film strip; empty: no film strip
   glm::vec3 background{0.30f, 0.34f, 0.39f};
 };
 
@@ -49,6 +69,17 @@ struct Entry {
 /// Returns the depth range of a view in which no joint is further than `radius` from the object's origin.
 /// `radius` is in R and above 0.
 DepthRange depth_range(const Camera& camera, float radius);
+
+/// The nine coefficients of the fill lights' irradiance for each colour. sh[0] belongs to l = 0, sh[1] to
+/// sh[3] to l = 1 and sh[4] to sh[8] to l = 2. irradiance() multiplies them with a basis() of a normal n.
+using Irradiance = std::array<glm::vec3, 9>;
+
+/// Returns the coefficients of F of docs/strands.md, section Light. Coefficients above look.bands are 0.
+Irradiance irradiance_of(const Look& look);
+
+/// Returns the nine polynomials of the unit vector n to which the coefficients of Irradiance belong: 1; y, z,
+/// x; x y, y z, 3 z^2 - 1, x z, x^2 - y^2.
+std::array<double, 9> basis_at(glm::dvec3 n);
 
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
 /// valid range.

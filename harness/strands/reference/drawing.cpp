@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <numbers>
 #include <optional>
 
 namespace pelage::strands::reference {
@@ -70,20 +71,65 @@ struct Vertex {
   Vec colour;
 };
 
-/// Kajiya and Kay's light on a hair with the tangent T: |T x L| diffuse, and the highlight with the exponent
-/// p of (T.L)(T.E) + |T x L||T x E|. E points from the eye to the joint.
-Vec lit(const Look& look, Vec colour, Vec tangent, Vec from_eye) {
+/// Light of Kajiya and Kay on a hair with the tangent T, without the highlight's factor: x is |T x L|, and y
+/// the power of (T.L)(T.E) + |T x L||T x E|. E points from the eye to the joint.
+glm::dvec2 hair_light(const Look& look, Vec tangent, Vec from_eye) {
   const Vec light = glm::normalize(Vec(look.light));
   const double along_light = glm::dot(tangent, light), along_eye = glm::dot(tangent, from_eye);
   const double across_light = glm::length(glm::cross(tangent, light));
   const double across_eye = glm::length(glm::cross(tangent, from_eye));
   const double mirror = std::max(0.0, along_light * along_eye + across_light * across_eye);
-  const double intensity = look.intensity;
-  return colour * (double(look.ambient) + intensity * across_light) +
-         Vec(look.specular) * (intensity * std::pow(mirror, double(look.exponent)));
+  return {across_light, std::pow(mirror, double(look.exponent))};
 }
 
-std::vector<Vertex> vertices_of(const Camera& camera, const Look& look, const DrawnStrand& strand) {
+/// The real spherical harmonics of degree l = 0, 1, 2 at a unit vector.
+std::array<double, 9> harmonics(Vec n) {
+  const double pi = std::numbers::pi, first = std::sqrt(3 / (4 * pi)), second = std::sqrt(15 / pi) / 2;
+  return {std::sqrt(1 / (4 * pi)),
+          first * n.y,
+          first * n.z,
+          first * n.x,
+          second * n.x * n.y,
+          second * n.y * n.z,
+          std::sqrt(5 / pi) / 4 * (3 * n.z * n.z - 1),
+          second * n.x * n.z,
+          second / 2 * (n.x * n.x - n.y * n.y)};
+}
+
+/// F: the light of all fill lights on a surface with the normal n.
+Vec fill_light(const Look& look, Vec n) {
+  const double pi = std::numbers::pi;
+  const std::array<double, 9> here = harmonics(n);
+  Vec sum(0);
+  for (const FillLight& fill : look.fills) {
+    const std::array<double, 9> there = harmonics(glm::normalize(Vec(fill.direction)));
+    for (std::size_t i = 0; i < (look.bands == 2 ? 9u : 4u); ++i)
+      sum += (i == 0 ? pi : i < 4 ? 2 * pi / 3 : pi / 4) * here[i] * there[i] * Vec(fill.colour);
+  }
+  return glm::max(sum, Vec(0));
+}
+
+/// The factors of the film strip at one place of a strand.
+struct Film {
+  double luminance = 1, gloss = 1, opacity = 1;
+};
+
+Film film_at(const Look& look, std::uint32_t strand, double t) {
+  if (look.film.empty()) return {};
+  const std::uint64_t hash = std::uint32_t(strand * 2654435761u);
+  const FilmFrame& frame = look.film[std::size_t(hash * look.film.size() >> 32)];
+  const double place = 7 * t;
+  const auto first = std::min(std::size_t(place), std::size_t(6));
+  const auto between = [&](std::uint8_t FilmSample::*value) {
+    return double(frame[first].*value) +
+           (place - double(first)) * (double(frame[first + 1].*value) - double(frame[first].*value));
+  };
+  return {between(&FilmSample::luminance) / 128, between(&FilmSample::gloss) / 128,
+          between(&FilmSample::opacity) / 255};
+}
+
+std::vector<Vertex> vertices_of(const Camera& camera, const Look& look, const DrawnStrand& strand,
+                                std::uint32_t number) {
   Curve object, view;
   for (std::size_t i = 0; i < 3; ++i) {
     object.p[i] = Vec(strand.point[i]);
@@ -91,7 +137,13 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look, const Dr
   }
   const std::optional<Part> part = visible_part(view, camera.near, look.segments);
   if (!part) return {};
-  const Vec from_eye = glm::normalize(object.p[1] - Vec(camera.eye));
+  const Vec from_eye = glm::normalize(object.p[1] - Vec(camera.eye)), normal(strand.normal);
+  const Vec base(strand.colour);
+  const Vec steady = base * (double(look.ambient) + fill_light(look, normal)) +
+                     Vec(look.rim) * std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye))),
+                                              double(look.rim_exponent));
+  const double strand_length =
+      glm::distance(object.p[0], object.p[1]) + glm::distance(object.p[1], object.p[2]);
   std::vector<Vertex> vertices;
   for (int k = 0; k <= look.segments; ++k) {
     const double t = part->from + (part->to - part->from) * k / look.segments;
@@ -100,8 +152,16 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look, const Dr
     Vertex vertex;
     vertex.place = glm::dvec2(v) / v.z + 0.5 * glm::dvec2(camera.width, camera.height);
     vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / (double(camera.pixel) * v.z);
-    vertex.alpha = double(look.opacity) * (1 - t * t * t);
-    vertex.colour = lit(look, Vec(strand.colour), length > 0 ? tangent / length : Vec(0), from_eye);
+    const Film film = film_at(look, number, t);
+    vertex.alpha = double(look.opacity) * film.opacity * (1 - t * t * t);
+    const glm::dvec2 light = hair_light(look, length > 0 ? tangent / length : Vec(0), from_eye);
+    const double height = std::max(0.0, glm::dot(normal, object.at(t) - object.p[0]));
+    const double shadow =
+        1 - double(look.skin_shadow) *
+                (1 - std::min(1.0, height / (double(look.skin_shadow_height) * strand_length)));
+    vertex.colour =
+        shadow * film.luminance *
+        (steady + double(look.intensity) * (base * light.x + film.gloss * Vec(look.specular) * light.y));
     vertices.push_back(vertex);
   }
   return vertices;
@@ -183,14 +243,31 @@ float dot_f(glm::vec3 a, glm::vec3 b) {
   return std::fma(a.z, b.z, std::fma(a.y, b.y, a.x * b.x));
 }
 
+float times(glm::vec4 row, glm::vec3 p) {
+  return std::fma(p.x, row.x, std::fma(p.y, row.y, std::fma(p.z, row.z, row.w)));
+}
+
+/// Returns true if the strand is entirely in front of the near plane, and all its control points are beyond
+/// one side of the picture. `row` is the row of the projection of one axis, and `size` the picture's size
+/// along this axis.
+bool beyond_side(const Camera& camera, const DrawnStrand& strand, glm::vec4 row, int size) {
+  const float wide = 1.5f * (strand.width * (0.5f / camera.pixel)), extent = 0.5f * float(size) + 1.0f;
+  bool above = true, below = true;
+  for (const glm::vec3& point : strand.point) {
+    const float depth = times(camera.row_w, point), place = times(row, point);
+    const float side = std::fma(extent, depth, wide);
+    if (depth < camera.near) return false;
+    above = above && place > side;
+    below = below && place < -side;
+  }
+  return above || below;
+}
+
 }  // namespace
 
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
                                  const std::vector<DrawnStrand>& strands) {
-  const glm::vec4 row = camera.row_w;
-  const auto depth = [&](glm::vec3 p) {
-    return std::fma(row.x, p.x, std::fma(row.y, p.y, std::fma(row.z, p.z, row.w)));
-  };
+  const auto depth = [&](glm::vec3 p) { return times(camera.row_w, p); };
   std::vector<Entry> order;
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     const DrawnStrand& strand = strands[i];
@@ -199,6 +276,8 @@ std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
     if (facing < 0 && facing * facing > 0.0625f * dot_f(to_eye, to_eye)) continue;
     const float joint = depth(strand.point[1]);
     if (std::max({depth(strand.point[0]), joint, depth(strand.point[2])}) < camera.near) continue;
+    if (beyond_side(camera, strand, camera.row_x, camera.width)) continue;
+    if (beyond_side(camera, strand, camera.row_y, camera.height)) continue;
     const float step = std::clamp((joint - range.nearest) * range.per_depth, 0.0f, 16777215.0f);
     order.push_back({std::uint32_t(strand.rank) << 24 | std::uint32_t(step), i});
   }
@@ -210,7 +289,7 @@ Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStra
              const std::vector<Entry>& order) {
   Canvas canvas(camera.width, camera.height);
   for (const Entry& entry : order) {
-    const std::vector<Vertex> vertices = vertices_of(camera, look, strands[entry.strand]);
+    const std::vector<Vertex> vertices = vertices_of(camera, look, strands[entry.strand], entry.strand);
     if (!vertices.empty()) canvas.draw(vertices);
   }
   return canvas.composed(Vec(look.background));

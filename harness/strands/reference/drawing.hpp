@@ -10,7 +10,8 @@
 namespace pelage::strands::reference {
 
 /// Returns the strands to draw, from front to back. The list contains no strands that face away from the
-/// camera and none that are nearer than the near plane. Its operations are those of docs/strands.md in single
+/// camera, none that are nearer than the near plane and none that are beyond a side of the picture. Its
+/// operations are those of docs/strands.md in single
 /// precision, so that a device must give the same list.
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
                                  const std::vector<DrawnStrand>& strands);

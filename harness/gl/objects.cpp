@@ -1,8 +1,8 @@
-#include "harness/shells/opengl/objects.hpp"
+#include "harness/gl/objects.hpp"
 
-#include "harness/shells/opengl/context.hpp"
+#include "harness/gl/context.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 
 Object make_texture(GLenum target) {
   GLuint id = 0;
@@ -40,4 +40,4 @@ Object make_buffer(const void* data, std::size_t bytes, GLbitfield usage) {
   return object;
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

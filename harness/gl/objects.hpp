@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace pelage::rivals {
+namespace pelage::gl {
 
 /// The name of an OpenGL object and the function that deletes it. Move-only.
 class Object {
@@ -40,4 +40,4 @@ Object make_buffer(const std::vector<T>& values, GLbitfield usage = 0) {
   return make_buffer(values.data(), values.size() * sizeof(T), usage);
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

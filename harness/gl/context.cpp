@@ -1,4 +1,4 @@
-#include "harness/shells/opengl/context.hpp"
+#include "harness/gl/context.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 #include "harness/error.hpp"
 
-namespace pelage::rivals {
+namespace pelage::gl {
 namespace {
 
 constexpr const char* what_to_do = "install libegl1 and a driver (Debian: libegl-mesa0 and libgl1-mesa-dri)";
@@ -120,4 +120,4 @@ void check_gl(const char* call) {
   if (code != GL_NO_ERROR) throw DeviceError(fmt::format("OpenGL: {}: {}", call, error_name(code)));
 }
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

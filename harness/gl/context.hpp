@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace pelage::rivals {
+namespace pelage::gl {
 
 /// An OpenGL 4.5 core context without a surface. The constructor tries EGL's hardware devices in turn, and
 /// uses the first device that supports such a context. If no hardware device supports such a context, the
@@ -29,4 +29,4 @@ class Context {
 /// Throws DeviceError with `call` and the error's name if OpenGL has recorded an error.
 void check_gl(const char* call);
 
-}  // namespace pelage::rivals
+}  // namespace pelage::gl

@@ -1,0 +1,158 @@
+// pelage-bench-strands: times pictures of strands (harness/strands/opencl/drawer.hpp), and the OpenGL
+// baseline (harness/strands/opengl/ribbons.hpp) in turns with them. It prints the medians of wall time and
+// CPU time, of the phases, and of the ratios within a turn, and the PSNR between the two pictures.
+//
+// Usage: pelage-bench-strands [MODEL [STRANDS [WIDTHxHEIGHT [ROUNDS [EXPAND:TARGET [PICTURE.png]]]]]].
+// EXPAND:TARGET are options of the baseline (RibbonOptions), for instance instanced:rgba8; "-": no baseline.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/error.hpp"
+#include "harness/picture/png.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
+#include "harness/strands/groom/fur.hpp"
+#include "harness/strands/opencl/drawer.hpp"
+#ifdef PELAGE_OPENGL
+#include "harness/strands/opengl/ribbons.hpp"
+#endif
+
+namespace {
+
+using namespace pelage;
+
+double cpu_ms() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return (values[(n - 1) / 2] + values[n / 2]) / 2;
+}
+
+struct Times {
+  std::vector<double> wall, cpu;
+  void add(const std::function<void()>& work) {
+    const double cpu_before = cpu_ms();
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    wall.push_back(time.count());
+    cpu.push_back(cpu_ms() - cpu_before);
+  }
+};
+
+struct Arguments {
+  std::string model;
+  std::size_t strands = 0;
+  int width = 0, height = 0, rounds = 0;
+  std::string baseline, file;
+};
+
+int run(const Arguments& a) {
+  Scene scene;
+  scene.model = a.model;
+  scene.image.width = a.width;
+  scene.image.height = a.height;
+  const auto mesh = load_scene_mesh(scene, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
+  const auto input = prepare(scene, mesh);
+  strands::FurLayer layer;
+  layer.count = a.strands;
+  const strands::Fur fur = strands::grow(*mesh, layer);
+  strands::DrawingScene drawing;
+  drawing.camera = input->camera;
+  drawing.range = strands::depth_range(input->camera, 1 + layer.length * (1 + layer.length_spread));
+  const cl::Device device = cl::choose_device("");
+  const cl::Queue queue(device);
+  strands::Drawer drawer(queue, drawing, fur.strands, fur.keys.size());
+  const std::vector<float> keys = strands::key_records(fur.keys);
+  drawer.keys().write(queue, keys);
+  std::function<void()> baseline;
+  std::function<Picture()> baseline_picture;
+#ifdef PELAGE_OPENGL
+  std::optional<strands::Ribbons> ribbons;
+  if (a.baseline != "-") {
+    const auto colon = a.baseline.find(':');
+    strands::RibbonOptions options{a.baseline.substr(0, colon),
+                                   colon == std::string::npos ? "rgba32f" : a.baseline.substr(colon + 1)};
+    ribbons.emplace(strands::RibbonScene{drawing.camera, drawing.look, drawing.range, drawing.first_segment},
+                    fur.strands, options);
+    baseline = [&] { ribbons->frame(fur.keys); };
+    baseline_picture = [&] { return ribbons->read(); };
+  }
+#endif
+  Times ours, theirs;
+  std::map<std::string, std::vector<double>> phases;
+  for (int round = -2; round < a.rounds; ++round) {  // the first two rounds are not timed
+    if (round == 0) ours = theirs = {};
+    cl::PhaseEvents events;
+    ours.add([&] {
+      drawer.enqueue(queue, &events);
+      queue.finish();
+    });
+    if (baseline) theirs.add(baseline);
+    std::map<std::string, double> sums;
+    for (const auto& [phase, event] : events) sums[phase] += event.milliseconds(device).value_or(0);
+    for (const auto& [phase, ms] : sums)
+      if (round >= 0) phases[phase].push_back(ms);
+  }
+  fmt::print("{} {} strands {}x{}: {} drawn, {} in tiles; wall {:.2f} ms, CPU {:.2f} ms;", a.model, a.strands,
+             a.width, a.height, drawer.order(queue).size(), drawer.listed(), median(ours.wall),
+             median(ours.cpu));
+  for (const auto& [phase, times] : phases) fmt::print(" {} {:.2f}", phase, median(times));
+  if (baseline) {
+    std::vector<double> wall, cpu;
+    for (std::size_t i = 0; i < ours.wall.size(); ++i) {
+      wall.push_back(theirs.wall[i] / ours.wall[i]);
+      cpu.push_back(theirs.cpu[i] / ours.cpu[i]);
+    }
+    fmt::print("; OpenGL {}: wall {:.1f} ms, CPU {:.1f} ms; ratio wall {:.2f}, CPU {:.2f}; {:.1f} dB",
+               a.baseline, median(theirs.wall), median(theirs.cpu), median(wall), median(cpu),
+               compare(drawer.read(queue), baseline_picture()).psnr);
+  }
+  fmt::print("\n");
+  if (!a.file.empty()) write_png(a.file, a.file, drawer.read(queue));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const auto argument = [&](int i, const char* otherwise) {
+      return std::string(argc > i ? argv[i] : otherwise);
+    };
+    Arguments a;
+    if (std::sscanf(argument(3, "800x600").c_str(), "%5dx%5d", &a.width, &a.height) != 2 || argc > 7) {
+      fmt::print(stderr,
+                 "usage: pelage-bench-strands [MODEL [STRANDS [WIDTHxHEIGHT [ROUNDS [EXPAND:TARGET "
+                 "[PICTURE.png]]]]]]\n");
+      return 2;
+    }
+    a.model = argument(1, "bunny");
+    a.strands = std::size_t(std::atol(argument(2, "100000").c_str()));
+    a.rounds = std::atoi(argument(4, "9").c_str());
+    a.baseline = argument(5, "-");
+    a.file = argument(6, "");
+    return run(a);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "pelage-bench-strands: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "pelage-bench-strands: {}\n", error.what());
+    return 1;
+  }
+}

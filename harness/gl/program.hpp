@@ -1,0 +1,44 @@
+// GLSL programs, and the folder of their files.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <filesystem>
+#include <string>
+
+namespace pelage::gl {
+
+/// Returns the folder shaders/ of the data folders (harness/data_folder.hpp). Throws InputError if it is
+/// missing.
+std::filesystem::path shader_folder();
+
+/// Returns the text of a file in shader_folder(). Throws InputError if the file cannot be read.
+std::string shader_text(const std::filesystem::path& name);
+
+/// Returns a hash of the names and the contents of the files in `folder`, without those in its subfolders, as
+/// 16 hexadecimal digits.
+std::string hash_of_files(const std::filesystem::path& folder);
+
+/// The source of a shader. Messages contain the name.
+struct Shader {
+  std::string name, text;
+};
+
+/// A linked GLSL program. Move-only.
+class Program {
+ public:
+  Program() = default;
+  /// Compiles and links two shaders. Throws DeviceError with OpenGL's log if OpenGL cannot compile or link
+  /// them.
+  Program(const Shader& vertex, const Shader& fragment);
+  ~Program();
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&& other) noexcept;
+  GLuint id() const { return id_; }
+  void use() const;
+  GLint place(const char* uniform) const;  ///< location of the uniform, or -1 if the program does not use it
+
+ private:
+  GLuint id_ = 0;
+};
+
+}  // namespace pelage::gl

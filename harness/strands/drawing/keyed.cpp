@@ -1,0 +1,91 @@
+#include "harness/strands/drawing/keyed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+#include "harness/error.hpp"
+#include "kernels/strands/draw/params.h"
+
+namespace pelage::strands {
+namespace {
+
+constexpr std::size_t slice = 16;
+
+void require(bool valid, std::size_t strand, const char* what, float value, const char* range) {
+  if (!valid) throw InputError(fmt::format("strand {}: {} {}; it must be {}", strand, what, value, range));
+}
+
+void check(const KeyedStrand& s, std::size_t number, std::size_t keys) {
+  for (const std::uint32_t key : s.key)
+    if (key >= keys)
+      throw InputError(fmt::format("strand {}: key strand {}; there are {} key strands", number, key, keys));
+  const float first = 1 - s.weight.x - s.weight.y;
+  require(s.weight.x >= 0 && s.weight.x <= 1, number, "weight", s.weight.x, "from 0 to 1");
+  require(s.weight.y >= 0 && s.weight.y <= 1, number, "weight", s.weight.y, "from 0 to 1");
+  require(first >= -1e-5f, number, "weight of the first key strand", first, "at least 0");
+  require(s.length > 0 && s.length <= 100, number, "length", s.length, "above 0 and at most 100");
+  require(s.response >= 0 && s.response <= 10, number, "response", s.response, "from 0 to 10");
+  require(std::abs(s.twist) <= 360, number, "twist", s.twist, "from -360 to 360 degrees");
+  require(std::abs(s.curvature) <= 180, number, "curvature", s.curvature, "from -180 to 180 degrees");
+  require(s.width > 0 && s.width <= 10, number, "width", s.width, "above 0 and at most 10");
+}
+
+float bits(std::uint32_t value) {
+  return std::bit_cast<float>(value);
+}
+
+/// The cosine and the sine of an angle in 16 bits each, the cosine in the lower bits (DRAWN_TWIST of
+/// kernels/strands/draw/params.h).
+std::uint32_t turn_bits(float degrees) {
+  const double angle = double(degrees) * std::numbers::pi / 180;
+  const auto word = [](double value) { return std::uint32_t(std::uint16_t(std::lround(32767 * value))); };
+  return word(std::cos(angle)) | word(std::sin(angle)) << 16;
+}
+
+}  // namespace
+
+bool has_styles(const std::vector<KeyedStrand>& strands) {
+  return std::any_of(strands.begin(), strands.end(), [](const KeyedStrand& s) {
+    return s.response != 1 || s.twist != 0 || s.curvature != 0;
+  });
+}
+
+std::vector<float> key_records(const std::vector<KeyStrand>& keys) {
+  std::vector<float> records;
+  records.reserve(keys.size() * KEY_RECORD);
+  for (const KeyStrand& key : keys) {
+    for (const glm::vec3& v : {key.root, key.normal, key.first, key.second, key.rest})
+      records.insert(records.end(), {v.x, v.y, v.z});
+    records.push_back(0);
+  }
+  return records;
+}
+
+std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::size_t keys) {
+  const std::size_t slices = (strands.size() + slice - 1) / slice;
+  std::vector<float> table(slices * slice * DRAWN_COLUMNS, 0.0f);  // unused places refer to key strand 0
+  for (std::size_t i = 0; i < strands.size(); ++i) {
+    const KeyedStrand& s = strands[i];
+    check(s, i, keys);
+    const auto set = [&](int column, float value) {
+      table[(i / slice * DRAWN_COLUMNS + std::size_t(column)) * slice + i % slice] = value;
+    };
+    for (int k = 0; k < 3; ++k) set(DRAWN_KEY + k, bits(s.key[std::size_t(k)]));
+    set(DRAWN_WEIGHT, s.weight.x);
+    set(DRAWN_WEIGHT + 1, s.weight.y);
+    set(DRAWN_LENGTH, s.length);
+    set(DRAWN_WIDTH, s.width);
+    set(DRAWN_RESPONSE, s.response);
+    set(DRAWN_TWIST, bits(turn_bits(s.twist)));
+    set(DRAWN_CURVATURE, bits(turn_bits(s.curvature)));
+    set(DRAWN_COLOUR, bits(std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 |
+                           std::uint32_t(s.colour[2]) << 16 | std::uint32_t(s.rank) << 24));
+  }
+  return table;
+}
+
+}  // namespace pelage::strands

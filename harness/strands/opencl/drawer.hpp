@@ -1,0 +1,80 @@
+// Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
+#pragma once
+#include <vector>
+
+#include "harness/cl/pair_sort.hpp"
+#include "harness/cl/phases.hpp"
+#include "harness/picture/picture.hpp"
+#include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/drawing/keyed.hpp"
+#include "kernels/strands/draw/params.h"
+
+namespace pelage::strands {
+
+/// What a picture shows, and from where.
+struct DrawingScene {
+  Camera camera;
+  Look look;
+  DepthRange range;            ///< see depth_range()
+  float first_segment = 0.5f;  ///< length of the first segment, in lengths of the strand
+};
+
+/// How the work-items of a device draw a picture. `item`: a work-item draws a tile, for CPUs. `group`: a
+/// work-group draws a tile, for GPUs. `standard`: the device's default.
+enum class Drawing { standard, item, group };
+
+struct DrawerOptions {
+  Drawing mapping = Drawing::standard;
+  int lanes = 0;   ///< strands that a work-item computes at a time: 1 or 16; 0: the device's default
+  int runs = 0;    ///< number of runs of the sort; 0: the device's default (harness/cl/pair_sort.hpp)
+  int chunks = 0;  ///< number of chunks of the sorted list, 1 to 65536; 0: the device's default
+  /// Width and height of a tile in pixels: 16, 32 or 64; 0: the default. Drawing::group needs 16.
+  int tile = 0;
+};
+
+class Drawer {
+ public:
+  /// `keys` is the number of key strands. Throws InputError if a value is not valid.
+  Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vector<KeyedStrand>& strands,
+         std::size_t keys, const DrawerOptions& options = {});
+
+  /// The key strands on the device: KEY_RECORD floats each. The caller writes them before enqueue().
+  cl::Buffer<float>& keys() { return keys_; }
+
+  /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster. Waits once for the total
+  /// length of the tiles' lists. Throws DeviceError if it is 2^31 or more.
+  void enqueue(const cl::Queue& queue, cl::PhaseEvents* events);
+
+  Picture read(const cl::Queue& queue) const;
+  /// Returns the list of the last picture, from front to back.
+  std::vector<Entry> order(const cl::Queue& queue) const;
+  /// Returns the strands with the control points that the kernels compute from the present key strands. The
+  /// result contains all strands, also those that the picture does not show. The call invalidates order()
+  /// until the next enqueue().
+  std::vector<DrawnStrand> curves(const cl::Queue& queue);
+  /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
+  std::size_t listed() const { return listed_; }
+  std::vector<const cl::Program*> programs() const;
+
+ private:
+  void enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events);
+  void enqueue_bins(const cl::Queue& queue, cl::PhaseEvents* events);
+
+  std::vector<KeyedStrand> strands_;
+  bool group_;  ///< the mapping is Drawing::group
+  int tile_, lanes_;
+  cl::PairSort sort_;
+  DrawParams params_;
+  cl::Program key_program_, bin_program_, draw_program_;
+  cl::Kernel make_keys_, count_, sum_, start_, fill_, draw_;
+  cl::Buffer<float> constants_, keys_, rows_, curves_;
+  cl::Buffer<std::uint64_t> blocks_;
+  cl::Buffer<cl::Pair> pairs_;
+  cl::Buffer<std::int32_t> film_, live_, chunk_count_, length_, list_start_, list_, taken_;
+  cl::Buffer<std::uint16_t> spot_;
+  cl::Buffer<glm::vec4> image_;
+  std::size_t listed_ = 0;
+  int key_bits_;  ///< number of bits that the sort keys use
+};
+
+}  // namespace pelage::strands

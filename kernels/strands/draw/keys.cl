@@ -1,0 +1,163 @@
+// Computes the strands of a frame: interpolates them between the key strands, projects them, and lists those that are
+// drawn, with their sort keys. A work-item computes one run of consecutive strands. The list of run r begins at
+// pair[r * capacity] and has live[r] entries (key, strand), in the order of the strands. For each strand that is drawn, the
+// kernel also writes a row of STRAND_ROW floats and the blocks of pixels that the strand may touch.
+#include "common/powers.clh"
+#include "common/slices.clh"
+#include "strands/draw/curve.clh"
+
+INLINE Key load_key(TABLE(float) keys, whole index) {
+  real4 a = gather_rows(keys, 4 * index), b = gather_rows(keys, 4 * index + 1), c = gather_rows(keys, 4 * index + 2);
+  Key k;
+  k.root = vec3(a.x, a.y, a.z);
+  k.normal = vec3(a.w, b.x, b.y);
+  k.u = vec3(b.z, b.w, c.x);
+  k.w = vec3(c.y, c.z, c.w);
+#if STRAND_STYLES
+  real4 d = gather_rows(keys, 4 * index + 3);
+  k.rest = vec3(d.x, d.y, d.z);
+#endif
+  return k;
+}
+
+INLINE real drawn_value(TABLE(scalar) strands, int u, int column) {
+  return load_real(strands, column_of(u, DRAWN_COLUMNS, column));
+}
+INLINE whole drawn_bits(TABLE(scalar) strands, int u, int column) {
+  return bits_as_whole(drawn_value(strands, u, column));
+}
+
+#if STRAND_STYLES
+INLINE Turn drawn_turn(TABLE(scalar) strands, int u, int column) {
+  whole bits = drawn_bits(strands, u, column);
+  Turn t;
+  t.cosine = to_real((bits << 16) >> 16) * REAL(1.0f / 32767.0f);
+  t.sine = to_real(bits >> 16) * REAL(1.0f / 32767.0f);
+  return t;
+}
+#endif
+
+INLINE void store_curve(Curve c, __global scalar *curves, int u) {
+  store3(c.root, curves, u, CURVE_COLUMNS, CURVE_ROOT);
+  store3(c.joint, curves, u, CURVE_COLUMNS, CURVE_JOINT);
+  store3(c.tip, curves, u, CURVE_COLUMNS, CURVE_TIP);
+  store3(c.normal, curves, u, CURVE_COLUMNS, CURVE_NORMAL);
+}
+
+// Returns the number of the block, in one direction, that contains a position in pixels, limited to 0 .. blocks - 1.
+INLINE whole block_at(real position, int blocks) {
+  return to_whole(lesser(greater(position * REAL(1.0f / BLOCK_SIDE), REAL(0.0f)), REAL((float)(blocks - 1))));
+}
+
+// A range of blocks in the picture. The low half of a word is the column, the high half the row.
+typedef struct { whole first, last; } Blocks;
+
+// Returns the blocks that a strand may touch. The control points enclose the curve if none is nearer than the near plane.
+// Otherwise the strand may touch all blocks. A fragment is not further from the curve than the square root of 2 times
+// (half + 1/2), where half is the half width in pixels.
+INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real radius) {
+  real least = lesser(a.z, lesser(b.z, c.z));
+  truth in_front = least >= REAL(p->near_depth);
+  real wa = 1.0f / (in_front ? a.z : REAL(1.0f)), wb = 1.0f / (in_front ? b.z : REAL(1.0f)), wc = 1.0f / (in_front ? c.z : REAL(1.0f));
+  real pad = 1.5f * fma(radius, greater(wa, greater(wb, wc)), REAL(0.5f));
+  real ax = a.x * wa, bx = b.x * wb, cx = c.x * wc, ay = a.y * wa, by = b.y * wb, cy = c.y * wc;
+  real mid_x = REAL(0.5f * (float)p->width), mid_y = REAL(0.5f * (float)p->height);
+  int across = (p->width + BLOCK_SIDE - 1) / BLOCK_SIDE, down = (p->height + BLOCK_SIDE - 1) / BLOCK_SIDE;
+  whole left = block_at(lesser(ax, lesser(bx, cx)) - pad + mid_x, across);
+  whole right = block_at(greater(ax, greater(bx, cx)) + pad + mid_x, across);
+  whole top = block_at(lesser(ay, lesser(by, cy)) - pad + mid_y, down);
+  whole bottom = block_at(greater(ay, greater(by, cy)) + pad + mid_y, down);
+  Blocks out;
+  out.first = in_front ? left | (top << 16) : WHOLE(0);
+  out.last = in_front ? right | (bottom << 16) : WHOLE((across - 1) | (down - 1) << 16);
+  return out;
+}
+
+#if STRAND_LIGHTS
+// Returns one colour of the fill lights' irradiance at the normal n, at least 0. c: nine coefficients.
+INLINE real fill_light(const float *c, real3 n) {
+  real sum = fma(n.y, REAL(c[1]), fma(n.z, REAL(c[2]), fma(n.x, REAL(c[3]), REAL(c[0]))));
+  sum = fma(n.x * n.y, REAL(c[4]), fma(n.y * n.z, REAL(c[5]), fma(n.x * n.z, REAL(c[7]), sum)));
+  sum = fma(fma(3.0f * n.z, n.z, REAL(-1.0f)), REAL(c[6]), fma(fma(n.x, n.x, -(n.y * n.y)), REAL(c[8]), sum));
+  return greater(sum, REAL(0.0f));
+}
+
+// Returns the light that does not change along the strand.
+INLINE real3 steady_light(const DrawParams *p, Curve curve, real3 colour) {
+  real3 from_eye = sub3(curve.joint, uniform3(p->eye[0], p->eye[1], p->eye[2]));
+  from_eye = unit3(from_eye, dot3(from_eye, from_eye));
+  real edge = power(greater(1.0f - fabs(dot3(curve.normal, from_eye)), REAL(0.0f)), REAL(p->rim_exponent));
+  real3 rim = scale3(edge, uniform3(p->rim[0], p->rim[1], p->rim[2]));
+  return vec3(fma(colour.x, p->ambient + fill_light(p->fill, curve.normal), rim.x),
+              fma(colour.y, p->ambient + fill_light(p->fill + 9, curve.normal), rim.y),
+              fma(colour.z, p->ambient + fill_light(p->fill + 18, curve.normal), rim.z));
+}
+
+// Returns the number of the strand's film frame.
+INLINE whole film_frame(const DrawParams *p, whole strand) {
+  wide hash = to_wide(strand * WHOLE((int)2654435761u)) & 0xffffffffL;
+  return narrow(hash * (long)p->frames >> 32);
+}
+#endif
+
+__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, __global float *row,
+                          __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
+  int run = (int)get_global_id(0);
+  if (run >= p.runs) return;
+  int first = run * p.units_per_run, last = min(first + p.units_per_run, p.units);
+  __global uint2 *out = pair + (size_t)run * p.capacity;
+  int listed = 0;
+  for (int u = first; u < last; ++u) {
+    Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY)), b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1));
+    Key c = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 2));
+    Key key = between_keys(a, b, c, drawn_value(strands, u, DRAWN_WEIGHT), drawn_value(strands, u, DRAWN_WEIGHT + 1));
+#if STRAND_STYLES
+    key = styled(key, drawn_value(strands, u, DRAWN_RESPONSE), drawn_turn(strands, u, DRAWN_TWIST), drawn_turn(strands, u, DRAWN_CURVATURE));
+#endif
+    Curve curve = curve_of(above_skin(key, p.slope), drawn_value(strands, u, DRAWN_LENGTH), p.first_segment);
+    if (p.keep_curves) store_curve(curve, curves, u);
+
+    whole number = u * LANES + lane_numbers();
+    real3 root = in_view(&p, curve.root), joint = in_view(&p, curve.joint), tip = in_view(&p, curve.tip);
+    truth drawn = number < WHOLE(p.strands);
+    drawn = drawn && !faces_away(curve.normal, sub3(uniform3(p.eye[0], p.eye[1], p.eye[2]), curve.root));
+    real near = REAL(p.near_depth);
+    real3 depth = vec3(root.z, joint.z, tip.z);
+    drawn = drawn && ((depth.x >= near) || (depth.y >= near) || (depth.z >= near));
+    real radius = drawn_value(strands, u, DRAWN_WIDTH) * REAL(p.half_per_width), wide = 1.5f * radius;
+    truth in_front = (depth.x >= near) && (depth.y >= near) && (depth.z >= near);
+    truth outside = beyond_side(root.x, joint.x, tip.x, depth, 0.5f * (float)p.width + 1.0f, wide) ||
+                    beyond_side(root.y, joint.y, tip.y, depth, 0.5f * (float)p.height + 1.0f, wide);
+    drawn = drawn && !(in_front && outside);
+    if (!some(drawn)) continue;
+
+    whole colour = drawn_bits(strands, u, DRAWN_COLOUR);
+    whole sort_key = (colour & WHOLE((int)0xff000000u)) | depth_step(&p, depth.y);
+#if STRAND_LIGHTS
+    real3 steady = steady_light(&p, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
+    real scale = 1.0f / (p.skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
+    real joint_height = dot3(curve.normal, sub3(curve.joint, curve.root)) * scale;
+    real tip_height = dot3(curve.normal, sub3(curve.tip, curve.root)) * scale;
+    colour = (colour & 0xffffff) | (film_frame(&p, number) << 24);
+    real4 part[4] = {{root.x, root.y, root.z, joint.x}, {joint.y, joint.z, tip.x, tip.y},
+                     {tip.z, radius, bits_as_real(colour), joint_height}, {tip_height, steady.x, steady.y, steady.z}};
+    const int parts = 4;
+#else
+    real4 part[3] = {{root.x, root.y, root.z, joint.x}, {joint.y, joint.z, tip.x, tip.y}, {tip.z, radius, bits_as_real(colour), REAL(0.0f)}};
+    const int parts = 3;
+#endif
+    for (int i = 0; i < parts; ++i) store_rows_apart(part[i], row + (size_t)u * (LANES * STRAND_ROW) + 4 * i, STRAND_ROW);
+    Blocks touched = blocks_of(&p, root, joint, tip, radius);
+    int key_of[LANES], number_of[LANES], first_of[LANES], last_of[LANES];
+    int count = squeeze(sort_key, drawn, key_of);
+    squeeze(number, drawn, number_of);
+    squeeze(touched.first, drawn, first_of);
+    squeeze(touched.last, drawn, last_of);
+    for (int i = 0; i < count; ++i) {
+      out[listed + i] = (uint2)((uint)key_of[i], (uint)number_of[i]);
+      blocks[number_of[i]] = (uint2)((uint)first_of[i], (uint)last_of[i]);
+    }
+    listed += count;
+  }
+  live[run] = listed;
+}

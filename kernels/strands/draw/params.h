@@ -1,0 +1,85 @@
+// Constants that the host passes to the kernels that draw strands, for OpenCL C and C++. All members have four bytes.
+// docs/strands.md, section Drawing, defines the picture. R is the radius of the mesh's bounding sphere.
+#ifndef PELAGE_STRANDS_DRAW_PARAMS_H
+#define PELAGE_STRANDS_DRAW_PARAMS_H
+
+typedef struct {
+  int width, height;           // size of the picture, pixels
+  int tiles_x, tiles_y;        // number of tiles across and down the picture
+  // Rows of the camera matrix. Their products with (p, 1), for a point p in the object's frame, are X, Y and W. W is the
+  // view depth in R. X and Y are W times the distance from the image centre in pixels.
+  float row_x[4], row_y[4], row_w[4];
+  float eye[3];                // R
+  float near_depth;            // view depth of the near plane, R
+  float pixel;                 // side of a pixel at the view depth 1, R
+  float half_per_width;        // 0.5 / pixel
+  float nearest, per_depth;    // view depth of the first depth step, R; number of depth steps per R
+  float first_segment;         // length of the first segment, in lengths of the strand
+  float slope;                 // length of the second segment divided by the length of the first segment
+  int strands;                 // number of strands
+  int units;                   // number of units of LANES strands
+  int runs;                    // number of runs; one work-item of strand_keys computes one run
+  int units_per_run;
+  int capacity;                // number of pairs for which a run has room
+  int keep_curves;             // 1: strand_keys also writes the curves
+  int chunks;                  // number of chunks of the sorted list; one work-item of strand_bin_count counts one chunk
+  // Look (harness/strands/drawing/drawing.hpp).
+  int segments;
+  float taper, opacity;
+  float light[3];              // unit vector towards the key light in camera axes: right, down, forward
+  float intensity, ambient, exponent;
+  int whole_exponent;          // the exponent if it is an integer from 1 to 1024, else 0
+  float specular[3], background[3];
+  float fill[27];              // irradiance of the fill lights: nine coefficients each for red, green and blue
+  float rim[3], rim_exponent;
+  float skin_shadow, skin_shadow_height;
+  int frames;                  // number of frames of the film strip
+} DrawParams;
+
+// Columns of the table of the drawn strands' constants. The keys of a strand are the key strands at the corners of its
+// triangle. KEY: indices of the three keys (bits of integers). WEIGHT: barycentric weights of the second and third key.
+// LENGTH and WIDTH are in R. COLOUR: one byte each for red, green, blue and the rank of the fur layer, the lowest byte
+// first. RESPONSE: factor of the movement. TWIST and CURVATURE: cosine and sine of the angle, in 16 bits each and in units
+// of 1/32767, the cosine in the lower bits. Kernels that are built with STRAND_STYLES 0 do not use the last three columns.
+enum { DRAWN_KEY, DRAWN_WEIGHT = 3, DRAWN_LENGTH = 5, DRAWN_WIDTH, DRAWN_COLOUR, DRAWN_RESPONSE, DRAWN_TWIST, DRAWN_CURVATURE,
+       DRAWN_COLUMNS };
+
+// 1: some strand has a response other than 1, or a twist or a curvature other than 0.
+#ifndef STRAND_STYLES
+#define STRAND_STYLES 1
+#endif
+
+// Floats in the record of a key strand. Vectors are in the object's frame: position of the root in R, normal of the skin,
+// the directions u and w of the two segments, and the direction d of the strand at rest; one unused float.
+#define KEY_RECORD 16
+
+// Columns of the curves: the control points root, joint and tip in R, and the normal at the root, in the object's frame.
+enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUMNS = 12 };
+
+// Floats in the row of a strand: X, Y and W of root, joint and tip; half of the width at the root divided by the side of a
+// pixel at the view depth 1; the bits of the colour, with the number of the film frame in the highest byte; the heights of
+// joint and tip above the skin, divided by skin_shadow_height times the length of the strand; red, green and blue of the
+// light that does not change along the strand: ambient light, fill lights and rim light. Kernels that are built with
+// STRAND_LIGHTS 0 do not use the last five floats.
+#define STRAND_ROW 16
+
+// 1: the look has fill lights, a rim light, a shadow of the skin or a film strip.
+#ifndef STRAND_LIGHTS
+#define STRAND_LIGHTS 1
+#endif
+#define FILM_SAMPLES 8         // samples of a film frame
+
+// Width and height of a tile in pixels: 16, 32 or 64. A tile consists of blocks of 8 x 8 pixels.
+#ifndef STRAND_TILE
+#define STRAND_TILE 64
+#endif
+#define BLOCK_SIDE 8
+#define TILE_BLOCKS (STRAND_TILE / BLOCK_SIDE)
+
+#define MOST_SEGMENTS 8
+// The keys have one depth step more than this number.
+#define LAST_DEPTH_STEP 16777215.0f
+// A pixel whose transmittance is at most this number may miss the strands behind.
+#define STRAND_OPAQUE 0.001953125f
+
+#endif

@@ -1,0 +1,30 @@
+// Expands a strand to a triangle strip. A strip has two vertices for each vertex of the curve.
+#ifdef INSTANCED
+layout(location = 0) in vec4 first;
+layout(location = 1) in vec4 second;
+layout(location = 2) in vec4 third;
+#else
+layout(std430, binding = 0) readonly buffer Records { vec4 record[]; };
+#endif
+
+noperspective out vec3 across;
+noperspective out vec3 colour;
+
+void main() {
+#ifdef INSTANCED
+  int vertex = gl_VertexID;
+#else
+  int strand = gl_VertexID / (2 * SEGMENTS + 2), vertex = gl_VertexID % (2 * SEGMENTS + 2);
+  vec4 first = record[3 * strand], second = record[3 * strand + 1], third = record[3 * strand + 2];
+#endif
+  Strand s;
+  s.root = first.xyz;
+  s.joint = vec3(first.w, second.xy);
+  s.tip = vec3(second.zw, third.x);
+  s.radius = third.y;
+  s.colour = unpackUnorm4x8(floatBitsToUint(third.z)).rgb;
+  Vertex v = strip_vertex(s, vertex >> 1, (vertex & 1) != 0 ? 1.0 : -1.0);
+  across = v.across;
+  colour = v.colour;
+  gl_Position = vec4(v.at / vec2(HALF_WIDTH, HALF_HEIGHT) * v.depth, NEAR, v.depth);
+}

@@ -1,0 +1,203 @@
+// Compares the device's pictures of strands with the double-precision reference: the control points, the list
+// of strands to draw, and the picture. The device must also give equal bits for every division of the work.
+#include "harness/strands/reference/drawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/error.hpp"
+#include "harness/strands/opencl/drawer.hpp"
+#include "harness/strands/reference/keyed.hpp"
+#include "tests/strands/support/ball.hpp"
+
+namespace pelage::strands {
+namespace {
+
+DrawingScene scene_of(int width, int height, glm::vec3 eye = {0.5f, 0.6f, 3.4f}, float near = 0.01f) {
+  DrawingScene scene;
+  scene.camera = camera_at(width, height, eye, near);
+  scene.range = depth_range(scene.camera, 1 + longest);
+  scene.first_segment = 0.45f;
+  return scene;
+}
+
+struct Result {
+  std::vector<DrawnStrand> curves;
+  std::vector<Entry> order;
+  Picture picture;
+};
+
+Result draw_on_device(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
+  static const cl::Queue queue(cl::choose_device(""));
+  Drawer drawer(queue, scene, ball.strands, ball.keys.size(), options);
+  const std::vector<float> records = key_records(ball.keys);
+  drawer.keys().write(queue, records);
+  Result result;
+  result.curves = drawer.curves(queue);
+  drawer.enqueue(queue, nullptr);
+  result.order = drawer.order(queue);
+  result.picture = drawer.read(queue);
+  return result;
+}
+
+void expect_reference(const DrawingScene& scene, const Ball& ball, const DrawerOptions& options = {}) {
+  const Result device = draw_on_device(scene, ball, options);
+  for (std::size_t i = 0; i < ball.strands.size(); ++i) {
+    const DrawnStrand expected = reference::between(ball.keys, ball.strands[i], scene.first_segment);
+    // The angles of twist and curvature have 16 bits on the device.
+    const float limit = has_styles(ball.strands) ? 3e-5f : 2e-6f;
+    for (std::size_t k = 0; k < 3; ++k)
+      ASSERT_LT(glm::length(device.curves[i].point[k] - expected.point[k]), limit) << i << ", point " << k;
+    ASSERT_LT(glm::length(device.curves[i].normal - expected.normal), limit) << i;
+  }
+  const std::vector<Entry> order = reference::drawing_order(scene.camera, scene.range, device.curves);
+  EXPECT_GT(order.size(), 50u);
+  ASSERT_EQ(device.order, order);
+  const Agreement found =
+      compare(device.picture, reference::draw(scene.camera, scene.look, device.curves, order));
+  EXPECT_TRUE(within(found)) << found.psnr << " dB, 99.9th percentile " << found.p999;
+}
+
+TEST(StrandDrawing, IsThatOfTheReference) {
+  expect_reference(scene_of(333, 250), Ball(1000));
+}
+
+TEST(StrandDrawing, ManyStrandsCloseTheirPixels) {
+  expect_reference(scene_of(200, 130), Ball(20000));
+}
+
+TEST(StrandDrawing, RanksComeBeforeDepths) {
+  DrawingScene scene = scene_of(200, 130);
+  scene.look.segments = 5;
+  scene.look.exponent = 17.5f;
+  expect_reference(scene, Ball(600, 3));
+}
+
+/// A look with all kinds of light.
+Look bright() {
+  Look look;
+  look.fills = {{{1, 0.2f, 0.3f}, {0.5f, 0.2f, 0.1f}}, {{-0.4f, -1, 0.6f}, {0.1f, 0.3f, 0.6f}}};
+  look.rim = {0.5f, 0.4f, 0.3f};
+  look.rim_exponent = 2.5f;
+  look.skin_shadow = 0.7f;
+  look.skin_shadow_height = 0.6f;
+  std::mt19937 random(3);
+  look.film.resize(5);
+  for (FilmFrame& frame : look.film)
+    for (FilmSample& sample : frame)
+      sample = {std::uint8_t(random() & 255), std::uint8_t(random() & 255), std::uint8_t(random() & 255)};
+  return look;
+}
+
+TEST(StrandDrawing, AllLightsAgreeWithTheReference) {
+  DrawingScene scene = scene_of(200, 130);
+  scene.look = bright();
+  for (const int bands : {1, 2})
+    for (const Drawing mapping : {Drawing::item, Drawing::group}) {
+      scene.look.bands = bands;
+      DrawerOptions options;
+      options.mapping = mapping;
+      expect_reference(scene, Ball(800), options);
+    }
+}
+
+TEST(StrandDrawing, StylesAgreeWithTheReference) {
+  Ball ball(800);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> part(-1, 1);
+  for (KeyedStrand& s : ball.strands) {
+    s.response = 1 + 0.9f * part(random);
+    s.twist = 180 * part(random);
+    s.curvature = 120 * part(random);
+  }
+  expect_reference(scene_of(200, 130), ball);
+}
+
+// The near plane cuts the fur in front of the sphere.
+DrawingScene cut_scene(float near) {
+  DrawingScene scene = scene_of(150, 120, {0.3f, 0.4f, 1.6f}, near);
+  scene.look.segments = 8;
+  return scene;
+}
+
+TEST(StrandDrawing, StrandsAreCutAtTheNearPlane) {
+  for (const float near : {0.55f, 0.65f}) {
+    const DrawingScene scene = cut_scene(near);
+    const Ball ball(2000);
+    const std::vector<DrawnStrand> curves = draw_on_device(scene, ball).curves;
+    const auto behind = [&](glm::vec3 p) {
+      return glm::dot(scene.camera.row_w, glm::vec4(p, 1)) < scene.camera.near;
+    };
+    const auto cut = std::count_if(curves.begin(), curves.end(), [&](const DrawnStrand& s) {
+      return behind(s.point[0]) != behind(s.point[2]);
+    });
+    EXPECT_GT(cut, 20);
+    expect_reference(scene, ball);
+  }
+}
+
+TEST(StrandDrawing, OneLaneAgreesWithTheReference) {
+  DrawerOptions options;
+  options.lanes = 1;
+  expect_reference(scene_of(200, 130), Ball(500), options);
+}
+
+TEST(StrandDrawing, SmallTilesAgreeWithTheReference) {
+  for (const int tile : {16, 32}) {
+    DrawerOptions options;
+    options.tile = tile;
+    expect_reference(scene_of(200, 130), Ball(500), options);
+  }
+}
+
+TEST(StrandDrawing, TheMappingForGpusAgreesWithTheReference) {
+  DrawerOptions options;
+  options.mapping = Drawing::group;
+  expect_reference(scene_of(200, 130), Ball(700, 2), options);
+  options.lanes = 1;
+  expect_reference(cut_scene(0.6f), Ball(2000), options);
+}
+
+TEST(StrandDrawing, BitsDoNotDependOnTheDivisionOfTheWork) {
+  const Ball ball(3001, 2);
+  const DrawingScene scene = scene_of(300, 200);
+  const Result first = draw_on_device(scene, ball);
+  for (const int runs : {1, 7, 64})
+    for (const int chunks : {1, 5, 33}) {
+      DrawerOptions options;
+      options.runs = runs;
+      options.chunks = chunks;
+      const Result other = draw_on_device(scene, ball, options);
+      EXPECT_EQ(other.order, first.order);
+      EXPECT_EQ(other.picture.pixel, first.picture.pixel) << runs << " runs, " << chunks << " chunks";
+    }
+}
+
+TEST(StrandDrawing, WrongValuesAreRefused) {
+  const Ball ball(10);
+  DrawingScene scene = scene_of(100, 100);
+  for (const DrawerOptions& wrong :
+       {DrawerOptions{Drawing::item, 3}, DrawerOptions{Drawing::item, 0, -1},
+        DrawerOptions{Drawing::item, 0, 0, 70000}, DrawerOptions{Drawing::item, 0, 0, 0, 65},
+        DrawerOptions{Drawing::group, 0, 0, 0, 32}})
+    EXPECT_THROW(draw_on_device(scene, ball, wrong), InputError);
+  scene.first_segment = 1;
+  EXPECT_THROW(draw_on_device(scene, ball), InputError);
+  scene = scene_of(100, 100);
+  Ball wrong(10);
+  wrong.strands[3].key[1] = 30;
+  EXPECT_THROW(draw_on_device(scene, wrong), InputError);
+  wrong = ball;
+  wrong.strands[3].length = std::nanf("");
+  EXPECT_THROW(draw_on_device(scene, wrong), InputError);
+  wrong = ball;
+  wrong.strands.clear();
+  EXPECT_THROW(draw_on_device(scene, wrong), InputError);
+}
+
+}  // namespace
+}  // namespace pelage::strands
