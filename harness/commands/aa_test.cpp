@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "harness/atomic_file.hpp"
 #include "harness/commands/progress.hpp"
@@ -73,16 +74,39 @@ std::string failed_check(const SideScene& side) {
   return {};
 }
 
-/// Returns a function that makes a new pipeline and returns one sample: the total time of `frames` frames in
-/// ms.
-TimePipeline timing_of(const SideScene& side, int frames) {
-  return [&side, frames] {
+double now_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// One side of a round: a new pipeline, and the total time of its frames in ms.
+struct Turn {
+  Shells shells;
+  double started_s = 0, sum_ms = 0;
+
+  explicit Turn(const SideScene& side) : shells(side.device, side.input, side.options) {
     constexpr int warm_up = 3;
-    Shells shells(side.device, side.input, side.options);
     for (int i = 0; i < warm_up; ++i) shells.frame();
-    double sum_ms = 0;
-    for (int i = 0; i < frames; ++i) sum_ms += shells.frame().wall_ms;
-    return std::vector<double>{sum_ms};
+  }
+  void frame() {
+    if (sum_ms == 0) started_s = now_s();
+    sum_ms += shells.frame().wall_ms;
+  }
+};
+
+/// Returns a function that makes two pipelines. The first draws `frames_a` frames and the second `frames_b`
+/// frames, in turns. A side has one sample: the total time of its frames.
+TimeRound in_turns(const SideScene& side, int frames_a, int frames_b) {
+  return [&side, frames_a, frames_b](bool b_first) {
+    std::optional<Turn> a, b;
+    if (b_first) b.emplace(side);
+    a.emplace(side);
+    if (!b_first) b.emplace(side);
+    for (int i = 0; i < std::max(frames_a, frames_b); ++i) {
+      if (b_first && i < frames_b) b->frame();
+      if (i < frames_a) a->frame();
+      if (!b_first && i < frames_b) b->frame();
+    }
+    return RoundTimes{{a->sum_ms}, {b->sum_ms}, a->started_s, b->started_s};
   };
 }
 
@@ -115,23 +139,21 @@ int aa_test(AaOptions options) {
     return 1;
   }
 
-  const TimePipeline time_a = timing_of(side, options.frames), time_b = timing_of(side, more);
+  const TimeRound time_equal = in_turns(side, options.frames, options.frames),
+                  time_slower = in_turns(side, options.frames, more);
   std::mt19937_64 random(options.limits.seed);
-  const auto now_s = [] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  };
   std::vector<Trial> equal, slower;
   const CpuWatch watch;
   // Comparisons in which both sides draw equally many frames alternate with comparisons in which one side
   // draws more frames. A busy period of the machine therefore affects both kinds of comparisons.
   for (int i = 0; i < std::max(options.equal, options.slower); ++i) {
-    const auto trial = [&](const char* name, const TimePipeline& other, std::vector<Trial>& trials) {
+    const auto trial = [&](const char* name, const TimeRound& time_round, std::vector<Trial>& trials) {
       progress.start(name);
-      trials.push_back(run_trial(time_a, other, options.limits, random, now_s));
+      trials.push_back(run_trial(time_round, options.limits, random));
       progress.finish(fmt::format("{:+.2f}%", 100 * std::expm1(trials.back().difference.log_ratio)));
     };
-    if (i < options.equal) trial("equal sides", time_a, equal);
-    if (i < options.slower) trial("more frames", time_b, slower);
+    if (i < options.equal) trial("equal sides", time_equal, equal);
+    if (i < options.slower) trial("more frames", time_slower, slower);
   }
 
   fmt::print("{}, {} layers, {}x{}; {} pipelines per side, {} frames per pipeline; threshold {}, alpha {}\n",
@@ -180,10 +202,11 @@ void add_aa_test(CLI::App& app, Chosen& chosen) {
   };
   count("--equal", options->equal, "Number of comparisons in which both sides draw the same frames", 0);
   count("--slower", options->slower, "Number of comparisons in which the second side draws more frames", 0);
-  count("--rounds", options->limits.rounds,
-        "Number of rounds per comparison; in each round both sides make and time one pipeline",
-        int(fewest_processes));
-  count("--frames", options->frames, "Frames that each pipeline draws; their total time is one sample", 1);
+  count(
+      "--rounds", options->limits.rounds,
+      "Number of rounds per comparison; in each round both sides make one pipeline and draw frames in turns",
+      int(fewest_processes));
+  count("--frames", options->frames, "Frames that each pipeline draws; their total time is the sample", 1);
   text("--work", options->work, "Additional frames of the slower side, relative to --frames", "5%");
   text("--threshold", options->threshold,
        "Largest relative change that counts as no change, as in pelage compare", "0");

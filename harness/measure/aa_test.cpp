@@ -24,18 +24,14 @@ std::string_view to_text(Side side) {
 
 }  // namespace
 
-Trial run_trial(const TimePipeline& a, const TimePipeline& b, const TrialLimits& limits,
-                std::mt19937_64& random, const std::function<double()>& now_s) {
+Trial run_trial(const TimeRound& time_round, const TrialLimits& limits, std::mt19937_64& random) {
   Timings of_a, of_b;
-  const auto time = [&now_s](const TimePipeline& side, Timings& timings) {
-    timings.started_s.push_back(now_s());
-    timings.processes.push_back(side());
-  };
   for (int round = 0; round < limits.rounds; ++round) {
-    const bool b_first = (random() & 1) != 0;
-    if (b_first) time(b, of_b);
-    time(a, of_a);
-    if (!b_first) time(b, of_b);
+    RoundTimes times = time_round((random() & 1) != 0);
+    of_a.started_s.push_back(times.a_started_s);
+    of_b.started_s.push_back(times.b_started_s);
+    of_a.processes.push_back(std::move(times.a));
+    of_b.processes.push_back(std::move(times.b));
   }
   const Difference difference = difference_of(of_a, of_b);
   return {difference, decide(std::span(&difference, 1), limits.threshold, limits.alpha).front()};

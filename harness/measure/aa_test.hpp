@@ -12,16 +12,23 @@
 
 namespace pelage {
 
-/// Makes a new rendering pipeline with new buffers, draws frames with it, and returns one or more wall times
-/// in ms. Warm-up frames are not timed.
-using TimePipeline = std::function<std::vector<double>()>;
+/// The wall times of the two sides a and b in one round, in ms, and the times at which their first samples
+/// started, in s.
+struct RoundTimes {
+  std::vector<double> a, b;
+  double a_started_s = 0, b_started_s = 0;
+};
 
-/// Settings of trials. In each round of a trial, run_trial() makes one pipeline with each of two functions.
+/// Makes a new rendering pipeline with new buffers for each side, and draws frames with both. If `b_first` is
+/// true, side b starts. Warm-up frames are not timed.
+using TimeRound = std::function<RoundTimes(bool b_first)>;
+
+/// Settings of trials.
 struct TrialLimits {
-  int rounds = 20;         ///< number of rounds; at least fewest_processes
+  int rounds = 12;         ///< number of rounds; at least fewest_processes
   double threshold = 0;    ///< see decide()
   double alpha = 0.02;     ///< see decide()
-  std::uint64_t seed = 1;  ///< seed of the random order of the two functions in each round
+  std::uint64_t seed = 1;  ///< seed of the random order of the two sides in each round
 };
 
 struct Trial {
@@ -29,11 +36,9 @@ struct Trial {
   Decision decision;
 };
 
-/// Times `a` and `b`, and tests whether their times differ. In each round, each of the two functions makes
-/// and times one pipeline. The order of the two functions is random. A pipeline corresponds to one process of
-/// `pelage run --repeat`. `now_s` returns the current time in seconds.
-Trial run_trial(const TimePipeline& a, const TimePipeline& b, const TrialLimits& limits,
-                std::mt19937_64& random, const std::function<double()>& now_s);
+/// Times both sides in every round, and tests whether their times differ. A pipeline of a round takes the
+/// place of one process of `pelage run --repeat`.
+Trial run_trial(const TimeRound& time_round, const TrialLimits& limits, std::mt19937_64& random);
 
 /// Number of trials for each verdict.
 struct TrialCounts {

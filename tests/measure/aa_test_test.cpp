@@ -13,14 +13,25 @@ struct Machine {
   std::mt19937_64 random{3};
   std::normal_distribution<double> noise{0, 0.01};
   double now_s = 0;
-  TimePipeline side(double ms) {
-    return [this, ms] {
-      std::vector<double> times;
-      times.reserve(9);
-      for (int i = 0; i < 9; ++i) {
-        times.push_back(ms * (1 + 0.1 * now_s) * (1 + noise(random)));
-        now_s += 0.01;
-      }
+  std::vector<double> nine_times(double ms) {
+    std::vector<double> times;
+    times.reserve(9);
+    for (int i = 0; i < 9; ++i) {
+      times.push_back(ms * (1 + 0.1 * now_s) * (1 + noise(random)));
+      now_s += 0.01;
+    }
+    return times;
+  }
+  TimeRound round(double a_ms, double b_ms) {
+    return [this, a_ms, b_ms](bool b_first) {
+      RoundTimes times;
+      const auto time = [this](double ms, std::vector<double>& side, double& started_s) {
+        started_s = now_s;
+        side = nine_times(ms);
+      };
+      if (b_first) time(b_ms, times.b, times.b_started_s);
+      time(a_ms, times.a, times.a_started_s);
+      if (!b_first) time(b_ms, times.b, times.b_started_s);
       return times;
     };
   }
@@ -33,8 +44,7 @@ std::vector<Trial> trials_of(double change, int count) {
   trials.reserve(std::size_t(count));
   for (int i = 0; i < count; ++i) {
     machine.now_s = 0;
-    trials.push_back(run_trial(machine.side(10), machine.side(10 * (1 + change)), {}, order,
-                               [&] { return machine.now_s; }));
+    trials.push_back(run_trial(machine.round(10, 10 * (1 + change)), {}, order));
   }
   return trials;
 }
