@@ -40,6 +40,9 @@ inline real floor_real(real x) {
 inline real inverse_root(real x) {
   return 1 / sqrt(x);
 }
+inline real inverse(real x) {
+  return 1 / x;
+}
 inline bool some(truth m) {
   return m;
 }

@@ -18,6 +18,7 @@ inline float fmin(float a, float b) { return a < b ? a : b; }
 inline float sqrt(float x) { return __builtin_sqrtf(x); }
 inline float fabs(float x) { return __builtin_fabsf(x); }
 inline real inverse_root(real x) { return 1 / sqrt(x); }
+inline real inverse(real x) { return 1 / x; }
 inline bool some(truth m) { return m; }
 
 #define TABLE(type) const type*

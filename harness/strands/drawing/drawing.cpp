@@ -52,7 +52,7 @@ Irradiance irradiance_of(const Look& look) {
 }
 
 void check(const Look& look) {
-  in_range("number of segments", float(look.segments), 1, 8);
+  in_range("number of segments", float(look.segments), 1, 7);
   in_range("taper", look.taper, 0, 1);
   in_range("opacity", look.opacity, 0, 1);
   in_range("intensity of the key light", look.intensity, 0, 1000);

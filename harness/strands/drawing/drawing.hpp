@@ -35,7 +35,7 @@ using FilmFrame = std::array<FilmSample, 8>;  ///< samples at equal distances fr
 
 /// The values that all strands of a picture share.
 struct Look {
-  int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 8
+  int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 7
   float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
   float opacity = 0.85f;                ///< alpha of a strand at its root, 0 to 1; it falls to 0 at the tip
   glm::vec3 light{0.25f, 1.0f, -0.4f};  ///< direction towards the key light, of any length above 0

@@ -134,7 +134,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       key_program_(queue.device(), "strands/draw/keys.cl", options_of(lanes_, tile_, scene.look, strands)),
       bin_program_(queue.device(), "strands/draw/bins.cl", options_of(1, tile_, scene.look, strands)),
       draw_program_(queue.device(), group_ ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-                    options_of(group_ ? 1 : lanes_, tile_, scene.look, strands)),
+                    options_of(group_ ? 1 : 16, tile_, scene.look, strands)),
       make_keys_(key_program_, "strand_keys"),
       count_(bin_program_, "strand_bin_count"),
       sum_(bin_program_, "strand_bin_sum"),
@@ -168,6 +168,8 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   length_ = cl::Buffer<std::int32_t>(device, tiles);
   list_start_ = cl::Buffer<std::int32_t>(device, tiles + 1);
   taken_ = cl::Buffer<std::int32_t>(device, 1);
+  const std::vector<std::int32_t> unknown(tiles, 0);
+  blank_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(unknown));
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
 }
 
@@ -218,7 +220,7 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
   if (events)
     for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
   enqueue_bins(queue, events);
-  draw_.with(params_, rows_, film_, list_start_, list_, spot_, image_, taken_);
+  draw_.with(params_, rows_, film_, list_start_, list_, spot_, image_, taken_, blank_);
   // With Drawing::item, a work-item draws tiles until no tile is left.
   const std::size_t tiles = length_.size(), group = std::size_t(tile_) * std::size_t(tile_);
   const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));

@@ -70,7 +70,7 @@ class Drawer {
   cl::Buffer<float> constants_, keys_, rows_, curves_;
   cl::Buffer<std::uint64_t> blocks_;
   cl::Buffer<cl::Pair> pairs_;
-  cl::Buffer<std::int32_t> film_, live_, chunk_count_, length_, list_start_, list_, taken_;
+  cl::Buffer<std::int32_t> film_, live_, chunk_count_, length_, list_start_, list_, taken_, blank_;
   cl::Buffer<std::uint16_t> spot_;
   cl::Buffer<glm::vec4> image_;
   std::size_t listed_ = 0;

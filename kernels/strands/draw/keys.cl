@@ -58,7 +58,7 @@ typedef struct { whole first, last; } Blocks;
 INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real radius) {
   real least = lesser(a.z, lesser(b.z, c.z));
   truth in_front = least >= REAL(p->near_depth);
-  real wa = 1.0f / (in_front ? a.z : REAL(1.0f)), wb = 1.0f / (in_front ? b.z : REAL(1.0f)), wc = 1.0f / (in_front ? c.z : REAL(1.0f));
+  real wa = inverse(in_front ? a.z : REAL(1.0f)), wb = inverse(in_front ? b.z : REAL(1.0f)), wc = inverse(in_front ? c.z : REAL(1.0f));
   real pad = 1.5f * fma(radius, greater(wa, greater(wb, wc)), REAL(0.5f));
   real ax = a.x * wa, bx = b.x * wb, cx = c.x * wc, ay = a.y * wa, by = b.y * wb, cy = c.y * wc;
   real mid_x = REAL(0.5f * (float)p->width), mid_y = REAL(0.5f * (float)p->height);

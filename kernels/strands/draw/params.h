@@ -76,7 +76,7 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #define BLOCK_SIDE 8
 #define TILE_BLOCKS (STRAND_TILE / BLOCK_SIDE)
 
-#define MOST_SEGMENTS 8
+#define MOST_SEGMENTS 7
 // The keys have one depth step more than this number.
 #define LAST_DEPTH_STEP 16777215.0f
 // A pixel whose transmittance is at most this number may miss the strands behind.

@@ -1,11 +1,10 @@
-// Draws strands, one tile per work-item at a time. The strands of a tile are drawn from front to back. For LANES strands at
-// once, set_up() computes the segments. draw_strand() then finds the fragments of one strand after the other, and appends
-// them to a queue. drain() blends the fragments of the queue in their order.
+// Draws strands, one tile per work-item at a time. The strands of a tile are drawn from front to back. put_vertices() and
+// segments_of() compute the segments (segments.clh). draw_strand() then finds the fragments of one strand after the other,
+// LANES rows of its segments at once, and appends them to a queue. drain() blends the fragments of the queue in their order.
+// The kernel is always built with 16 lanes.
 #include "strands/draw/segments.clh"
 
 #define TILE_PIXELS (STRAND_TILE * STRAND_TILE)
-#define ALIGNED __attribute__((aligned(64)))
-
 // The kernel looks for closed blocks after each CHECK_EVERY times LANES strands.
 #define CHECK_EVERY (128 / LANES)
 
@@ -46,59 +45,82 @@ static void drain(Queue *q, Tile *tile) {
   q->used = 0;
 }
 
-#if AT_ONCE == 2
-#define COLUMN(name) lane_pairs(&g->column[name][pair][strand][0])
-#define LANE_ROW to_real(lane_numbers() >> 1)
-#else
-#define COLUMN(name) g->column[name][pair][strand][0]
-#define LANE_ROW REAL(0.0f)
-#endif
+// The rows of all segments of a strand, one after the other: the items. Item i belongs to segment order[j] for the largest j
+// with start[j] <= i.
+typedef struct {
+  int order[LANES] ALIGNED, start[LANES] ALIGNED;
+  int segments, items;
+  int columns;                  // largest number of pixels in a row
+} Items;
 
-// Appends the fragments of a pair of segments to the queue.
-INLINE void draw_pair(const Segments *g, int pair, int strand, Queue *q, Tile *tile) {
-  int rows = g->rows[pair][strand], columns = g->columns[pair][strand];
-  real a_major = COLUMN(A_MAJOR), a_minor = COLUMN(A_MINOR), b_major = COLUMN(B_MAJOR), b_minor = COLUMN(B_MINOR);
-  real e_major = COLUMN(E_MAJOR), e_minor = COLUMN(E_MINOR), slope = COLUMN(SLOPE), reach = COLUMN(REACH);
-  real mitre_a_major = COLUMN(MITRE_A_MAJOR), mitre_a_minor = COLUMN(MITRE_A_MINOR);
-  real mitre_b_major = COLUMN(MITRE_B_MAJOR), mitre_b_minor = COLUMN(MITRE_B_MINOR);
+// Lists the items of the segments `first` to `first` + VERTICES - 1 of g.
+INLINE void list_items(const Segments *g, int first, Items *out) {
+  int used = 0, items = 0, columns = 0;
+  UNROLL for (int k = first; k < first + VERTICES; ++k) {
+    int rows = g->rows[k];
+    out->order[used] = k;
+    out->start[used] = items;
+    items += rows;
+    used += rows > 0;
+    columns = max(columns, rows > 0 ? g->columns[k] : 0);
+  }
+  out->segments = used;
+  out->items = items;
+  out->columns = columns;
+}
+
+// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue.
+INLINE void draw_items(const Segments *g, const Items *items, int base, Queue *q) {
+  whole item = lane_numbers() + base, nth = WHOLE(0);
+  for (int j = 1; j < items->segments; ++j) nth = nth + (item >= WHOLE(items->start[j]) ? WHOLE(1) : WHOLE(0));
+  whole segment = permuted_whole(fill_whole(items->order), nth);
+#define COLUMN(name) permuted(fill_real(g->column[name]), segment)
+  truth exists = item < WHOLE(items->items);
+  real a_major = COLUMN(A_MAJOR), a_minor = COLUMN(A_MINOR), e_major = COLUMN(E_MAJOR), e_minor = COLUMN(E_MINOR);
+  real major = COLUMN(FIRST_ROW) + to_real(item - permuted_whole(fill_whole(items->start), nth)), from_a = major - a_major;
+  real minor = greater(-floor_real(COLUMN(REACH) - fma(from_a, COLUMN(SLOPE), a_minor)), REAL(0.0f));
+  real along_row = from_a * e_major, across_row = -(from_a * e_minor);
+  real mitre_a_minor = COLUMN(MITRE_A_MINOR), mitre_b_minor = COLUMN(MITRE_B_MINOR), b_minor = COLUMN(B_MINOR);
+  real mitre_a_row = from_a * COLUMN(MITRE_A_MAJOR), mitre_b_row = (major - COLUMN(B_MAJOR)) * COLUMN(MITRE_B_MAJOR);
+  real stride_minor = COLUMN(STRIDE_MINOR), place_row = major * COLUMN(STRIDE_MAJOR);
   real per_length = COLUMN(PER_LENGTH), before = COLUMN(BEFORE), behind = COLUMN(BEHIND);
-  real radius = COLUMN(HALF), radius_step = COLUMN(HALF_STEP), alpha = COLUMN(ALPHA), alpha_step = COLUMN(ALPHA_STEP);
-  real red = COLUMN(RED), red_step = COLUMN(RED_STEP), green = COLUMN(GREEN), green_step = COLUMN(GREEN_STEP);
-  real blue = COLUMN(BLUE), blue_step = COLUMN(BLUE_STEP);
-  real first_row = COLUMN(FIRST_ROW), rows_here = COLUMN(ROWS), stride_major = COLUMN(STRIDE_MAJOR), stride_minor = COLUMN(STRIDE_MINOR);
-  for (int base = 0; base < rows; base += ROWS_AT_ONCE) {
-    real row = LANE_ROW + (float)base;
-    truth in_row = row < rows_here;
-    real major = first_row + row, from_a = major - a_major;
-    real minor = greater(-floor_real(reach - fma(from_a, slope, a_minor)), REAL(0.0f));
-    real along_row = from_a * e_major, across_row = -(from_a * e_minor);
-    real mitre_a_row = from_a * mitre_a_major, mitre_b_row = (major - b_major) * mitre_b_major;
-    real place_row = major * stride_major;
-    for (int column = 0; column < columns; ++column) {
-      real from = minor - a_minor;
-      // The two tests of a common vertex have the same operations in both segments, so no pixel belongs to both. The products
-      // are rounded before they are added: then the sum does not depend on which axis is the major one.
-      truth inside = in_row && (minor < REAL((float)STRAND_TILE)) && (from * mitre_a_minor + mitre_a_row >= REAL(0.0f)) &&
-                     ((minor - b_minor) * mitre_b_minor + mitre_b_row < REAL(0.0f));
-      real along = fma(from, e_minor, along_row), across = fma(from, e_major, across_row);
-      inside = inside && (along >= before) && (along <= behind);
-      real s = lesser(greater(along * per_length, REAL(0.0f)), REAL(1.0f));
-      real wide = fma(s, radius_step, radius);
-      real coverage = lesser(across + wide, REAL(0.5f)) - greater(across - wide, REAL(-0.5f));
-      inside = inside && (coverage > REAL(0.0f));
-      real a = coverage * fma(s, alpha_step, alpha);
-      squeeze(bits_as_whole(a * fma(s, red_step, red)), inside, q->red + q->used);
-      squeeze(bits_as_whole(a * fma(s, green_step, green)), inside, q->green + q->used);
-      squeeze(bits_as_whole(a * fma(s, blue_step, blue)), inside, q->blue + q->used);
-      squeeze(bits_as_whole(-a), inside, q->through + q->used);
-      q->used += squeeze(to_whole(fma(minor, stride_minor, place_row)), inside, q->pixel + q->used);
-      minor = minor + 1.0f;
-    }
+  real radius = COLUMN(HALF), radius_step = COLUMN(HALF_STEP), alpha = COLUMN(ALPHA_A), alpha_step = COLUMN(ALPHA_STEP);
+  real red = COLUMN(RED_A), red_step = COLUMN(RED_STEP), green = COLUMN(GREEN_A), green_step = COLUMN(GREEN_STEP);
+  real blue = COLUMN(BLUE_A), blue_step = COLUMN(BLUE_STEP);
+#undef COLUMN
+  int used = q->used;
+  for (int column = 0; column < items->columns; ++column) {
+    real from = minor - a_minor;
+    // The two tests of a common vertex have the same operations in both segments, so no pixel belongs to both. The products
+    // are rounded before they are added: then the sum does not depend on which axis is the major one.
+    truth inside = exists && (minor < REAL((float)STRAND_TILE)) && (from * mitre_a_minor + mitre_a_row >= REAL(0.0f)) &&
+                   ((minor - b_minor) * mitre_b_minor + mitre_b_row < REAL(0.0f));
+    real along = fma(from, e_minor, along_row), across = fma(from, e_major, across_row);
+    inside = inside && (along >= before) && (along <= behind);
+    real s = lesser(greater(along * per_length, REAL(0.0f)), REAL(1.0f));
+    real wide = fma(s, radius_step, radius);
+    real coverage = lesser(across + wide, REAL(0.5f)) - greater(across - wide, REAL(-0.5f));
+    inside = inside && (coverage > REAL(0.0f));
+    real a = coverage * fma(s, alpha_step, alpha);
+    squeeze(bits_as_whole(a * fma(s, red_step, red)), inside, q->red + used);
+    squeeze(bits_as_whole(a * fma(s, green_step, green)), inside, q->green + used);
+    squeeze(bits_as_whole(a * fma(s, blue_step, blue)), inside, q->blue + used);
+    squeeze(bits_as_whole(-a), inside, q->through + used);
+    used += squeeze(to_whole(fma(minor, stride_minor, place_row)), inside, q->pixel + used);
+    minor = minor + 1.0f;
+  }
+  q->used = used;
+}
+
+// Appends the fragments of one strand to the queue. first: index of its first segment in g.
+INLINE void draw_strand(const Segments *g, int first, Queue *q, Tile *tile) {
+  Items items;
+  list_items(g, first, &items);
+  for (int base = 0; base < items.items; base += LANES) {
+    draw_items(g, &items, base, q);
     if (q->used > QUEUE_FULL) drain(q, tile);
   }
 }
-#undef COLUMN
-#undef LANE_ROW
 
 // Returns the mask of the blocks of a strand. spot: left, top, right and bottom block, 4 bits each (bins.cl).
 INLINE ulong blocks_of_spot(ushort spot) {
@@ -133,7 +155,7 @@ static void clear(Tile *tile, int width, int height) {
 static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film, TABLE(int) list, TABLE(ushort) spot, int count, float origin_x,
                          float origin_y, Tile *tile, Queue *q) {
   const ulong all = ~0ul >> (64 - TILE_BLOCKS * TILE_BLOCKS);
-  Segments segments;
+  Strips strips;
   int next = 0, until_check = 0;
   while (next < count && tile->closed != all) {
     int strand[LANES] ALIGNED, taken = 0;
@@ -143,10 +165,13 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
     }
     if (taken == 0) break;
     for (int i = taken; i < LANES; ++i) strand[i] = strand[0];
-    int pairs = set_up(p, film, load_row(rows, fill_whole(strand)), origin_x, origin_y, &segments);
-    for (int i = 0; i < taken; ++i)
-      for (int pair = 0; pair < pairs; ++pair)
-        if (segments.rows[pair][i] > 0) draw_pair(&segments, pair, i, q, tile);
+    put_vertices(p, film, load_row(rows, fill_whole(strand)), origin_x, origin_y, &strips);
+    for (int i = 0; i < taken; i += 2) {
+      Segments segments;
+      segments_of(p, &strips, i, &segments);
+      draw_strand(&segments, 0, q, tile);
+      if (i + 1 < taken) draw_strand(&segments, VERTICES, q, tile);
+    }
     if (++until_check == CHECK_EVERY) {
       drain(q, tile);
       find_closed(tile);
@@ -156,26 +181,36 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
   drain(q, tile);
 }
 
+// Stores a colour that no kernel of this frame reads. A non-temporal store does not first read the memory into the cache.
+#if BUILTIN(__builtin_nontemporal_store)
+#define STORE(value, place) __builtin_nontemporal_store(value, place)
+#else
+#define STORE(value, place) (*(place) = (value))
+#endif
+
 // Each work-item takes one tile after the other, so that tiles with many strands are distributed over the work-items.
-// taken: number of the next tile that no work-item has taken, initially 0.
+// taken: number of the next tile that no work-item has taken, initially 0. blank[i] is 1 if tile i of the picture has the
+// colour of the background everywhere; the kernel does not write such a tile again if it has no strands.
 __kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
-                           __global float4 *image, __global int *taken) {
+                           __global float4 *image, __global int *taken, __global int *blank) {
   Tile tile;
   Queue queue;
   queue.used = 0;
   for (int number = atomic_inc(taken); number < p.tiles_x * p.tiles_y; number = atomic_inc(taken)) {
     int first_x = number % p.tiles_x * STRAND_TILE, first_y = number / p.tiles_x * STRAND_TILE;
     int width = min(STRAND_TILE, p.width - first_x), height = min(STRAND_TILE, p.height - first_y);
+    int first = list_start[number], count = list_start[number + 1] - first;
+    if (count == 0 && blank[number]) continue;
+    blank[number] = count == 0;
     clear(&tile, width, height);
-    int first = list_start[number];
-    draw_strands(&p, rows, film, list + first, spot + first, list_start[number + 1] - first, (float)first_x + 0.5f - 0.5f * (float)p.width,
+    draw_strands(&p, rows, film, list + first, spot + first, count, (float)first_x + 0.5f - 0.5f * (float)p.width,
                  (float)first_y + 0.5f - 0.5f * (float)p.height, &tile, &queue);
     float4 background = (float4)(p.background[0], p.background[1], p.background[2], -1.0f);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x) {
         float4 d = vload4(y * STRAND_TILE + x, tile.pixel);
         float4 c = fma((float4)(d.w), background, (float4)(d.x, d.y, d.z, 1.0f));
-        image[(size_t)(first_y + y) * p.width + first_x + x] = c;
+        STORE(c, image + (size_t)(first_y + y) * p.width + first_x + x);
       }
   }
 }

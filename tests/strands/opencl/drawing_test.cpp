@@ -120,7 +120,7 @@ TEST(StrandDrawing, StylesAgreeWithTheReference) {
 // The near plane cuts the fur in front of the sphere.
 DrawingScene cut_scene(float near) {
   DrawingScene scene = scene_of(150, 120, {0.3f, 0.4f, 1.6f}, near);
-  scene.look.segments = 8;
+  scene.look.segments = 7;
   return scene;
 }
 
