@@ -67,27 +67,27 @@ def rivals():
 
 
 def rival_ratios():
-    rows = sorted(rivals(), key=lambda row: row["ratio"])
-    return {"cells": len(rows), "mean": f"{mean(row['ratio'] for row in rows):.2f}",
-            "least": f"{rows[0]['ratio']:.1f}", "least_cell": cell(rows[0]),
-            "most": f"{rows[-1]['ratio']:.1f}", "most_cell": cell(rows[-1])}
+    rows = sorted(rivals(), key=lambda row: row["opengl_ratio"])
+    return {"cells": len(rows), "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}",
+            "least": f"{rows[0]['opengl_ratio']:.1f}", "least_cell": cell(rows[0]),
+            "most": f"{rows[-1]['opengl_ratio']:.1f}", "most_cell": cell(rows[-1])}
 
 
 def rival_ratios_of_large_models():
-    rows = sorted((row for row in rivals() if row["model"] in LARGE), key=lambda row: row["ratio"])
-    return {"least": f"{rows[0]['ratio']:.1f}", "low": f"{rows[0]['ratio_low']:.1f}",
-            "high": f"{rows[0]['ratio_high']:.1f}", "cell": cell(rows[0]),
-            "second": f"{rows[1]['ratio']:.1f}", "most": f"{rows[-1]['ratio']:.1f}"}
+    rows = sorted((row for row in rivals() if row["model"] in LARGE), key=lambda row: row["opengl_ratio"])
+    return {"least": f"{rows[0]['opengl_ratio']:.1f}", "low": f"{rows[0]['opengl_ratio_low']:.1f}",
+            "high": f"{rows[0]['opengl_ratio_high']:.1f}", "cell": cell(rows[0]),
+            "second": f"{rows[1]['opengl_ratio']:.1f}", "most": f"{rows[-1]['opengl_ratio']:.1f}"}
 
 
 def rival_ratios_of_models():
-    means = {model: mean(row["ratio"] for row in rows) for (model,), rows in by(rivals(), "model").items()}
+    means = {model: mean(row["opengl_ratio"] for row in rows) for (model,), rows in by(rivals(), "model").items()}
     return {model: f"{means[model]:.1f}" for model in ("torus", "lion")}
 
 
 def default_options():
     """The time of the default variant divided by the time of the fastest variant, in each of two cells."""
-    return {"mean": f"{mean(row['by_fastest'] for row in table('rivals/rival-options.csv') if row['way'] == 'opengl'):.2f}"}
+    return {"mean": f"{mean(row['by_fastest'] for row in table('rivals/rival-options.csv') if row['variant'] == 'opengl'):.2f}"}
 
 
 def topologies():
@@ -106,6 +106,23 @@ def simulate_ratio(topology, other):
 
 def shares():
     return {kind: [100 * c[kind]["simulate_ms"] / c[kind]["median_ms"] for c in topologies()] for kind in topologies()[0]}
+
+
+def longest_steps(solver, spring, topologies):
+    rows = table("topology/banisch2006-longest-step.csv")
+    return [row["longest_step_ms"] for row in rows if row["dynamics.solver"] == solver and row["reading"] == spring
+            and row["dynamics.topology"] in topologies]
+
+
+def backward_steps():
+    return {**ends(longest_steps("backward-euler", "k10", ("sticks", "separable-sticks", "separable-prisms")), ".1f"),
+            "prisms": f"{longest_steps('backward-euler', 'k10', ('prisms',))[0]:.1f}"}
+
+
+def explicit_steps():
+    every = ("sticks", "prisms", "separable-sticks", "separable-prisms")
+    soft, stiff = ends(longest_steps("explicit-euler", "k10", every), ".2f"), ends(longest_steps("explicit-euler", "k1000", every), ".3f")
+    return {"least": soft["least"], "most": soft["most"], "low": stiff["least"], "high": stiff["most"]}
 
 
 def frames_by_silva(topology):
@@ -165,6 +182,10 @@ SENTENCES = [
      lambda: {"most": f"{max(median(values) for values in shares().values()):.1f}"}),
     ("docs/topology.md", "{sticks} times as long with separable sticks and {prisms} times with separable prisms (geometric "
      "means)", lambda: {"sticks": frames_by_silva("separable-sticks"), "prisms": frames_by_silva("separable-prisms")}),
+    ("docs/topology.md", "backward Euler is stable up to time steps of {least} to {most} ms on sticks, separable sticks and "
+     "separable prisms, and up to {prisms} ms on prisms.", backward_steps),
+    ("docs/topology.md", "Explicit Euler is stable up to time steps of {least} to {most} ms at 10 N/m, and up to {low} to {high} "
+     "ms at 1000 N/m.", explicit_steps),
     ("docs/performance.md", "on the models of `silva2010-table1`, frames with twice as many layers take {least} to {most} times "
      "as long",
      lambda: layer_ratios("half_ratio")),

@@ -33,12 +33,17 @@ bool is_group(const cl::Device& device, Drawing mapping) {
   return mapping == Drawing::standard ? !device.info().cpu : mapping == Drawing::group;
 }
 
-int tile_of(bool group, int wanted) {
-  if (wanted != 0 && wanted != 16 && wanted != 32 && wanted != 64)
-    throw InputError(fmt::format("tile: {} pixels; it must be 16, 32 or 64", wanted));
+int tile_of(const cl::Device& device, const Camera& camera, bool group, int wanted) {
+  if (wanted != 0 && wanted != 16 && wanted != 32 && wanted != 64 && wanted != 128)
+    throw InputError(fmt::format("tile: {} pixels; it must be 16, 32, 64 or 128", wanted));
   if (group && wanted > 16)
     throw InputError(fmt::format("tile: {} pixels; the mapping for GPUs needs 16", wanted));
-  return wanted != 0 ? wanted : group ? 16 : 64;
+  if (wanted != 0) return wanted;
+  if (group) return 16;
+  // A strand is processed once per tile that it touches, so large tiles need less work. Small tiles are
+  // distributed more evenly over many cores.
+  const long large = long((camera.width + 127) / 128) * ((camera.height + 127) / 128);
+  return large >= 8L * device.info().compute_units ? 128 : 64;
 }
 
 /// The exponent if it is an integer from 1 to 1024, else 0.
@@ -127,7 +132,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
                std::size_t keys, const DrawerOptions& options)
     : strands_(strands),
       group_(is_group(queue.device(), options.mapping)),
-      tile_(tile_of(group_, options.tile)),
+      tile_(tile_of(queue.device(), scene.camera, group_, options.tile)),
       lanes_(lanes_of(queue.device(), options.lanes)),
       sort_(queue.device(), options.runs),
       params_(params_of(scene, tile_)),

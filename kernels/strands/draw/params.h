@@ -69,11 +69,15 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #endif
 #define FILM_SAMPLES 8         // samples of a film frame
 
-// Width and height of a tile in pixels: 16, 32 or 64. A tile consists of blocks of 8 x 8 pixels.
+// Width and height of a tile in pixels: 16, 32, 64 or 128. A tile consists of at most 8 x 8 blocks.
 #ifndef STRAND_TILE
 #define STRAND_TILE 64
 #endif
+#if STRAND_TILE == 128
+#define BLOCK_SIDE 16
+#else
 #define BLOCK_SIDE 8
+#endif
 #define TILE_BLOCKS (STRAND_TILE / BLOCK_SIDE)
 
 #define MOST_SEGMENTS 7

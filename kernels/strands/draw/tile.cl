@@ -69,8 +69,21 @@ INLINE void list_items(const Segments *g, int first, Items *out) {
   out->columns = columns;
 }
 
-// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue.
-INLINE void draw_items(const Segments *g, const Items *items, int base, Queue *q) {
+// The value of a column of the vertices at the start of the segments, and its change to their end.
+typedef struct { real at, step; } Change;
+
+// vertices: the column's values, from the first vertex of segment 0 on.
+INLINE Change change_of(const float *vertices, whole segment) {
+  Change c;
+  c.at = permuted(fill_real(vertices), segment);
+  c.step = permuted(fill_real(vertices + 1), segment) - c.at;
+  return c;
+}
+
+INLINE real value_at(Change c, real s) { return fma(s, c.step, c.at); }
+
+// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue. strand: the strand of segment 0 of g.
+INLINE void draw_items(const Strips *strips, int strand, const Segments *g, const Items *items, int base, Queue *q) {
   whole item = lane_numbers() + base, nth = WHOLE(0);
   for (int j = 1; j < items->segments; ++j) nth = nth + (item >= WHOLE(items->start[j]) ? WHOLE(1) : WHOLE(0));
   whole segment = permuted_whole(fill_whole(items->order), nth);
@@ -82,12 +95,12 @@ INLINE void draw_items(const Segments *g, const Items *items, int base, Queue *q
   real along_row = from_a * e_major, across_row = -(from_a * e_minor);
   real mitre_a_minor = COLUMN(MITRE_A_MINOR), mitre_b_minor = COLUMN(MITRE_B_MINOR), b_minor = COLUMN(B_MINOR);
   real mitre_a_row = from_a * COLUMN(MITRE_A_MAJOR), mitre_b_row = (major - COLUMN(B_MAJOR)) * COLUMN(MITRE_B_MAJOR);
-  real stride_minor = COLUMN(STRIDE_MINOR), place_row = major * COLUMN(STRIDE_MAJOR);
+  real stride_major = COLUMN(STRIDE_MAJOR), stride_minor = (STRAND_TILE + 1.0f) - stride_major, place_row = major * stride_major;
   real per_length = COLUMN(PER_LENGTH), before = COLUMN(BEFORE), behind = COLUMN(BEHIND);
-  real radius = COLUMN(HALF), radius_step = COLUMN(HALF_STEP), alpha = COLUMN(ALPHA_A), alpha_step = COLUMN(ALPHA_STEP);
-  real red = COLUMN(RED_A), red_step = COLUMN(RED_STEP), green = COLUMN(GREEN_A), green_step = COLUMN(GREEN_STEP);
-  real blue = COLUMN(BLUE_A), blue_step = COLUMN(BLUE_STEP);
 #undef COLUMN
+#define CHANGE(name) change_of(strips->column[name] + strand * VERTICES, segment)
+  Change radius = CHANGE(RADIUS), alpha = CHANGE(ALPHA), red = CHANGE(RED), green = CHANGE(GREEN), blue = CHANGE(BLUE);
+#undef CHANGE
   int used = q->used;
   for (int column = 0; column < items->columns; ++column) {
     real from = minor - a_minor;
@@ -98,13 +111,13 @@ INLINE void draw_items(const Segments *g, const Items *items, int base, Queue *q
     real along = fma(from, e_minor, along_row), across = fma(from, e_major, across_row);
     inside = inside && (along >= before) && (along <= behind);
     real s = lesser(greater(along * per_length, REAL(0.0f)), REAL(1.0f));
-    real wide = fma(s, radius_step, radius);
+    real wide = value_at(radius, s);
     real coverage = lesser(across + wide, REAL(0.5f)) - greater(across - wide, REAL(-0.5f));
     inside = inside && (coverage > REAL(0.0f));
-    real a = coverage * fma(s, alpha_step, alpha);
-    squeeze(bits_as_whole(a * fma(s, red_step, red)), inside, q->red + used);
-    squeeze(bits_as_whole(a * fma(s, green_step, green)), inside, q->green + used);
-    squeeze(bits_as_whole(a * fma(s, blue_step, blue)), inside, q->blue + used);
+    real a = coverage * value_at(alpha, s);
+    squeeze(bits_as_whole(a * value_at(red, s)), inside, q->red + used);
+    squeeze(bits_as_whole(a * value_at(green, s)), inside, q->green + used);
+    squeeze(bits_as_whole(a * value_at(blue, s)), inside, q->blue + used);
     squeeze(bits_as_whole(-a), inside, q->through + used);
     used += squeeze(to_whole(fma(minor, stride_minor, place_row)), inside, q->pixel + used);
     minor = minor + 1.0f;
@@ -112,12 +125,13 @@ INLINE void draw_items(const Segments *g, const Items *items, int base, Queue *q
   q->used = used;
 }
 
-// Appends the fragments of one strand to the queue. first: index of its first segment in g.
-INLINE void draw_strand(const Segments *g, int first, Queue *q, Tile *tile) {
+// Appends the fragments of one strand to the queue. strand: the strand of segment 0 of g. first: index of the first segment
+// of the drawn strand, 0 or VERTICES.
+INLINE void draw_strand(const Strips *strips, int strand, const Segments *g, int first, Queue *q, Tile *tile) {
   Items items;
   list_items(g, first, &items);
   for (int base = 0; base < items.items; base += LANES) {
-    draw_items(g, &items, base, q);
+    draw_items(strips, strand, g, &items, base, q);
     if (q->used > QUEUE_FULL) drain(q, tile);
   }
 }
@@ -169,8 +183,8 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
     for (int i = 0; i < taken; i += 2) {
       Segments segments;
       segments_of(p, &strips, i, &segments);
-      draw_strand(&segments, 0, q, tile);
-      if (i + 1 < taken) draw_strand(&segments, VERTICES, q, tile);
+      draw_strand(&strips, i, &segments, 0, q, tile);
+      if (i + 1 < taken) draw_strand(&strips, i, &segments, VERTICES, q, tile);
     }
     if (++until_check == CHECK_EVERY) {
       drain(q, tile);
