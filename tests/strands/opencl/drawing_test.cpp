@@ -162,6 +162,29 @@ TEST(StrandDrawing, TheMappingForGpusAgreesWithTheReference) {
   expect_reference(cut_scene(0.6f), Ball(2000), options);
 }
 
+TEST(StrandDrawing, APictureShowsTheKeysOfItsFrame) {
+  const cl::Queue queue(cl::choose_device(""));
+  const DrawingScene scene = scene_of(300, 200);
+  const Ball ball(500);
+  const std::vector<KeyStrand>& still = ball.keys;
+  std::vector<KeyStrand> moved = still, away = still;
+  for (KeyStrand& key : moved) key.first = glm::normalize(key.first + glm::vec3(0.3f, -0.4f, 0.2f));
+  for (KeyStrand& key : away) key.root += glm::vec3(50, 0, 0);
+  const auto fresh = [&](const std::vector<KeyStrand>& keys) {
+    Ball other = ball;
+    other.keys = keys;
+    return draw_on_device(scene, other).picture.pixel;
+  };
+  Drawer drawer(queue, scene, ball.strands, ball.keys.size());
+  for (const std::vector<KeyStrand>& keys : {still, moved, away, moved, still}) {
+    const std::vector<float> records = key_records(keys);
+    drawer.keys().write(queue, records);
+    drawer.enqueue(queue, nullptr);
+    EXPECT_EQ(drawer.read(queue).pixel, fresh(keys));
+  }
+  for (const glm::vec4& pixel : fresh(away)) ASSERT_EQ(pixel, glm::vec4(scene.look.background, 0));
+}
+
 TEST(StrandDrawing, BitsDoNotDependOnTheDivisionOfTheWork) {
   const Ball ball(3001, 2);
   const DrawingScene scene = scene_of(300, 200);
