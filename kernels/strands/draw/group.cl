@@ -1,7 +1,7 @@
 // Draws strands by a method for GPUs: a work-group draws a tile, and a work-item draws a pixel. The strands of a tile are
 // processed in batches, from front to back. The work-items first compute the vertices and segments of a batch together.
 // Then each work-item blends the fragments of its pixel.
-#include "strands/draw/strip.clh"
+#include "strands/draw/row.clh"
 
 #define GROUP_ITEMS (STRAND_TILE * STRAND_TILE)
 #define BATCH 32              // strands per batch

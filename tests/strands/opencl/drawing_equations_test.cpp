@@ -1,0 +1,149 @@
+// Compiles the kernels' functions for pictures of strands as C++ in double precision, and compares their
+// results with the reference and with the formulas of docs/strands.md, section Drawing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/strands/reference/keyed.hpp"
+#include "kernels/strands/draw/params.h"
+#include "tests/strands/support/ball.hpp"
+#include "tests/support/opencl_as_cpp.hpp"
+
+namespace pelage::in_double {
+// clang-format off
+#include "strands/draw/strip.clh"
+// clang-format on
+}  // namespace pelage::in_double
+
+namespace pelage::strands {
+namespace {
+
+namespace shim = in_double;
+
+shim::real3 shim_of(glm::dvec3 v) {
+  return shim::vec3(v.x, v.y, v.z);
+}
+glm::dvec3 glm_of(const shim::real3& v) {
+  return {v.x, v.y, v.z};
+}
+
+shim::Key shim_of(const KeyStrand& key) {
+  return {shim_of(glm::dvec3(key.root)), shim_of(glm::dvec3(key.normal)), shim_of(glm::dvec3(key.first)),
+          shim_of(glm::dvec3(key.second)), shim_of(glm::dvec3(key.rest))};
+}
+shim::Turn turn_of(float degrees) {
+  const double angle = double(degrees) * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+TEST(StrandEquations, StrandsBetweenKeysAreThoseOfTheReference) {
+  Ball ball(300);
+  constexpr float first = 0.45f;
+  for (std::size_t i = 0; i < ball.strands.size(); ++i) {
+    KeyedStrand& s = ball.strands[i];
+    s.response = 0.2f + 0.01f * float(i % 150);
+    s.twist = 7 * float(i % 50) - 170;
+    s.curvature = 5 * float(i % 40) - 100;
+    shim::Key key = shim::between_keys(shim_of(ball.keys[s.key[0]]), shim_of(ball.keys[s.key[1]]),
+                                       shim_of(ball.keys[s.key[2]]), s.weight.x, s.weight.y);
+    key = shim::above_skin(shim::styled(key, s.response, turn_of(s.twist), turn_of(s.curvature)),
+                           double(1 - first) / double(first));
+    const shim::Curve curve = shim::curve_of(key, s.length, first);
+    const DrawnStrand expected = reference::between(ball.keys, s, first);
+    const std::array<glm::dvec3, 3> point{glm_of(curve.root), glm_of(curve.joint), glm_of(curve.tip)};
+    for (std::size_t k = 0; k < 3; ++k)  // the reference rounds its points to single precision
+      EXPECT_LT(glm::distance(point[k], glm::dvec3(expected.point[k])), 3e-7) << i << ", point " << k;
+  }
+}
+
+/// Parameters with arbitrary values for the light.
+DrawParams params() {
+  DrawParams p{};
+  p.near_depth = 0.1f;
+  p.pixel = 0.002f;
+  p.segments = 6;
+  p.taper = 0.8f;
+  p.opacity = 0.9f;
+  const glm::vec3 light = glm::normalize(glm::vec3(0.3f, -0.8f, 0.4f));
+  for (int c = 0; c < 3; ++c) {
+    p.light[c] = light[c];
+    p.specular[c] = 0.1f * float(c + 1);
+  }
+  p.intensity = 1.3f;
+  p.ambient = 0.2f;
+  p.exponent = 7.5f;
+  p.skin_shadow = 0.6f;
+  p.frames = 2;
+  return p;
+}
+
+TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
+  const DrawParams p = params();
+  const std::array<std::int32_t, 16> film{0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040, 0x606030,
+                                          0x704020, 0x802010, 0xff8080, 0xef7090, 0xdf60a0, 0xcf50b0,
+                                          0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0};
+  shim::Row r{};
+  // X and Y are camera coordinates divided by `pixel`.
+  const glm::dvec3 root(0.1, -0.2, 3), joint(0.15, -0.3, 2.9), tip(0.3, -0.35, 2.95);
+  const glm::dvec3 scale(1 / double(p.pixel), 1 / double(p.pixel), 1);
+  r.root = shim_of(root * scale);
+  r.joint = shim_of(joint * scale);
+  r.tip = shim_of(tip * scale);
+  r.radius = 4;
+  const glm::dvec3 colour(0.5, 0.4, 0.3), steady(0.11, 0.12, 0.13);
+  r.colour = shim_of(colour);
+  r.frame = 1;
+  r.joint_height = 0.3;
+  r.tip_height = 0.9;
+  r.steady = shim_of(steady);
+  const glm::dvec3 light(p.light[0], p.light[1], p.light[2]), from_eye = glm::normalize(joint);
+  const auto sine = [](glm::dvec3 a, glm::dvec3 b) { return glm::length(glm::cross(a, b)); };
+  for (int k = 0; k <= 6; ++k) {
+    const double t = k / 6.0;
+    const shim::Vertex v = shim::vertex_at(&p, film.data(), r, shim::towards_joint(&p, r), t);
+    const glm::dvec3 at = (1 - t) * (1 - t) * root + 2 * t * (1 - t) * joint + t * t * tip;
+    EXPECT_NEAR(v.x, at.x / at.z / double(p.pixel), 1e-9);
+    EXPECT_NEAR(v.y, at.y / at.z / double(p.pixel), 1e-9);
+    EXPECT_NEAR(v.radius, 4 * (1 - double(p.taper) * t) / at.z, 1e-9);
+    const double place = 7 * t;
+    const auto first = std::size_t(std::min(std::floor(place), 6.0));
+    const auto factor = [&](int byte) {
+      const auto value = [&](std::size_t i) { return double(film[8 + i] >> (8 * byte) & 255); };
+      return value(first) + (place - double(first)) * (value(first + 1) - value(first));
+    };
+    EXPECT_NEAR(v.alpha, double(p.opacity) * factor(2) / 255 * (1 - t * t * t), 1e-7);
+    const glm::dvec3 tangent = glm::normalize((1 - t) * (joint - root) + t * (tip - joint));
+    const double mirror = std::max(0.0, glm::dot(tangent, light) * glm::dot(tangent, from_eye) +
+                                            sine(tangent, light) * sine(tangent, from_eye));
+    const double height = std::min(1.0, std::max(0.0, 2 * t * (1 - t) * 0.3 + t * t * 0.9));
+    const double shadow = 1 - double(p.skin_shadow) * (1 - height);
+    for (int c = 0; c < 3; ++c) {
+      const double lit = steady[c] + double(p.intensity) * (colour[c] * sine(tangent, light) +
+                                                            factor(1) / 128 * double(p.specular[c]) *
+                                                                std::pow(mirror, double(p.exponent)));
+      EXPECT_NEAR(glm_of(v.colour)[c], shadow * factor(0) / 128 * lit, 1e-6) << k << ", colour " << c;
+    }
+  }
+}
+
+TEST(StrandEquations, ACurveIsCutWhereItCrossesTheNearPlane) {
+  const DrawParams p = params();
+  shim::Row r{};
+  r.root = shim::vec3(0, 0, 0.2);
+  r.joint = shim::vec3(0, 0, 0.15);
+  r.tip = shim::vec3(0, 0, 0.02);
+  shim::Part part = shim::visible_part(&p, r);
+  EXPECT_EQ(part.from, 0);
+  EXPECT_NEAR(shim::bezier1(0.2, 0.15, 0.02, part.to), double(p.near_depth), 1e-8);
+  std::swap(r.root, r.tip);
+  part = shim::visible_part(&p, r);
+  EXPECT_EQ(part.to, 1);
+  EXPECT_NEAR(shim::bezier1(0.02, 0.15, 0.2, part.from), double(p.near_depth), 1e-8);
+  r.tip.z = 0.05;
+  EXPECT_FALSE(shim::visible_part(&p, r).drawn);
+}
+
+}  // namespace
+}  // namespace pelage::strands
