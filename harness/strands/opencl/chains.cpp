@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/error.hpp"
+#include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {
 namespace {
@@ -45,7 +46,9 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
       lanes_(lanes_of(queue, options.lanes)),
       program_(queue.device(), "strands/chain/chain.cl",
                fmt::format("-D LANES={} -D TURNING={}", lanes_, int(turns(dynamics)))),
+      key_program_(queue.device(), "strands/draw/chain_keys.cl", fmt::format("-D LANES={}", lanes_)),
       frame_(program_, "chain_frame"),
+      write_keys_(key_program_, "chain_keys"),
       constants_(uploaded(queue, strand_columns(chains, dynamics.wind))),
       states_(uploaded(queue, state_columns(all_at_rest(chains)))) {
   if (chains.empty()) throw InputError("strands: there are none; at least one is needed");
@@ -73,6 +76,24 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
   cl::Event event = frame_.enqueue(queue, (items + group - 1) / group * group, group);
   if (launches) launches->push_back(std::move(event));
   steps_ += substeps;
+}
+
+void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
+                        std::vector<cl::Event>* launches) {
+  const std::size_t padded = std::size_t(params_.slices) * 16;
+  if (keys.size() < padded * KEY_RECORD)
+    throw InputError(
+        fmt::format("key strands: room for {} floats; {} are needed", keys.size(), padded * KEY_RECORD));
+  // moments() returns values at the ends of steps, and the end of step -1 is the time 0.
+  const std::vector<ChainMoment> now = moments(dynamics_, steps_ - 1, 1);
+  if (present_.size() == 0)
+    present_ = cl::Buffer<ChainMoment>(queue, std::span<const ChainMoment>(now));
+  else
+    present_.write(queue, std::span<const ChainMoment>(now));
+  const std::size_t units = padded / std::size_t(lanes_), group = lanes_ == 1 ? 64 : 1;
+  write_keys_.with(std::int32_t(units), std::int32_t(0), present_, constants_, states_, keys);
+  cl::Event event = write_keys_.enqueue(queue, (units + group - 1) / group * group, group);
+  if (launches) launches->push_back(std::move(event));
 }
 
 void Chains::set(const cl::Queue& queue, const std::vector<ChainState>& states, long steps) {

@@ -34,19 +34,25 @@ class Chains {
   void retarget(const ChainDynamics& dynamics);
 
   std::vector<ChainState> states(const cl::Queue& queue) const;
+  /// Enqueues the conversion of the present states to key strands: KEY_RECORD floats each
+  /// (kernels/strands/draw/params.h). The key strands are in the object's frame. `keys` must have room for
+  /// the number of strands, rounded up to a multiple of 16. Appends the event of the launch to `launches`
+  /// unless it is null. Throws InputError if `keys` is too small.
+  void write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
+                  std::vector<cl::Event>* launches = nullptr);
   const cl::Buffer<float>& buffer() const { return states_; }  ///< the table of states, CHAIN_COLUMNS columns
   long steps() const { return steps_; }
-  const cl::Program& program() const { return program_; }
+  std::vector<const cl::Program*> programs() const { return {&program_, &key_program_}; }
 
  private:
   std::size_t strands_;
   ChainDynamics dynamics_;
   ChainParams params_;
   int lanes_;
-  cl::Program program_;
-  cl::Kernel frame_;
+  cl::Program program_, key_program_;
+  cl::Kernel frame_, write_keys_;
   cl::Buffer<float> constants_, states_;
-  cl::Buffer<ChainMoment> moments_;
+  cl::Buffer<ChainMoment> moments_, present_;
   long steps_ = 0;
   long known_from_ = 0,
        known_to_ = 0;  // the device has gravity, wind and motion of the steps known_from_ to known_to_ - 1

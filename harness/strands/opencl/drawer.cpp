@@ -153,7 +153,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   const cl::Device& device = queue.device();
   const std::vector<float> table = keyed_columns(strands, keys);
   constants_ = cl::Buffer<float>(queue, std::span<const float>(table));
-  keys_ = cl::Buffer<float>(device, keys * KEY_RECORD);
+  keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.strands = int(strands.size());
   params_.units = int(padded / std::size_t(lanes_));

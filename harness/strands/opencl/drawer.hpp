@@ -38,7 +38,8 @@ class Drawer {
   Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vector<KeyedStrand>& strands,
          std::size_t keys, const DrawerOptions& options = {});
 
-  /// The key strands on the device: KEY_RECORD floats each. The caller writes them before enqueue().
+  /// The key strands on the device: KEY_RECORD floats each, with room for their number rounded up to a
+  /// multiple of 16. The caller writes them before enqueue(), for instance by Chains::write_keys().
   cl::Buffer<float>& keys() { return keys_; }
 
   /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster. Waits once for the total

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "harness/compare/tolerances.hpp"
+#include "harness/error.hpp"
+#include "kernels/strands/draw/params.h"
 #include "tests/strands/support/strands.hpp"
 
 namespace pelage::strands::test {
@@ -101,6 +103,39 @@ TEST(Chains, HaveTheSameBitsForAllLanesAndWorkItems) {
     for (std::size_t i = 0; i < once.size(); ++i) different += !same(once[i], again[i]);
     EXPECT_EQ(different, 0u) << options.lanes << " lanes, " << options.slices_per_item << " slices";
   }
+}
+
+// The keys of a turning object are in the object's frame: at rest, and after some steps, they are the states
+// rotated by the inverse of the object's rotation.
+TEST(ChainKeys, AreTheStatesInTheFrameOfTheObject) {
+  const std::vector<Chain> chains = sphere_of(37);
+  const ChainDynamics d = shaken();
+  for (const int lanes : {1, 16}) {
+    ChainOptions options;
+    options.lanes = lanes;
+    Chains strands(queue(), chains, d, options);
+    const cl::Buffer<float> keys(queue().device(), 48 * KEY_RECORD);
+    for (const int steps : {0, 25}) {
+      if (steps > 0) strands.enqueue(queue(), steps);
+      strands.write_keys(queue(), keys);
+      const std::vector<float> records = keys.read(queue());
+      const Frame frame(d, strands.steps());
+      const std::vector<ChainState> states = strands.states(queue());
+      for (std::size_t i = 0; i < chains.size(); ++i) {
+        const auto vector = [&](std::size_t first) {
+          const float* v = &records[i * KEY_RECORD + first];
+          return glm::vec3(v[0], v[1], v[2]);
+        };
+        EXPECT_EQ(vector(0), chains[i].root);
+        EXPECT_EQ(vector(3), chains[i].normal);
+        EXPECT_LT(glm::distance(frame.world(vector(6)), glm::dvec3(states[i].direction[0])), 1e-6);
+        EXPECT_LT(glm::distance(frame.world(vector(9)), glm::dvec3(states[i].direction[1])), 1e-6);
+        EXPECT_EQ(vector(12), chains[i].rest);
+      }
+    }
+  }
+  Chains strands(queue(), chains, d);
+  EXPECT_THROW(strands.write_keys(queue(), cl::Buffer<float>(queue().device(), 37 * KEY_RECORD)), InputError);
 }
 
 }  // namespace
