@@ -109,9 +109,9 @@ int run(const Arguments& a) {
     for (const auto& [phase, ms] : sums)
       if (round >= 0) phases[phase].push_back(ms);
   }
-  fmt::print("{} {} strands {}x{}: {} drawn, {} in tiles; wall {:.2f} ms, CPU {:.2f} ms (least {:.2f});", a.model, a.strands,
-             a.width, a.height, drawer.order(queue).size(), drawer.listed(), median(ours.wall),
-             median(ours.cpu), *std::min_element(ours.cpu.begin(), ours.cpu.end()));
+  fmt::print("{} {} strands {}x{}: {} drawn, {} in tiles; wall {:.2f} ms, CPU {:.2f} ms (least {:.2f});",
+             a.model, a.strands, a.width, a.height, drawer.order(queue).size(), drawer.listed(),
+             median(ours.wall), median(ours.cpu), *std::min_element(ours.cpu.begin(), ours.cpu.end()));
   for (const auto& [phase, times] : phases) fmt::print(" {} {:.2f}", phase, median(times));
   if (baseline) {
     std::vector<double> wall, cpu;

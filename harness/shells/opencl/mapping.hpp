@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/shells/opencl/build_options.hpp"
-#include "harness/cl/phases.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 #include "kernels/rasterize/params.h"
 

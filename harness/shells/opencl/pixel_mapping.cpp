@@ -14,7 +14,8 @@ class PixelMapping : public Mapping {
         draw_(raster_, "pixel_shells"),
         counters_per_pixel_(counters_per_pixel) {}
 
-  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, cl::PhaseEvents* events) override {
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
+           cl::PhaseEvents* events) override {
     bins_.make(queue, p, b, events);
   }
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {

@@ -1,9 +1,9 @@
 // The stage that simulates the strands of Silva et al. 2010 (Curling and Clumping Fur).
 #pragma once
+#include "harness/cl/phases.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/geometry.hpp"
-#include "harness/cl/phases.hpp"
 #include "kernels/simulate/params.h"
 
 namespace pelage::shells {

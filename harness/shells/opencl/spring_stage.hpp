@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "harness/cl/phases.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/geometry.hpp"
-#include "harness/cl/phases.hpp"
 #include "harness/springs/opencl/adaptive.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "kernels/rasterize/params.h"

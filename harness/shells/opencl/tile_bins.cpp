@@ -14,7 +14,8 @@ TileBins::TileBins(const cl::Program& geometry)
       start_(geometry, "bin_start"),
       fill_(geometry, "bin_fill") {}
 
-void TileBins::make(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, cl::PhaseEvents* events) {
+void TileBins::make(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
+                    cl::PhaseEvents* events) {
   const auto keep = [&](cl::Event event) {
     if (events) events->emplace_back("bin", std::move(event));
   };

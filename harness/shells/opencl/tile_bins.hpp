@@ -15,7 +15,8 @@ class TileBins {
   explicit TileBins(const cl::Program& geometry);
   /// Makes the lists that Mapping::bin() describes. The function waits until the device has computed the
   /// total length of the lists.
-  void make(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers, cl::PhaseEvents* events);
+  void make(const cl::Queue& queue, const RasterParams& params, RasterBuffers& buffers,
+            cl::PhaseEvents* events);
   /// Returns the buffer with the number of the next tile to draw. Work-items increment this number
   /// atomically. make() sets it to 0.
   const cl::Buffer<std::int32_t>& next_tile() const { return next_tile_; }

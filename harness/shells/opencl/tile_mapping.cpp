@@ -15,7 +15,8 @@ class TileMapping : public Mapping {
         draw_(raster_, "tile_shells"),
         lanes_(std::size_t(tile_mapping.lanes(setup.device.info()))) {}
 
-  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, cl::PhaseEvents* events) override {
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
+           cl::PhaseEvents* events) override {
     bins_.make(queue, p, b, events);
     const std::size_t room = 4 * (b.list.size() + counters(p) * lanes_);
     if (shown_.size() < room) shown_ = cl::Buffer<std::int32_t>(queue.device(), room);

@@ -30,7 +30,8 @@ class WorkgroupMapping : public Mapping {
         raster_(setup.device, "rasterize/workgroup/workgroup.cl", setup.options),
         draw_(raster_, "group_shells") {}
 
-  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b, cl::PhaseEvents* events) override {
+  void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
+           cl::PhaseEvents* events) override {
     const std::size_t items = std::size_t(p.layer_batches) * std::size_t(p.triangles);
     if (items > std::size_t(std::numeric_limits<std::int32_t>::max()))
       throw DeviceError(fmt::format(
