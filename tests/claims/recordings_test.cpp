@@ -138,7 +138,6 @@ std::vector<Plant> plants() {
           {"real-time", holds, all_times("frame", 0.05)},
           {"effects-overhead", fails, times("reading", "default", "frame", 2)},
           {"effects-overhead-opengl", fails, times("reading", "default", "opengl", 2)},
-          {"clumps-cost", holds, times("reading", "default", "opengl", 2)},
           {"clumps-cost", fails, times("reading", "default", "opengl", 0.5)},
           {"wet-resolution-triangles", fails, large_by_triangles},
           {"wet-real-time", holds, all_times("frame", 0.01)},
