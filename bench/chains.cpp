@@ -12,46 +12,24 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "bench/timing.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/baselines/serial_chains.hpp"
 
 namespace {
 
 using namespace pelage;
+using bench::median;
+using bench::Time;
+using bench::timed;
 using strands::Chain;
 using strands::ChainState;
-
-struct Time {
-  double wall_ms = 0, cpu_ms = 0;
-};
-
-double cpu_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
-
-Time timed(const std::function<void()>& work) {
-  const double cpu = cpu_ms();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  return {wall.count(), cpu_ms() - cpu};
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
 
 /// Strands on the unit sphere that lean 40 degrees downwards, with lengths from 0.07 to 0.13 R.
 std::vector<Chain> chains_on_sphere(std::size_t count) {

@@ -9,43 +9,21 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <random>
 
+#include "bench/timing.hpp"
 #include "harness/cl/pair_sort.hpp"
 #include "harness/error.hpp"
 
 namespace {
 
 using namespace pelage;
+using bench::median;
+using bench::Time;
+using bench::timed;
 using cl::Pair;
-
-struct Time {
-  double wall_ms = 0, cpu_ms = 0;
-};
-
-double cpu_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
-
-Time timed(const std::function<void()>& work) {
-  const double cpu = cpu_ms();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  const std::chrono::duration<double, std::milli> wall = std::chrono::steady_clock::now() - start;
-  return {wall.count(), cpu_ms() - cpu};
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
 
 /// A least-significant-digit radix sort with three digits of 11, 11 and 10 bits, as one would write it for
 /// one thread: one pass counts all three digits.

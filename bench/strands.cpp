@@ -7,14 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <optional>
 
+#include "bench/timing.hpp"
 #include "harness/compare/metrics.hpp"
 #include "harness/error.hpp"
 #include "harness/picture/png.hpp"
@@ -29,29 +28,16 @@
 namespace {
 
 using namespace pelage;
-
-double cpu_ms() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return (values[(n - 1) / 2] + values[n / 2]) / 2;
-}
+using bench::median;
+using bench::Time;
+using bench::timed;
 
 struct Times {
   std::vector<double> wall, cpu;
   void add(const std::function<void()>& work) {
-    const double cpu_before = cpu_ms();
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    wall.push_back(time.count());
-    cpu.push_back(cpu_ms() - cpu_before);
+    const Time time = timed(work);
+    wall.push_back(time.wall_ms);
+    cpu.push_back(time.cpu_ms);
   }
 };
 

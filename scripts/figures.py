@@ -2,7 +2,7 @@
 """Checks the measured figures in sentences of the documents, or writes them.
 
 SENTENCES below lists sentences with places for numbers, and a function that computes the numbers. The functions read the
-tables that scripts/record_all.sh wrote to docs/: docs/rivals, docs/topology, docs/scaling and docs/roofline. A sentence may
+tables that scripts/record_all.sh wrote to docs/: docs/rivals, docs/topology, docs/scaling and docs/roofline, and docs/aa-test. A sentence may
 be broken into lines anywhere in the document.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
@@ -158,7 +158,17 @@ def share_of_roof():
     return ends((100 * row["share_of_roof"] for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), ".0f")
 
 
+def trials():
+    verdicts = by(table("aa-test/trials.csv"), "side", "verdict")
+    equal = sum(len(rows) for (side, _), rows in verdicts.items() if side == "equal")
+    more = sum(len(rows) for (side, _), rows in verdicts.items() if side == "slower")
+    wrong = sum(len(verdicts[("equal", verdict)]) for verdict in ("faster", "slower"))
+    return {"wrong": wrong, "equal": equal, "slower": len(verdicts[("slower", "slower")]), "more": more}
+
+
 SENTENCES = [
+    ("docs/results.md", "The test called {wrong} of {equal} pairs of equal sides different, and {slower} of {more} sides with 5% "
+     "more work slower.", trials),
     ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}. The lowest ratio is "
      "{least} ({least_cell}). The highest ratio is {most} ({most_cell}).", rival_ratios),
     ("docs/rival.md", "On bunny, elephant and lion, the lowest ratio is {least} (95% interval {low} to {high}; {cell}). In the "

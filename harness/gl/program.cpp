@@ -28,7 +28,7 @@ void attach(GLuint program, GLenum kind, const Shader& source) {
   glShaderSource(shader, 1, &text, nullptr);
   glCompileShader(shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // OpenGL deletes the shader together with the program
+  glDeleteShader(shader);  // OpenGL keeps the shader until it deletes the program
   GLint ok = 0, length = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
   if (ok) return;

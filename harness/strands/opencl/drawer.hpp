@@ -49,9 +49,9 @@ class Drawer {
   Picture read(const cl::Queue& queue) const;
   /// Returns the list of the last picture, from front to back.
   std::vector<Entry> order(const cl::Queue& queue) const;
-  /// Returns the strands with the control points that the kernels compute from the present key strands. The
-  /// result contains all strands, also those that the picture does not show. The call invalidates order()
-  /// until the next enqueue().
+  /// Returns all strands with the control points that the kernels compute from the present key strands. The
+  /// picture may show only a part of these strands. Do not call order() between this call and the next call
+  /// of enqueue(), because this call overwrites the list.
   std::vector<DrawnStrand> curves(const cl::Queue& queue);
   /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
   std::size_t listed() const { return listed_; }

@@ -7,7 +7,7 @@
 #define BATCH 32              // strands per batch
 
 // The strands of a batch. x and y are in pixels from the centre of the tile's first pixel. mitre: normal of the line that
-// separates two segments at their common vertex. e: direction of a segment, 0 if the segment is not drawn.
+// separates two segments at their common vertex. e: direction of a segment; it is 0 if the segment is not drawn.
 typedef struct {
   float x[MOST_SEGMENTS + 1][BATCH], y[MOST_SEGMENTS + 1][BATCH], radius[MOST_SEGMENTS + 1][BATCH], alpha[MOST_SEGMENTS + 1][BATCH];
   float red[MOST_SEGMENTS + 1][BATCH], green[MOST_SEGMENTS + 1][BATCH], blue[MOST_SEGMENTS + 1][BATCH];

@@ -45,8 +45,8 @@ static void drain(Queue *q, Tile *tile) {
   q->used = 0;
 }
 
-// The rows of all segments of a strand, one after the other: the items. Item i belongs to segment order[j] for the largest j
-// with start[j] <= i.
+// A list of the rows of a strand: first all rows of the first segment, then all rows of the next segment, and so on. An
+// element of this list is called an item. The items of segment order[j] begin with item start[j].
 typedef struct {
   int order[LANES] ALIGNED, start[LANES] ALIGNED;
   int segments, items;
@@ -82,7 +82,7 @@ INLINE Change change_of(const float *vertices, whole segment) {
 
 INLINE real value_at(Change c, real s) { return fma(s, c.step, c.at); }
 
-// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue. strand: the strand of segment 0 of g.
+// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue. strand: number of the first strand whose segments g holds.
 INLINE void draw_items(const Strips *strips, int strand, const Segments *g, const Items *items, int base, Queue *q) {
   whole item = lane_numbers() + base, nth = WHOLE(0);
   for (int j = 1; j < items->segments; ++j) nth = nth + (item >= WHOLE(items->start[j]) ? WHOLE(1) : WHOLE(0));
@@ -125,8 +125,8 @@ INLINE void draw_items(const Strips *strips, int strand, const Segments *g, cons
   q->used = used;
 }
 
-// Appends the fragments of one strand to the queue. strand: the strand of segment 0 of g. first: index of the first segment
-// of the drawn strand, 0 or VERTICES.
+// Appends the fragments of one strand to the queue. g holds the segments of two strands. `strand` is the number of the first
+// of the two. `first` selects one of them: 0 is the first strand, VERTICES the second.
 INLINE void draw_strand(const Strips *strips, int strand, const Segments *g, int first, Queue *q, Tile *tile) {
   Items items;
   list_items(g, first, &items);

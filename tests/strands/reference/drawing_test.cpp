@@ -232,8 +232,8 @@ TEST(Drawing, ImpossibleLooksAreRefused) {
 }
 
 // The irradiance of a light that is projected to spherical harmonics, by integration over the sphere: the
-// projected radiance times the clamped cosine. 1e-3 of the light is the limit of the issue; the integration
-// has an error of about 1e-6.
+// projected radiance times the clamped cosine. The sum over
+// the sphere has an error of about 1e-6.
 TEST(FillLights, AreTheIntegralOfTheProjectedRadiance) {
   Look look;
   look.fills = {{{0.3f, 0.8f, -0.5f}, {1, 0.5f, 0.2f}}, {{-1, 0.1f, 0.4f}, {0.3f, 0.6f, 0.9f}}};
