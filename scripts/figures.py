@@ -2,8 +2,8 @@
 """Checks the measured figures in sentences of the documents, or writes them.
 
 SENTENCES below lists sentences with places for numbers, and a function that computes the numbers. The functions read the
-tables that scripts/record_all.sh wrote to docs/: docs/rivals, docs/topology, docs/scaling and docs/roofline, and docs/aa-test. A sentence may
-be broken into lines anywhere in the document.
+tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/rivals, docs/topology, docs/scaling and
+docs/roofline. A sentence may be broken into lines anywhere in the document.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
@@ -167,7 +167,7 @@ def trials():
 
 
 SENTENCES = [
-    ("docs/results.md", "The test called {wrong} of {equal} pairs of equal sides different, and {slower} of {more} sides with 5% "
+    ("docs/results.md", "the test called {wrong} of {equal} pairs of equal sides different, and {slower} of {more} sides with 5% "
      "more work slower.", trials),
     ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}. The lowest ratio is "
      "{least} ({least_cell}). The highest ratio is {most} ({most_cell}).", rival_ratios),

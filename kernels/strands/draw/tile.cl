@@ -1,7 +1,9 @@
 // Draws strands, one tile per work-item at a time. The strands of a tile are drawn from front to back. put_vertices() and
 // segments_of() compute the segments (segments.clh). draw_strand() then finds the fragments of one strand after the other,
 // LANES rows of its segments at once, and appends them to a queue. drain() blends the fragments of the queue in their order.
-// The kernel is always built with 16 lanes.
+// The kernel always has 16 lanes.
+#undef LANES
+#define LANES 16
 #include "strands/draw/segments.clh"
 
 #define TILE_PIXELS (STRAND_TILE * STRAND_TILE)
