@@ -114,7 +114,7 @@ TEST(ChainKeys, AreTheStatesInTheFrameOfTheObject) {
     ChainOptions options;
     options.lanes = lanes;
     Chains strands(queue(), chains, d, options);
-    const cl::Buffer<float> keys(queue().device(), 48 * KEY_RECORD);
+    const cl::Buffer<float> keys(queue().device(), std::size_t(48) * KEY_RECORD);
     for (const int steps : {0, 25}) {
       if (steps > 0) strands.enqueue(queue(), steps);
       strands.write_keys(queue(), keys);
@@ -135,7 +135,8 @@ TEST(ChainKeys, AreTheStatesInTheFrameOfTheObject) {
     }
   }
   Chains strands(queue(), chains, d);
-  EXPECT_THROW(strands.write_keys(queue(), cl::Buffer<float>(queue().device(), 37 * KEY_RECORD)), InputError);
+  EXPECT_THROW(strands.write_keys(queue(), cl::Buffer<float>(queue().device(), std::size_t(37) * KEY_RECORD)),
+               InputError);
 }
 
 }  // namespace
