@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <set>
 
+#include "bench/program.hpp"
 #include "harness/cl/device.hpp"
 #include "harness/cl/program.hpp"
 #include "harness/cl/timer.hpp"
@@ -52,9 +53,9 @@ struct Bench {
 
 /// Returns the time of a kernel in one frame and the size of its buffers, both summed over the kernel's
 /// launches.
-KernelTime of_kernel(const FrameTiming& timing, const std::string& kernel) {
-  KernelTime sum{kernel, "", 0, 0};
-  for (const KernelTime& k : timing.kernels) {
+cl::KernelTime of_kernel(const cl::FrameTiming& timing, const std::string& kernel) {
+  cl::KernelTime sum{kernel, "", 0, 0};
+  for (const cl::KernelTime& k : timing.kernels) {
     if (k.kernel != kernel) continue;
     sum.ms += k.ms;
     sum.bytes += k.bytes;
@@ -69,7 +70,7 @@ bool draws(const std::string& kernel) {
 void time_kernel(benchmark::State& state, Bench& bench, const std::string& kernel) {
   std::size_t bytes = 0;
   for (auto unused : state) {
-    const KernelTime time = of_kernel(bench.shells.frame(), kernel);
+    const cl::KernelTime time = of_kernel(bench.shells.frame(), kernel);
     if (time.ms <= 0) {
       state.SkipWithError("the kernel's event has no time");
       break;
@@ -126,7 +127,7 @@ Scene scene_of(const Options& options) {
 /// pilot frame. Otherwise Google Benchmark would increase the number of iterations until the sum of the
 /// reported times is long enough. If the device timer reports times of 0, Google Benchmark would never stop.
 void register_all(Bench& bench, const Options& options, bool timer) {
-  const FrameTiming pilot = bench.shells.frame();
+  const cl::FrameTiming pilot = bench.shells.frame();
   const auto iterations = [&](double ms) {
     return std::clamp(std::int64_t(1000 * options.seconds / ms), std::int64_t(3), std::int64_t(10000));
   };
@@ -145,7 +146,7 @@ void register_all(Bench& bench, const Options& options, bool timer) {
   add("wetness_mask", std::max(0.1, bench.wet.mask_ms()),
       [&bench](benchmark::State& s) { time_mask(s, bench); });
   std::set<std::string> known;
-  for (const KernelTime& k : pilot.kernels)
+  for (const cl::KernelTime& k : pilot.kernels)
     if (known.insert(k.kernel).second)
       add(k.kernel, pilot.wall_ms,
           [&bench, kernel = k.kernel](benchmark::State& s) { time_kernel(s, bench, kernel); });
@@ -202,16 +203,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const InputError& error) {
-    fmt::print(stderr, "pelage-bench: {}\n", error.what());
-    return 2;
-  } catch (const NoDeviceError& error) {
-    fmt::print(stderr, "pelage-bench: {}\n", error.what());
-    return 3;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-bench: {}\n", error.what());
-    return 1;
-  }
+  return pelage::bench::exit_code("pelage-bench", argc, argv,
+                                  [](pelage::bench::Arguments a) { return run(a.count, a.values); });
 }

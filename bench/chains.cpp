@@ -1,11 +1,12 @@
 // pelage-bench-chains: compares the device's simulation of strands (harness/strands/opencl/chains.hpp) with
 // serial loops that compute the same time step (harness/strands/baselines/serial_chains.hpp). Each round
 // simulates the same frame with all of them in turns. The program prints the medians of wall time and CPU
-// time, the medians of the ratios within a round, the share of strands that touch a stop, and the largest
-// difference of the states after the last round.
+// time, the least CPU time of a strand and step, the medians of the ratios within a round, the mean share of
+// strands that touch a stop, and the median difference of the states after the last round.
 //
-// Usage: pelage-bench-chains [STRANDS [ROUNDS [SUBSTEPS]]]. PoCL uses one thread if the environment has
-// POCL_MAX_PTHREAD_COUNT=1.
+// Usage: pelage-bench-chains [STRANDS [ROUNDS [SUBSTEPS [SOFT]]]]. SOFT is the stiffness k1 of the softest
+// strands in 1/s^2. The softer the strands, the more of them touch a stop. PoCL uses one thread if the
+// environment has POCL_MAX_PTHREAD_COUNT=1.
 #include "harness/strands/opencl/chains.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +19,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "bench/program.hpp"
 #include "bench/timing.hpp"
-#include "harness/error.hpp"
+#include "harness/prepare/random.hpp"
 #include "harness/strands/baselines/serial_chains.hpp"
 
 namespace {
@@ -31,8 +33,10 @@ using bench::timed;
 using strands::Chain;
 using strands::ChainState;
 
-/// Strands on the unit sphere that lean 40 degrees downwards, with lengths from 0.07 to 0.13 R.
-std::vector<Chain> chains_on_sphere(std::size_t count) {
+/// Strands on the unit sphere that lean 40 degrees downwards, with lengths from 0.07 to 0.13 R. Their
+/// stiffness k1 varies from `soft` to 100 times `soft`. Neighbours have different lengths and stiffnesses.
+std::vector<Chain> chains_on_sphere(std::size_t count, float soft) {
+  const Random random(1, 1);
   std::vector<Chain> chains;
   chains.reserve(count);
   const double turn = std::numbers::pi * (3 - std::sqrt(5.0));  // a spiral of points with equal areas
@@ -46,7 +50,9 @@ std::vector<Chain> chains_on_sphere(std::size_t count) {
     chain.rest =
         glm::normalize(chain.normal * std::cos(0.7f) +
                        (glm::length(down) > 1e-4f ? glm::normalize(down) : glm::vec3(0)) * std::sin(0.7f));
-    chain.length = 0.07f + 0.06f * float(i % 97) / 96;
+    chain.length = 0.07f + 0.06f * float(random.uniform(i, 0));
+    chain.stiffness_first = soft * std::pow(100.0f, float(random.uniform(i, 1)));
+    chain.stiffness_second = 0.5f * chain.stiffness_first;
     chains.push_back(chain);
   }
   return chains;
@@ -56,8 +62,8 @@ bool touches(const ChainState& state) {
   return std::any_of(state.stop.begin(), state.stop.end(), [](float impulse) { return impulse > 0; });
 }
 
-int run(std::size_t count, int rounds, int substeps) {
-  const std::vector<Chain> chains = chains_on_sphere(count);
+int run(std::size_t count, int rounds, int substeps, float soft) {
+  const std::vector<Chain> chains = chains_on_sphere(count, soft);
   strands::ChainDynamics dynamics;
   dynamics.wind.speed = 3;
   dynamics.wind.gust = 0.5f;
@@ -82,7 +88,8 @@ int run(std::size_t count, int rounds, int substeps) {
                               {}},
                           Way{"serial, -O3", [&] { plain.advance(substeps); }, {}, {}, {}, {}},
                           Way{"serial, fast", [&] { fast.advance(substeps); }, {}, {}, {}, {}}};
-  for (int round = -10; round < rounds; ++round) {  // the first ten rounds are not timed
+  double touching = 0;
+  for (int round = -30; round < rounds; ++round) {  // the first rounds are not timed
     std::array<Time, 3> time{};
     for (std::size_t i = 0; i < ways.size(); ++i) time[i] = timed(ways[i].step);
     for (std::size_t i = 0; round >= 0 && i < ways.size(); ++i) {
@@ -91,43 +98,39 @@ int run(std::size_t count, int rounds, int substeps) {
       ways[i].wall_ratio.push_back(time[i].wall_ms / time[0].wall_ms);
       ways[i].cpu_ratio.push_back(time[i].cpu_ms / time[0].cpu_ms);
     }
+    if (round < 0) continue;
+    const std::vector<ChainState> states = ours.states(queue);
+    touching += double(std::count_if(states.begin(), states.end(), touches)) / double(count) / rounds;
   }
   const std::vector<ChainState> of_device = ours.states(queue), of_plain = plain.states();
-  double worst = 0;
+  std::vector<double> differences;
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      worst = std::max(worst, double(glm::length(of_device[i].direction[k] - of_plain[i].direction[k])));
-  const auto touching = std::count_if(of_device.begin(), of_device.end(), touches);
+      differences.push_back(double(glm::length(of_device[i].direction[k] - of_plain[i].direction[k])));
   fmt::print(
-      "{} strands, {} substeps, {} rounds in turns, {}; {:.1f}% touch a stop; directions differ by at most "
-      "{:.1e}\n",
-      count, substeps, rounds, device.info().name, 100.0 * double(touching) / double(count), worst);
-  fmt::print("{:<14} {:>9} {:>9} {:>16} {:>12} {:>12}\n", "", "wall, ms", "CPU, ms", "CPU ns per step",
+      "{} strands, {} substeps, {} rounds in turns, {}; {:.1f}% touch a stop; median difference of the "
+      "directions {:.1e}\n",
+      count, substeps, rounds, device.info().name, 100 * touching, median(differences));
+  fmt::print("{:<14} {:>9} {:>9} {:>16} {:>12} {:>12}\n", "", "wall, ms", "CPU, ms", "least ns a step",
              "wall : device", "CPU : device");
   for (const Way& way : ways)
     fmt::print("{:<14} {:>9.2f} {:>9.2f} {:>16.2f} {:>12.2f} {:>12.2f}\n", way.name, median(way.wall),
-               median(way.cpu), median(way.cpu) * 1e6 / double(count) / substeps, median(way.wall_ratio),
-               median(way.cpu_ratio));
+               median(way.cpu),
+               *std::min_element(way.cpu.begin(), way.cpu.end()) * 1e6 / double(count) / substeps,
+               median(way.wall_ratio), median(way.cpu_ratio));
   return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const long count = argc > 1 ? std::atol(argv[1]) : 100'000, rounds = argc > 2 ? std::atol(argv[2]) : 15,
-               substeps = argc > 3 ? std::atol(argv[3]) : 4;
-    if (argc > 4 || count < 1 || count > 10'000'000 || rounds < 1 || rounds > 10'000 || substeps < 1 ||
-        substeps > 1000) {
-      fmt::print(stderr, "usage: pelage-bench-chains [STRANDS [ROUNDS [SUBSTEPS]]]\n");
-      return 2;
-    }
-    return run(std::size_t(count), int(rounds), int(substeps));
-  } catch (const InputError& error) {
-    fmt::print(stderr, "pelage-bench-chains: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-bench-chains: {}\n", error.what());
-    return 1;
-  }
+  return bench::exit_code("pelage-bench-chains", argc, argv, [](bench::Arguments a) {
+    const long count = std::atol(a.at(1, "100000").c_str()), rounds = std::atol(a.at(2, "15").c_str()),
+               substeps = std::atol(a.at(3, "4").c_str());
+    const double soft = std::atof(a.at(4, "20").c_str());
+    if (a.count > 5 || count < 1 || count > 10'000'000 || rounds < 1 || rounds > 10'000 || substeps < 1 ||
+        substeps > 1000 || !(soft >= 1 && soft <= 1e5))
+      return bench::wrong_usage("pelage-bench-chains [STRANDS [ROUNDS [SUBSTEPS [SOFT]]]]");
+    return run(std::size_t(count), int(rounds), int(substeps), float(soft));
+  });
 }

@@ -13,9 +13,9 @@
 #include <functional>
 #include <random>
 
+#include "bench/program.hpp"
 #include "bench/timing.hpp"
 #include "harness/cl/pair_sort.hpp"
-#include "harness/error.hpp"
 
 namespace {
 
@@ -102,18 +102,10 @@ int run(std::size_t count, int rounds) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const long count = argc > 1 ? std::atol(argv[1]) : 1'000'000, rounds = argc > 2 ? std::atol(argv[2]) : 15;
-    if (argc > 3 || count < 1 || count > 100'000'000 || rounds < 1 || rounds > 10'000) {
-      fmt::print(stderr, "usage: pelage-bench-sort [COUNT [ROUNDS]]; COUNT is 1 to 100,000,000\n");
-      return 2;
-    }
+  return bench::exit_code("pelage-bench-sort", argc, argv, [](bench::Arguments a) {
+    const long count = std::atol(a.at(1, "1000000").c_str()), rounds = std::atol(a.at(2, "15").c_str());
+    if (a.count > 3 || count < 1 || count > 100'000'000 || rounds < 1 || rounds > 10'000)
+      return bench::wrong_usage("pelage-bench-sort [COUNT [ROUNDS]]; COUNT is 1 to 100,000,000");
     return run(std::size_t(count), int(rounds));
-  } catch (const InputError& error) {
-    fmt::print(stderr, "pelage-bench-sort: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-bench-sort: {}\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -13,17 +13,15 @@
 #include <map>
 #include <optional>
 
+#include "bench/program.hpp"
 #include "bench/timing.hpp"
 #include "harness/compare/metrics.hpp"
-#include "harness/error.hpp"
 #include "harness/picture/png.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/prepare/scene_mesh.hpp"
-#include "harness/strands/groom/fur.hpp"
+#include "harness/strands/groom/fur_cache.hpp"
 #include "harness/strands/opencl/drawer.hpp"
-#ifdef PELAGE_OPENGL
 #include "harness/strands/opengl/ribbons.hpp"
-#endif
 
 namespace {
 
@@ -41,23 +39,23 @@ struct Times {
   }
 };
 
-struct Arguments {
+struct Options {
   std::string model;
   std::size_t strands = 0;
   int width = 0, height = 0, rounds = 0;
   std::string baseline, file;
 };
 
-int run(const Arguments& a) {
+int run(const Options& a) {
   Scene scene;
   scene.model = a.model;
   scene.image.width = a.width;
   scene.image.height = a.height;
   const auto mesh = load_scene_mesh(scene, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
   const auto input = prepare(scene, mesh);
-  strands::FurLayer layer;
-  layer.count = a.strands;
-  const strands::Fur fur = strands::grow(*mesh, layer);
+  StrandLayerScene& layer = scene.strands.layers.front();
+  layer.count = int(a.strands);
+  const strands::Fur fur = strands::kept_fur(*mesh, scene.strands, input->coat);
   strands::DrawingScene drawing;
   drawing.camera = input->camera;
   drawing.range = strands::depth_range(input->camera, 1 + layer.length * (1 + layer.length_spread));
@@ -68,7 +66,6 @@ int run(const Arguments& a) {
   drawer.keys().write(queue, keys);
   std::function<void()> baseline;
   std::function<Picture()> baseline_picture;
-#ifdef PELAGE_OPENGL
   std::optional<strands::Ribbons> ribbons;
   if (a.baseline != "-") {
     const auto colon = a.baseline.find(':');
@@ -79,7 +76,6 @@ int run(const Arguments& a) {
     baseline = [&] { ribbons->frame(fur.keys); };
     baseline_picture = [&] { return ribbons->read(); };
   }
-#endif
   Times ours, theirs;
   std::map<std::string, std::vector<double>> phases;
   for (int round = -2; round < a.rounds; ++round) {  // the first two rounds are not timed
@@ -117,28 +113,18 @@ int run(const Arguments& a) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    const auto argument = [&](int i, const char* otherwise) {
-      return std::string(argc > i ? argv[i] : otherwise);
-    };
-    Arguments a;
-    if (std::sscanf(argument(3, "800x600").c_str(), "%5dx%5d", &a.width, &a.height) != 2 || argc > 7) {
-      fmt::print(stderr,
-                 "usage: pelage-bench-strands [MODEL [STRANDS [WIDTHxHEIGHT [ROUNDS [EXPAND:TARGET "
-                 "[PICTURE.png]]]]]]\n");
-      return 2;
-    }
-    a.model = argument(1, "bunny");
-    a.strands = std::size_t(std::atol(argument(2, "100000").c_str()));
-    a.rounds = std::atoi(argument(4, "9").c_str());
-    a.baseline = argument(5, "-");
-    a.file = argument(6, "");
-    return run(a);
-  } catch (const InputError& error) {
-    fmt::print(stderr, "pelage-bench-strands: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "pelage-bench-strands: {}\n", error.what());
-    return 1;
-  }
+  return bench::exit_code("pelage-bench-strands", argc, argv, [](bench::Arguments a) {
+    Options o;
+    const long strands = std::atol(a.at(2, "100000").c_str());
+    o.rounds = std::atoi(a.at(4, "9").c_str());
+    if (std::sscanf(a.at(3, "800x600").c_str(), "%5dx%5d", &o.width, &o.height) != 2 || a.count > 7 ||
+        strands < 1 || strands > 4'000'000 || o.rounds < 1)
+      return bench::wrong_usage(
+          "pelage-bench-strands [MODEL [STRANDS [WIDTHxHEIGHT [ROUNDS [EXPAND:TARGET [PICTURE.png]]]]]]");
+    o.model = a.at(1, "bunny");
+    o.strands = std::size_t(strands);
+    o.baseline = a.at(5, "-");
+    o.file = a.at(6, "");
+    return run(o);
+  });
 }

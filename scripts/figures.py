@@ -1,65 +1,27 @@
 #!/usr/bin/env python3
 """Checks the measured figures in sentences of the documents, or writes them.
 
-SENTENCES below lists sentences with places for numbers, and a function that computes the numbers. The functions read the
-tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/rivals, docs/topology, docs/scaling and
-docs/roofline. A sentence may be broken into lines anywhere in the document.
+SENTENCES lists sentences with places for numbers, and a function that computes the numbers. The sentences on mass-spring
+systems are in springs_sentences.py. The functions read the tables in docs/aa-test and those that scripts/record_all.sh
+wrote to docs/rivals, docs/topology, docs/scaling and docs/roofline. A sentence may be broken into lines anywhere in the
+document.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
                                there is one. The test house.Figures runs this command.
 """
-import csv
-import math
 import re
 import sys
-from collections import defaultdict
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+import springs_sentences
+from recorded_tables import ROOT, by, ends, mean, table
+
 NUMBER = r"-?[0-9][0-9.,]*[0-9]|[0-9]"
 LARGE = ("bunny", "elephant", "lion")  # the models of Table 1 with the most triangles
 
 
-def table(name):
-    """Returns the rows of a CSV file whose status is ok, with numbers where a cell is a number."""
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    with (ROOT / "docs" / name).open(newline="", encoding="utf-8") as file:
-        rows = [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
-    return [row for row in rows if row.get("status", "ok") == "ok"]
-
-
-def mean(values):
-    """Returns the geometric mean."""
-    values = list(values)
-    return math.exp(sum(map(math.log, values)) / len(values))
-
-
-def median(values):
-    values = sorted(values)
-    return (values[(len(values) - 1) // 2] + values[len(values) // 2]) / 2
-
-
-def by(rows, *keys):
-    """Returns a dictionary from the values of `keys` to the rows with these values."""
-    groups = defaultdict(list)
-    for row in rows:
-        groups[tuple(row[key] for key in keys)].append(row)
-    return groups
-
-
 def cell(row):
     return f"{row['model']}, {row['layers']:.0f} layers, {row['size'].replace('x', ' x ')}"
-
-
-def ends(values, form):
-    """Returns the smallest and the largest value as text."""
-    values = list(values)
-    return {"least": format(min(values), form), "most": format(max(values), form)}
 
 
 def rivals():
@@ -88,45 +50,6 @@ def rival_ratios_of_models():
 def default_options():
     """The time of the default variant divided by the time of the fastest variant, in each of two cells."""
     return {"mean": f"{mean(row['by_fastest'] for row in table('rivals/rival-options.csv') if row['variant'] == 'opengl'):.2f}"}
-
-
-def topologies():
-    """For each cell of Table 1, a dictionary from topology to row."""
-    cells = by(table("topology/topology-table1.csv"), "model", "layers", "size")
-    return [{row["dynamics.topology"]: row for row in rows} for rows in cells.values()]
-
-
-def simulate_ms(*topology):
-    return [c[t]["simulate_ms"] for c in topologies() for t in topology]
-
-
-def simulate_ratio(topology, other):
-    return [c[t]["simulate_ms"] / c[other]["simulate_ms"] for c in topologies() for t in topology]
-
-
-def shares():
-    return {kind: [100 * c[kind]["simulate_ms"] / c[kind]["median_ms"] for c in topologies()] for kind in topologies()[0]}
-
-
-def longest_steps(solver, spring, topologies):
-    rows = table("topology/banisch2006-longest-step.csv")
-    return [row["longest_step_ms"] for row in rows if row["dynamics.solver"] == solver and row["reading"] == spring
-            and row["dynamics.topology"] in topologies]
-
-
-def backward_steps():
-    return {**ends(longest_steps("backward-euler", "k10", ("sticks", "separable-sticks", "separable-prisms")), ".1f"),
-            "prisms": f"{longest_steps('backward-euler', 'k10', ('prisms',))[0]:.1f}"}
-
-
-def explicit_steps():
-    every = ("sticks", "prisms", "separable-sticks", "separable-prisms")
-    soft, stiff = ends(longest_steps("explicit-euler", "k10", every), ".2f"), ends(longest_steps("explicit-euler", "k1000", every), ".3f")
-    return {"least": soft["least"], "most": soft["most"], "low": stiff["least"], "high": stiff["most"]}
-
-
-def frames_by_silva(topology):
-    return f"{mean(c[topology]['median_ms'] / c['silva']['median_ms'] for c in topologies()):.2f}"
 
 
 def layer_ratios(column, models=None):
@@ -176,26 +99,6 @@ SENTENCES = [
     ("docs/rival.md", "the geometric mean over the four cells of a model is {torus} for the torus and {lion} for the lion",
      rival_ratios_of_models),
     ("docs/rival.md", "The geometric mean of the two quotients is {mean}", default_options),
-    ("docs/topology.md", "the simulation of sticks takes the least time: {least} to {most} ms",
-     lambda: ends(simulate_ms("sticks"), ".2f")),
-    ("docs/topology.md", "in frames of {least} to {most} ms",
-     lambda: ends((c["sticks"]["median_ms"] for c in topologies()), ".0f")),
-    ("docs/topology.md", "The simulation of sticks takes {least} to {most} times as long as the simulation of Silva's strands",
-     lambda: ends(simulate_ratio(["sticks"], "silva"), ".2f")),
-    ("docs/topology.md", "The simulation of separable topologies takes {least} to {most} times as long as the simulation of "
-     "sticks.", lambda: ends(simulate_ratio(["separable-sticks", "separable-prisms"], "sticks"), ".1f")),
-    ("docs/topology.md", "The simulation of shared prisms takes {least} to {most} ms.",
-     lambda: ends(simulate_ms("prisms"), ".2f")),
-    ("docs/topology.md", "No simulation takes more than {most}% of the frame time.",
-     lambda: {"most": f"{max(x for values in shares().values() for x in values):.1f}"}),
-    ("docs/topology.md", "the simulation's share of the frame time has a median of at most {most}% over all cases",
-     lambda: {"most": f"{max(median(values) for values in shares().values()):.1f}"}),
-    ("docs/topology.md", "{sticks} times as long with separable sticks and {prisms} times with separable prisms (geometric "
-     "means)", lambda: {"sticks": frames_by_silva("separable-sticks"), "prisms": frames_by_silva("separable-prisms")}),
-    ("docs/topology.md", "backward Euler is stable up to time steps of {least} to {most} ms on sticks, separable sticks and "
-     "separable prisms, and up to {prisms} ms on prisms.", backward_steps),
-    ("docs/topology.md", "Explicit Euler is stable up to time steps of {least} to {most} ms at 10 N/m, and up to {low} to {high} "
-     "ms at 1000 N/m.", explicit_steps),
     ("docs/performance.md", "on the models of `silva2010-table1`, frames with twice as many layers take {least} to {most} times "
      "as long",
      lambda: layer_ratios("half_ratio")),
@@ -214,6 +117,7 @@ SENTENCES = [
     ("docs/performance.md", "and {least} to {most}% of the frame time of the torus",
      lambda: ends(drawing_share("torus"), ".0f")),
     ("docs/performance.md", "the rate of operations of `tile_shells` is {least} to {most}% of its roof", share_of_roof),
+    *springs_sentences.SENTENCES,
 ]
 
 
@@ -249,6 +153,7 @@ def main():
     only_check = sys.argv[1:] == ["--check"]
     if sys.argv[1:] and not only_check:
         sys.exit(__doc__)
+    springs_sentences.check_words()
     failed = False
     documents = {}
     for name, template, compute in SENTENCES:

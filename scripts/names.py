@@ -24,7 +24,7 @@ MOST = 2
 # - a pattern, or None. In lines that match this pattern, the name of an item has another meaning. These lines are
 #   not counted.
 FAMILIES = {
-    "mapping": (["harness/shells/opencl/mappings.cpp"], {
+    "mapping": (["harness/shells/opencl/mappings.cpp", "harness/cl/mapping_names.hpp"], {
         "tile": (r"shells/tile\"|tile_mapping\b|TileMapping", ["harness/shells/opencl/tile_mapping.cpp"]),
         "pixel": (r"shells/pixel\"|pixel_mapping\b|PixelMapping", ["harness/shells/opencl/pixel_mapping.cpp"]),
         "group": (r"shells/group\"|workgroup_mapping\b|WorkgroupMapping", ["harness/shells/opencl/workgroup_mapping.cpp"]),
@@ -34,6 +34,9 @@ FAMILIES = {
         "shells+fewer": (r"fewer_layers\(", ["harness/subjects/fewer_layers"]),
         "opengl": (r"make_opengl\b", ["harness/subjects/opengl"]),
         "shells+opengl": (r"shells_against_opengl", []),
+        "strands": (r"make_strand_frames\b", ["harness/subjects/strands"]),
+        "strands+raycast": (r"against_raycast", ["harness/subjects/raycast_difference"]),
+        "strands+opengl": (r"make_strands_against_opengl", ["harness/subjects/strands"]),
         "reference": (r"open_reference\b", []),
         "springs": (r"make_solver\b", ["harness/springs/studies/study"]),
         "springs+rivals": (r"make_solver_against_baselines", ["harness/springs/studies/study"]),
@@ -44,8 +47,9 @@ FAMILIES = {
         "springs-shape": (r"make_solver_shape", ["harness/springs/studies/study", "harness/springs/studies/shape"]),
         "springs-turns": (r"make_solver_turns", ["harness/springs/studies/study", "harness/springs/studies/turns"]),
         "springs-jacobian": (r"make_solver_jacobian", ["harness/springs/studies/study"]),
-    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file. The lines are not counted.
-    }, r'metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
+    # In lines that match this pattern, "springs" is not the pipeline but a metric or a file, and "strands" is a stage, a
+    # metric or a list. The lines are not counted.
+    }, r'stages|IsMember|"strands"\);|"strands", check|"strands", "strands"|metrics\["strands"\]|metrics\["springs"\]|"masses", "springs"|metric\("springs"\)|folder, "springs", chart'),
     "solver": (["harness/scene/spring_kinds.hpp", "harness/scene/spring_kinds.cpp"], {
         "explicit-euler": (r"Solver::explicit_euler", []),
         "backward-euler": (r"Solver::backward_euler", []),

@@ -10,6 +10,7 @@
 #include "harness/compare/frame_output.hpp"
 #include "harness/compare/masks.hpp"
 #include "harness/compare/pictures.hpp"
+#include "harness/compare/strands.hpp"
 #include "harness/compare/tips.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/filter.hpp"
@@ -18,6 +19,7 @@
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/strands/opencl/strands.hpp"
 
 namespace pelage {
 namespace {
@@ -46,8 +48,31 @@ FrameOutput draw(const cl::Device& device, std::shared_ptr<const FrameInput> inp
   return {mapping, frames, shells.tips(), {}, shells.mask(), shells.read()};
 }
 
+/// Compares a time step of the chains (stage "chains") and a picture (stage "strands").
+std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene& which,
+                                      const std::set<std::string>& stages) {
+  std::vector<StageCheck> all;
+  if (!stages.contains("chains") && !stages.contains("strands")) return all;
+  const auto input = strands::prepare_strands(which.scene, load_scene_mesh(which.scene));
+  strands::Strands strands(device, input);
+  strands.advance(frames - 1);
+  strands.frame();
+  StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
+  frame.curves = strands.curves();
+  if (stages.contains("strands"))
+    for (const Check& check : check_strand_frame(*input, frame, 1).checks) all.push_back({"strands", check});
+  if (stages.contains("chains")) {
+    ChainStep step{strands.states(), {}, 0};
+    step.number = strands.substep();
+    step.after = strands.states();
+    for (const Check& check : check_chain_step(*input, step, 1)) all.push_back({"chains", check});
+  }
+  return all;
+}
+
 std::vector<StageCheck> check_scene(const cl::Device& device, const CheckScene& which,
                                     const std::set<std::string>& stages) {
+  if (which.strands) return check_strands(device, which, stages);
   const auto input = prepare(which.scene, load_scene_mesh(which.scene));
   const std::string& first = mappings().front();
   const FrameOutput drawn = draw(device, input, first);
@@ -148,10 +173,11 @@ std::vector<CheckScene> filtered(std::vector<CheckScene> cases, const std::strin
 
 int run_checks(const CheckOptions& options) {
   std::set<std::string> stages(options.stages.begin(), options.stages.end());
-  if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings"};
-  const std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
+  if (stages.empty()) stages = {"simulate", "mask", "picture", "mappings", "chains", "strands"};
+  std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
   if (options.hashes) {
+    std::erase_if(cases, [](const CheckScene& which) { return which.strands; });
     for (const CheckScene& which : cases) {
       print_hashes(device, which);
       std::fflush(stdout);
@@ -181,9 +207,11 @@ void add_check(CLI::App& app, Chosen& chosen) {
   CLI::App* command =
       app.add_subcommand("check", "Compare the results of a device with the double-precision reference");
   command
-      ->add_option("stages", options->stages,
-                   "Stages to compare: simulate, mask, picture, mappings (default: all)")
-      ->check(CLI::IsMember({"simulate", "mask", "picture", "mappings"}))
+      ->add_option(
+          "stages", options->stages,
+          "Stages to compare: simulate, mask, picture and mappings of shells, chains and strands of fur of "
+          "single strands (default: all)")
+      ->check(CLI::IsMember({"simulate", "mask", "picture", "mappings", "chains", "strands"}))
       ->type_name("STAGE");
   command->add_option("--device", options->device, "Device to use: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");

@@ -6,7 +6,8 @@
 #include "harness/commands/scene_options.hpp"
 #include "harness/dump/dump.hpp"
 #include "harness/picture/image_io.hpp"
-#include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/shells/opencl/shells.hpp"
 
 namespace pelage {
@@ -21,14 +22,14 @@ struct RenderOptions {
 int render(const RenderOptions& options) {
   check_picture_path(options.output);
   if (!options.dump.empty()) check_dump_path(options.dump);
-  const Scene scene = resolve_scene(options.scene);
+  const Scene resolved = resolve_scene(options.scene);
+  const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
   // name only after the preparation, which may take minutes.
   const DrawPicture draw = open_renderer(options.renderer);
-  const auto input = prepare(scene, load_scene_mesh(scene));
-  const FrameOutput output = draw(input);
-  write_picture(options.output, output.image);
-  if (!options.dump.empty()) dump_frame(options.dump, *input, output);
+  const DrawnFrame frame = draw(scene, load_scene_mesh(scene));
+  write_picture(options.output, frame.image);
+  if (!options.dump.empty()) frame.dump(options.dump);
   return 0;
 }
 
@@ -64,7 +65,8 @@ void add_render(CLI::App& app, Chosen& chosen) {
   command
       ->add_option(
           "--mapping", options->renderer.mapping,
-          "Mapping of pixels to work-items in the pipeline shells (default: depends on the device): " +
+          "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the "
+          "device; strands have tile and group): " +
               mappings_help())
       ->check(CLI::IsMember(mappings()))
       ->type_name("NAME");

@@ -5,55 +5,111 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "harness/compare/frame_output.hpp"
+#include "harness/compare/strands.hpp"
+#include "harness/dump/dump.hpp"
+#include "harness/dump/strands.hpp"
 #include "harness/error.hpp"
+#include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "harness/strands/opencl/strands.hpp"
 
 namespace pelage {
 namespace {
 
+void report_first_frame(const std::string& device, double ms) {
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+             device, ms);
+}
+
+/// Returns the picture of `output`, and the function that dumps it.
+DrawnFrame drawn(std::shared_ptr<const FrameInput> input, FrameOutput output) {
+  DrawnFrame frame{output.image, {}};
+  frame.dump = [input = std::move(input), output = std::move(output)](const std::filesystem::path& path) {
+    dump_frame(path, *input, output);
+  };
+  return frame;
+}
+
+/// Returns the picture of `frame`, and the function that dumps it.
+DrawnFrame drawn(std::shared_ptr<const strands::StrandInput> input, StrandFrame frame, std::string pipeline,
+                 int frames) {
+  DrawnFrame result{frame.picture, {}};
+  result.dump = [input = std::move(input), frame = std::move(frame), pipeline = std::move(pipeline),
+                 frames](const std::filesystem::path& path) {
+    dump_strands(path, *input, frame, pipeline, frames);
+  };
+  return result;
+}
+
 DrawPicture open_shells(const RendererOptions& options) {
   ShellOptions shell_options;
   shell_options.mapping = options.mapping;
-  return [device = cl::choose_device(options.device),
-          shell_options](const std::shared_ptr<const FrameInput>& input) -> FrameOutput {
+  return [device = cl::choose_device(options.device), shell_options](
+             const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = prepare(scene, mesh);
     Shells shells(device, input, shell_options);
-    shells.advance(frames_before(input->scene.dynamics));
-    const FrameTiming timing = shells.frame();
-    fmt::print(stderr,
-               "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
-               device.info().name, timing.wall_ms);
-    return {fmt::format("shells on {}", device.info().name),
-            shells.frames_simulated(),
-            shells.tips(),
-            shells.velocities(),
-            shells.mask(),
-            shells.read()};
+    shells.advance(frames_before(scene.dynamics));
+    report_first_frame(device.info().name, shells.frame().wall_ms);
+    return drawn(input,
+                 FrameOutput{fmt::format("shells on {}", device.info().name), shells.frames_simulated(),
+                             shells.tips(), shells.velocities(), shells.mask(), shells.read()});
   };
 }
 
 DrawPicture open_reference(const RendererOptions& options) {
-  return [eight_bits = options.bits == 8](const std::shared_ptr<const FrameInput>& input) {
-    return reference_output(*input, frames_before(input->scene.dynamics) + 1, eight_bits);
+  return [eight_bits = options.bits == 8](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = prepare(scene, mesh);
+    return drawn(input, reference_output(*input, frames_before(scene.dynamics) + 1, eight_bits));
   };
 }
 
 DrawPicture open_opengl(const RendererOptions& given) {
-  return [options = opengl_options(given.opengl),
-          renderer = opengl_renderer()](const std::shared_ptr<const FrameInput>& input) {
-    FrameOutput output = reference_motion(*input, frames_before(input->scene.dynamics) + 1);
+  return [options = opengl_options(given.opengl), renderer = opengl_renderer()](
+             const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = prepare(scene, mesh);
+    FrameOutput output = reference_motion(*input, frames_before(scene.dynamics) + 1);
     OpenGl opengl(input, output.mask, options);
     opengl.bend(output.tips);
-    fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up\n", renderer, opengl.frame());
+    report_first_frame(renderer, opengl.frame());
     output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
     output.image = opengl.read();
-    return output;
+    return drawn(input, std::move(output));
+  };
+}
+
+DrawPicture open_strands(const RendererOptions& options) {
+  strands::DrawerOptions drawer;
+  drawer.mapping = strands::drawing_named(options.mapping);
+  return [device = cl::choose_device(options.device), drawer](const Scene& scene,
+                                                              const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = strands::prepare_strands(scene, mesh);
+    strands::Strands strands(device, input, drawer);
+    strands.advance(frames_before(scene.dynamics));
+    report_first_frame(device.info().name, strands.frame().wall_ms);
+    StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
+    frame.curves = strands.curves();
+    return drawn(input, std::move(frame), fmt::format("strands on {}", device.info().name),
+                 strands.frames_simulated());
+  };
+}
+
+DrawPicture open_strands_reference(const RendererOptions&) {
+  return [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = strands::prepare_strands(scene, mesh);
+    const int frames = frames_before(scene.dynamics) + 1;
+    return drawn(input, reference_strands(*input, reference_keys(*input, frames)), "strands-reference",
+                 frames);
   };
 }
 
 constexpr Renderer table[] = {
     {"shells", "OpenCL", false, false, open_shells},
     {"reference", "naive implementation in double precision on the host", true, false, open_reference},
+    {"strands", "single strands instead of layers, on OpenCL (docs/strands.md)", false, false, open_strands},
+    {"strands-reference", "naive implementation of strands in double precision on the host", false, false,
+     open_strands_reference},
     {"opengl", "the pipeline of Silva et al. (2010) in OpenGL, with one pass per layer", false, true,
      open_opengl},
 };

@@ -1,13 +1,15 @@
 // The pipelines with which `pelage render` draws a picture.
 #pragma once
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "harness/compare/frame_output.hpp"
-#include "harness/prepare/frame_input.hpp"
+#include "harness/mesh/mesh.hpp"
+#include "harness/picture/picture.hpp"
+#include "harness/scene/scene.hpp"
 
 namespace pelage {
 
@@ -18,7 +20,13 @@ struct RendererOptions {
   int bits = 32;
 };
 
-using DrawPicture = std::function<FrameOutput(const std::shared_ptr<const FrameInput>&)>;
+/// A picture, and the function that writes the dump of its frame to a file.
+struct DrawnFrame {
+  Picture image;
+  std::function<void(const std::filesystem::path&)> dump;
+};
+
+using DrawPicture = std::function<DrawnFrame(const Scene&, const std::shared_ptr<const Mesh>&)>;
 
 struct Renderer {
   std::string_view name;  ///< value of the option --pipeline

@@ -8,6 +8,7 @@
 #include "harness/cl/measure.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/shares.hpp"
+#include "harness/compare/strands.hpp"
 #include "harness/compare/windows.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/journal/results_folder.hpp"
@@ -16,6 +17,7 @@
 #include "harness/report/plot.hpp"
 #include "harness/report/roofline.hpp"
 #include "harness/shells/opencl/shells.hpp"
+#include "harness/strands/opencl/strands.hpp"
 #include "harness/tuning/tuning.hpp"
 
 namespace pelage {
@@ -32,12 +34,12 @@ struct RooflineOptions {
 /// Returns the kernels in the order in which a frame runs them. The time of a kernel in a frame is the
 /// sum over its launches. Each returned time is the median over the frames. The returned number of bytes of a
 /// kernel is the sum over its launches in the first frame.
-std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
+std::vector<KernelWork> kernels_of(const std::vector<cl::FrameTiming>& timings,
                                    const std::map<std::string, double>& operations) {
   std::vector<KernelWork> kernels;
   std::vector<std::vector<double>> times;
   for (std::size_t i = 0; i < timings.size(); ++i)
-    for (const KernelTime& k : timings[i].kernels) {
+    for (const cl::KernelTime& k : timings[i].kernels) {
       std::size_t at = 0;
       while (at < kernels.size() && kernels[at].kernel != k.kernel) ++at;
       if (at == kernels.size()) {
@@ -52,29 +54,60 @@ std::vector<KernelWork> kernels_of(const std::vector<FrameTiming>& timings,
   return kernels;
 }
 
-/// Draws three warm-up frames, then times `frames` frames. If the picture fails its check against the
-/// reference, prints the reason to stderr and returns an empty value.
-std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
-                                 const ShellOptions& how, int frames) {
-  const Scene scene = scene_of(experiment, which);
-  const auto input = prepare(scene, load_scene_mesh(scene));
-  Shells shells(device, input, how);
-  shells.advance(frames_before(scene.dynamics));
-  for (int i = 0; i < 3; ++i) shells.frame();
-  std::vector<FrameTiming> timings;
-  std::vector<double> wall;
-  for (int i = 0; i < frames; ++i) {
-    timings.push_back(shells.frame());
-    wall.push_back(timings.back().wall_ms);
-  }
-  for (const Check& c : check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks)
+/// Prints the checks that do not hold. Returns whether all hold.
+bool all_hold(const Case& which, const std::vector<Check>& checks) {
+  for (const Check& c : checks)
     if (!c.holds()) {
       fmt::print(stderr,
                  "pelage: {}: the check of {} against {} found {:.6g}, but {} {:.6g} is required; this case "
                  "is left out\n",
                  which.name, c.metric, c.against, c.value, c.at_least ? "at least" : "at most", c.limit);
-      return {};
+      return false;
     }
+  return true;
+}
+
+/// As work_of(), for the strands of the case's scene. The operations of their kernels are not counted.
+std::optional<FrameWork> strand_work_of(const cl::Device& device, const Scene& scene, const Case& which,
+                                        const std::string& mapping, int frames) {
+  const auto input = strands::prepare_strands(scene, load_scene_mesh(scene));
+  strands::DrawerOptions options;
+  options.mapping = strands::drawing_named(mapping);
+  strands::Strands strands(device, input, options);
+  strands.advance(frames_before(scene.dynamics));
+  for (int i = 0; i < 3; ++i) strands.frame();
+  std::vector<cl::FrameTiming> timings;
+  std::vector<double> wall;
+  for (int i = 0; i < frames; ++i) {
+    timings.push_back(strands.frame());
+    wall.push_back(timings.back().wall_ms);
+  }
+  StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
+  frame.curves = strands.curves();
+  if (!all_hold(which, check_strand_frame(*input, frame, 1).checks)) return {};
+  return FrameWork{
+      which.name, double(input->mesh->triangle.size()), median(wall), 0, 0, 0, kernels_of(timings, {})};
+}
+
+/// Draws three warm-up frames, then times `frames` frames. If the picture fails its check against the
+/// reference, prints the reason to stderr and returns an empty value.
+std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& experiment, const Case& which,
+                                 const ShellOptions& how, int frames) {
+  const Scene scene = scene_of(experiment, which);
+  if (which.pipeline == strands::strands_pipeline)
+    return strand_work_of(device, scene, which, how.mapping, frames);
+  const auto input = prepare(scene, load_scene_mesh(scene));
+  Shells shells(device, input, how);
+  shells.advance(frames_before(scene.dynamics));
+  for (int i = 0; i < 3; ++i) shells.frame();
+  std::vector<cl::FrameTiming> timings;
+  std::vector<double> wall;
+  for (int i = 0; i < frames; ++i) {
+    timings.push_back(shells.frame());
+    wall.push_back(timings.back().wall_ms);
+  }
+  const auto checks = check_against_reference(*input, shells.frames_simulated(), shells.read(), 1).checks;
+  if (!all_hold(which, checks)) return {};
   const Tally tally = shells.tally();
   const double wet = wet_share(*input->mesh, shells.mask(), scene.wetness.size);
   FrameWork work{which.name,

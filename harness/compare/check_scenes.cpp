@@ -38,6 +38,45 @@ CheckScene make_scene(const std::string& model, int layers, const Look& look) {
   return {fmt::format("{}, {} layers, {}", model, layers, look.name), scene};
 }
 
+/// The looks of strands: "plain" is straight fur under a key light; "matted" is long, drooping fur with fill
+/// lights and a rim light; "twisty" is short fur with twist and curvature.
+enum class StrandLook { plain, matted, twisty };
+
+CheckScene make_strand_scene(const std::string& model, int count, StrandLook look) {
+  Scene scene;
+  scene.model = model;
+  scene.dynamics.topology = "chains";
+  scene.dynamics.gravity = {0, -4, 0};
+  scene.dynamics.wind.strength = 0.01f;
+  scene.dynamics.wind.gust = 0.6f;
+  StrandLayerScene& layer = scene.strands.layers.front();
+  layer.count = count;
+  const char* name = "plain";
+  if (look == StrandLook::plain) {
+    scene.shading.lights.resize(1);
+    scene.strands.skin_shadow = 0;
+  } else if (look == StrandLook::matted) {
+    name = "matted";
+    layer.length = 0.2f;
+    layer.lean = 65;
+    layer.response = 1.5f;
+    layer.curvature = 20;
+    scene.strands.chain.stiffness = 200;
+    scene.strands.fills = {{{-0.6f, 0.2f, 0.7f}, {0.2f, 0.25f, 0.4f}}, {{0.3f, -1, 0}, {0.2f, 0.1f, 0.05f}}};
+    scene.strands.rim = {0.25f, 0.22f, 0.2f};
+  } else {
+    name = "twisty";
+    layer.length = 0.05f;
+    layer.twist_spread = 180;
+    layer.curvature = 40;
+    layer.curvature_spread = 40;
+    scene.strands.rim = {0.2f, 0.2f, 0.2f};
+  }
+  CheckScene which{fmt::format("{}, {} strands, {}", model, count, name), scene};
+  which.strands = true;
+  return which;
+}
+
 }  // namespace
 
 std::vector<CheckScene> check_scenes(bool full) {
@@ -45,6 +84,8 @@ std::vector<CheckScene> check_scenes(bool full) {
   if (!full) {
     for (const Look& look : {curly, wet, windy}) scenes.push_back(make_scene("torus", 16, look));
     scenes.push_back(make_scene("bunny", 16, all_at_once));
+    scenes.push_back(make_strand_scene("torus", 20000, StrandLook::matted));
+    scenes.back().scene.image = {.width = 320, .height = 200};
     return scenes;
   }
   for (const char* model : {"torus", "pear", "hippo", "cow", "horse", "bunny", "elephant", "lion"})
@@ -58,6 +99,9 @@ std::vector<CheckScene> check_scenes(bool full) {
   beyond.scene.image.height = 120;
   beyond.motion = false;
   scenes.push_back(beyond);
+  for (const char* model : {"bunny", "horse", "torus"})
+    for (const StrandLook look : {StrandLook::plain, StrandLook::matted, StrandLook::twisty})
+      scenes.push_back(make_strand_scene(model, 100000, look));
   return scenes;
 }
 

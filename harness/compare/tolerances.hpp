@@ -110,4 +110,9 @@ inline constexpr double chain_direction = 1e-6, chain_rate = 3e-4;
 /// Limit for the relative error of a soft strand's oscillation frequency, with time steps of 1/240 s.
 inline constexpr double chain_frequency = 0.02;
 
+/// Limits for the distance between a control point of a drawn strand on the device and in the reference, in
+/// R. `strand_point` allows for rounding. `styled_strand_point` applies to strands with twist or curvature,
+/// whose angles have 16 bits on the device.
+inline constexpr double strand_point = 2e-6, styled_strand_point = 3e-5;
+
 }  // namespace pelage::tolerance

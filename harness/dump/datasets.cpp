@@ -9,6 +9,7 @@
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/springs/model/scene.hpp"
+#include "harness/version/version.hpp"
 
 namespace pelage::dump {
 namespace {
@@ -95,9 +96,18 @@ void write_scene_text(Hdf5File& file, const Scene& scene) {
              "the scene as TOML with all keys, as printed by `pelage scene`");
 }
 
-void write_mesh(Hdf5File& file, const FrameInput& input) {
-  const Mesh& mesh = *input.mesh;
-  const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size(), points = mesh.welded;
+void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std::string& pipeline,
+                 int frames) {
+  const BuildInfo& build = build_info();
+  file.note("pelage", fmt::format("{} {}{}", build.version, build.revision, build.dirty ? ", modified" : ""));
+  file.note("pipeline", pipeline);
+  file.note("frames", fmt::format("{}", frames));
+  file.note("mesh_hash", mesh.hash);
+  file.note("scene_hash", scene_hash(scene));
+}
+
+void write_shape(Hdf5File& file, const Mesh& mesh) {
+  const std::size_t vertices = mesh.position.size(), faces = mesh.triangle.size();
   file.write("mesh/position", {vertices, 3}, flat<float>(mesh.position), "R",
              "positions of the vertices; a surface point on a UV seam has one vertex for each of its UVs");
   file.write("mesh/triangle", {faces, 3}, flat<std::uint32_t>(mesh.triangle), "1",
@@ -105,6 +115,10 @@ void write_mesh(Hdf5File& file, const FrameInput& input) {
   file.write("mesh/uv", {vertices, 2}, flat<float>(mesh.uv), "UV", "texture coordinates");
   file.write("mesh/point", {vertices}, std::span<const std::uint32_t>(mesh.weld), "1",
              "index of the vertex's surface point; all vertices of a point on a UV seam have the same index");
+}
+
+void write_mesh(Hdf5File& file, const FrameInput& input) {
+  const std::size_t vertices = input.mesh->position.size(), points = input.mesh->welded;
   file.write("mesh/normal", {vertices, 3}, flat<float>(vertex_normals(input)), "1", "unit surface normals");
   file.write("tangent/t", {vertices, 3}, flat<float>(input.tangents.t), "R/UV",
              "derivative of the surface position with respect to u");

@@ -16,7 +16,13 @@ std::span<const Scalar> flat(const std::vector<Vector>& values) {
   return {reinterpret_cast<const Scalar*>(values.data()), values.size() * (sizeof(Vector) / sizeof(Scalar))};
 }
 
+/// Writes the attributes of the file: versions, pipeline, number of frames, and hashes of mesh and scene.
+void write_notes(Hdf5File& file, const Scene& scene, const Mesh& mesh, const std::string& pipeline,
+                 int frames);
 void write_scene_text(Hdf5File& file, const Scene& scene);
+/// Writes positions, triangles, UVs and surface points of the mesh.
+void write_shape(Hdf5File& file, const Mesh& mesh);
+/// Writes the normals, the tangents and the frames of the curl.
 void write_mesh(Hdf5File& file, const FrameInput& input);
 void write_strands(Hdf5File& file, const FrameInput& input, const FrameOutput& output);
 void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& output);

@@ -84,8 +84,9 @@ void refuse_contradicting_tables(const Experiment& experiment, const Axis& axis,
 
 bool is_scene_key(const std::string& key) {
   static const std::set<std::string> known = [] {
-    std::set<std::string> names{std::string(droplet_list), std::string(light_list)};
+    std::set<std::string> names;
     Scene scene;
+    for (const KeyList& list : scene_lists(scene)) names.emplace(list.name);
     for (const Key& one : scene_keys(scene)) names.emplace(one.name);
     return names;
   }();

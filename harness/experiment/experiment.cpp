@@ -14,6 +14,7 @@
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/filter.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -73,7 +74,7 @@ std::vector<Axis> axes_of(const Experiment& experiment, const Preset& preset, co
   return axes;
 }
 
-std::map<std::string, std::string> recorded(const Overrides& overrides) {
+std::map<std::string, std::string> recorded_of(const Overrides& overrides) {
   std::map<std::string, std::string> result;
   for (const auto& [key, value] : overrides.set) result[key] = value;
   for (const Axis& axis : overrides.axes) result[axis.key] = fmt::format("{}", fmt::join(axis.values, ","));
@@ -81,8 +82,25 @@ std::map<std::string, std::string> recorded(const Overrides& overrides) {
   return result;
 }
 
+// Every case and every row of results contains the values of --set and --axis. This is the largest total size
+// of these copies in bytes. Without a limit, 20,000 values of one axis would need 2 GB.
+constexpr double most_recorded = 256e6;
+
+void check_recorded(const Experiment& experiment, const std::map<std::string, std::string>& recorded,
+                    double cases) {
+  double size = 0;
+  for (const auto& [key, value] : recorded) size += double(key.size() + value.size());
+  if (size * cases > most_recorded)
+    throw InputError(
+        fmt::format("{}: each of the {:.0f} cases records the values of --set and --axis, {:.0f} MB in "
+                    "total; the limit is "
+                    "{:.0f} MB. Give the values of long axes in an experiment file",
+                    experiment.name, cases, size * cases / 1e6, most_recorded / 1e6));
+}
+
 Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
-               const std::vector<std::size_t>& choice, const Overrides& overrides) {
+               const std::vector<std::size_t>& choice, const Overrides& overrides,
+               const std::map<std::string, std::string>& recorded) {
   Case result;
   auto set = [&result](const Setting& setting) { result.settings[setting.first] = setting.second; };
   for (const Setting& setting : experiment.scene) set(setting);
@@ -116,7 +134,7 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   if (is_model_file(overrides.model))
     result.settings["model"] = quoted(fs::absolute(overrides.model).lexically_normal().string());
   result.set.insert(result.set.end(), overrides.set.begin(), overrides.set.end());
-  result.overrides = recorded(overrides);
+  result.overrides = recorded;
 
   const auto variant = experiment.variants.find(result.variant);
   if (variant == experiment.variants.end() && result.variant != default_variant)
@@ -190,10 +208,12 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset, c
     throw InputError(fmt::format("{}: the axes have {:.0f} combinations of values; the limit is {} cases",
                                  experiment.name, count, most_cases));
   check_axes(experiment, preset, overrides, axes);
+  const std::map<std::string, std::string> recorded = recorded_of(overrides);
+  check_recorded(experiment, recorded, count);
   std::vector<Case> result;
   std::vector<std::size_t> choice(axes.size(), 0);
   for (bool more = true; more;) {
-    result.push_back(make_case(experiment, axes, choice, overrides));
+    result.push_back(make_case(experiment, axes, choice, overrides, recorded));
     more = false;
     for (std::size_t i = axes.size(); i-- > 0 && !more;) {
       more = ++choice[i] < axes[i].values.size();
@@ -225,7 +245,7 @@ Scene scene_of(const Experiment& experiment, const Case& which) {
     apply_set(scene, fmt::format("{}={}", key, value),
               which.axes.contains(key) ? fmt::format("{}: axis {}", experiment.name, key) : "--set");
   check_scene(scene, source);
-  return scene;
+  return scene_at(scene, double(scene.dynamics.time));
 }
 
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex) {

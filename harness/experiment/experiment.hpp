@@ -134,7 +134,8 @@ inline constexpr std::size_t longest_case_name = 200;
 std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
                            const Overrides& overrides = {});
 
-/// Returns the case's scene with all keys, after range checks. A relative path in the experiment file is
+/// Returns the case's scene with all keys, after range checks. Keys with keyframes have their values at the
+/// time dynamics.time. A relative path in the experiment file is
 /// relative to the folder of the experiment file. A relative path in the scene file is relative to the folder
 /// of the scene file. A relative path in --set is relative to the working folder. If a value is not valid,
 /// throws InputError; the message names the case, the key, the experiment file and the scene file.

@@ -16,6 +16,7 @@ class PictureMap {
 
   int width() const { return picture_.width; }
   int height() const { return picture_.height; }
+  const Picture& picture() const { return picture_; }
 
   /// Returns the RGBA value at `uv`, by bilinear interpolation between pixel centres. The picture covers the
   /// unit square, and its top row is at v = 1. Outside the square, the value is that of the nearest point of

@@ -28,6 +28,11 @@ glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
+  if (has_chains(scene.dynamics))
+    throw InputError(
+        "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, "
+        "or "
+        "give another topology");
   auto input = std::make_shared<FrameInput>();
   // Another thread prepares the fur texture, which does not depend on the mesh. The preparation of the fur
   // texture takes longer than that of any other array, even if the texture is read from the cache.

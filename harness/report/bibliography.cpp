@@ -23,6 +23,13 @@ const std::map<std::string, std::string>& papers() {
   year    = {2006}
 }
 )"},
+      {"demoreuille2011-once-upon-a-monster", R"(@misc{demoreuille2011-once-upon-a-monster,
+  author = {Demoreuille, Peter and Franzke, Oliver and Choy, Lydia},
+  title  = {Furry, Floppy, Fuzzy: {Once Upon a Monster}'s Fur Pipeline},
+  note   = {Double Fine Productions},
+  year   = {2011}
+}
+)"},
       {"silva2010-curling-clumping", R"(@article{silva2010-curling-clumping,
   author  = {Silva, Paulo and Bando, Yosuke and Chen, Bing-Yu and Nishita, Tomoyuki},
   title   = {Curling and Clumping Fur Represented by Texture Layers},

@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/spring_kinds.hpp"
+#include "harness/scene/strands_scene.hpp"
 
 namespace pelage {
 
@@ -174,7 +176,8 @@ struct PokeScene {
 };
 
 struct DynamicsScene {
-  /// Model of the fur's motion: "silva" or the name of a mass-spring topology.
+  /// Model of the fur's motion: "silva", "chains" (only for the pipelines that draw strands) or the name of a
+  /// mass-spring topology. The pipelines that draw strands always simulate chains.
   std::string topology = "silva";
   /// Time integration scheme. The topology "silva" supports only the default scheme.
   std::string solver{springs::default_solver.name};
@@ -202,9 +205,15 @@ struct DynamicsScene {
   PokeScene poke;
 };
 
-/// True if a mass-spring topology moves the fur; false for Silva's model, which has one strand per triangle.
+/// True if the scene's motion is that of chains of two segments, which only single strands have.
+inline bool has_chains(const DynamicsScene& dynamics) {
+  return dynamics.topology == "chains";
+}
+
+/// True if a mass-spring topology moves the fur; false for Silva's model, which has one strand per triangle,
+/// and for chains.
 inline bool has_springs(const DynamicsScene& dynamics) {
-  return dynamics.topology != DynamicsScene{}.topology;
+  return dynamics.topology != DynamicsScene{}.topology && !has_chains(dynamics);
 }
 
 /// Number of frames that are simulated before the frame of the first picture: `time` divided by the duration
@@ -281,8 +290,10 @@ struct Scene {
   DynamicsScene dynamics;
   ShadingScene shading;
   CoatScene coat;
+  StrandsScene strands;
   CameraScene camera;
   ImageScene image;
+  Keyframes keyframes;
 };
 
 /// True if each triangle of a layer moves independently of its neighbours, so that gaps can open between

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 
 namespace pelage {
@@ -63,29 +64,24 @@ void check_keys(const std::vector<Key>& keys, const std::string& source, const s
   }
 }
 
-void check_droplets(const WetnessScene& wetness, const std::string& source) {
-  if (wetness.droplets.size() > most_droplets) {
-    throw InputError(fmt::format("{}: {}: {} droplets; give at most {}", source, droplet_list,
-                                 wetness.droplets.size(), most_droplets));
+void check_list(const KeyList& list, const std::string& source) {
+  const std::size_t size = list.size();
+  if (size < list.least || size > list.most) {
+    const std::string range = list.least == 0 ? fmt::format("at most {}", list.most)
+                                              : fmt::format("{} to {}", list.least, list.most);
+    throw InputError(fmt::format("{}: {}: {} {}; give {}", source, list.name, size, list.entry, range));
   }
+  for (std::size_t i = 0; i < size; ++i)
+    check_keys(list.keys(i), source, fmt::format("{}[{}].", list.name, i + 1));
+}
+
+void check_droplets(const WetnessScene& wetness, const std::string& source) {
   for (std::size_t i = 0; i < wetness.droplets.size(); ++i) {
-    DropletScene droplet = wetness.droplets[i];
-    check_keys(droplet_keys(droplet), source, fmt::format("{}[{}].", droplet_list, i + 1));
+    const DropletScene& droplet = wetness.droplets[i];
     if (droplet.uv.has_value() == droplet.point.has_value()) {
       throw InputError(fmt::format("{}: {}[{}]: gives {} of the keys uv and point; give exactly one", source,
                                    droplet_list, i + 1, droplet.uv ? "both" : "none"));
     }
-  }
-}
-
-void check_lights(const ShadingScene& shading, const std::string& source) {
-  if (shading.lights.empty() || shading.lights.size() > most_lights) {
-    throw InputError(fmt::format("{}: {}: {} lights; give 1 to {}", source, light_list, shading.lights.size(),
-                                 most_lights));
-  }
-  for (std::size_t i = 0; i < shading.lights.size(); ++i) {
-    LightScene light = shading.lights[i];
-    check_keys(light_keys(light), source, fmt::format("{}[{}].", light_list, i + 1));
   }
 }
 
@@ -103,6 +99,12 @@ void check_topology(const Scene& scene, const std::string& source) {
     if (d.wind.strength > 0 && !(d.drag > 0))
       refuse("dynamics.wind.strength",
              "with a mass-spring topology, the wind has no effect without drag; give dynamics.drag above 0");
+    return;
+  }
+  if (has_chains(d)) {
+    if (d.wind.strength > 0 && !(scene.strands.chain.drag > 0))
+      refuse("dynamics.wind.strength",
+             "the wind has no effect on strands without drag; give strands.chain.drag above 0");
     return;
   }
   const std::string alone =
@@ -193,13 +195,14 @@ std::string complaint(const Key& key, const std::string& value) {
 void check_scene(const Scene& scene, const std::string& source) {
   Scene copy = scene;
   check_keys(scene_keys(copy), source, "");
+  for (const KeyList& list : scene_lists(copy)) check_list(list, source);
   check_droplets(scene.wetness, source);
-  check_lights(scene.shading, source);
   check_sizes(scene, source);
   check_topology(scene, source);
-  if (!has_springs(scene.dynamics)) check_step(scene.dynamics, source);
+  if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);
   check_time(scene.dynamics, source);
   check_camera(scene.camera, source);
+  check_keyframes(scene, source);
 }
 
 }  // namespace pelage

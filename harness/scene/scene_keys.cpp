@@ -8,6 +8,7 @@
 #include "harness/error.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/scene/spring_kinds.hpp"
+#include "harness/scene/strand_keys.hpp"
 
 namespace pelage {
 namespace {
@@ -31,11 +32,42 @@ std::string_view shading_help() {
   return text;
 }
 
-/// Returns "silva" and the names of the mass-spring topologies.
+/// Returns "silva", "chains" and the names of the mass-spring topologies.
 std::vector<std::string_view> topology_names() {
   std::vector<std::string_view> names = springs::kind_names();
-  names.insert(names.begin(), "silva");
+  names.insert(names.begin(), {"silva", "chains"});
   return names;
+}
+
+// clang-format off
+std::vector<Key> droplet_keys(DropletScene& droplet) {
+  return {
+      {"uv", &droplet.uv, "UV units", -1e6, 1e6, "centre in UV space; give either uv or point"},
+      {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point; give either uv or point"},
+      {"radius", &droplet.radius, "UV units", 0.0001, 1, "r_drop, the radius of the droplet"},
+      {"wetness", &droplet.wetness, "", 0, 1, "rho_drop, the wetness of the droplet"},
+  };
+}
+
+std::vector<Key> light_keys(LightScene& light) {
+  return {
+      {"direction", &light.direction, "direction", -1e6, 1e6, "direction towards the light"},
+      {"intensity", &light.intensity, "", 0, 1000, "intensity of the light"},
+  };
+}
+// clang-format on
+
+/// Returns the description of the list `entries`.
+template <class Entry, class Keys>
+KeyList list_of(std::string_view name, std::string_view entry, std::size_t least, std::size_t most,
+                std::vector<Entry>& entries, Keys keys) {
+  return {name,
+          entry,
+          least,
+          most,
+          [&entries] { return entries.size(); },
+          [&entries](std::size_t size) { entries.resize(size); },
+          [&entries, keys](std::size_t i) { return keys(entries[i]); }};
 }
 
 }  // namespace
@@ -56,7 +88,7 @@ std::vector<Key> scene_keys(Scene& s) {
   CoatScene& coat = s.coat;
   CameraScene& camera = s.camera;
   ImageScene& image = s.image;
-  return {
+  std::vector<Key> keys{
       {.name = "model", .slot = &s.model, .unit = "", .help = "the name of a model in experiments/models.toml, or the path of a mesh file"},
 
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
@@ -115,7 +147,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "clump.scale", .slot = &clump.scale, .unit = "", .help = "factor by which the displacement of the fur by a clump is multiplied: \"relative\" uses clump.gain, \"literal\" uses r_mask as printed in S", .choices = {"relative", "literal"}},
       {.name = "clump.cells", .slot = &clump.cells, .unit = "", .help = "discarded fragments at the border of a clump: \"literal\" discards the fragments that the printed S Algorithm 2 discards; \"separate\" also discards every fragment that its clump displaces into another clump", .choices = {"separate", "literal"}},
 
-      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "model of the fur's motion: \"silva\" has one strand of Silva et al. per triangle; the other values are mass-spring topologies (docs/topology.md)", .choices = topology_names()},
+      {.name = "dynamics.topology", .slot = &dynamics.topology, .unit = "", .help = "model of the fur's motion: \"silva\" has one strand of Silva et al. per triangle; \"chains\" is only for the pipelines that draw strands, which always simulate chains of two segments (docs/strands.md); the other values are mass-spring topologies (docs/topology.md)", .choices = topology_names()},
       {.name = "dynamics.solver", .slot = &dynamics.solver, .unit = "", .help = "time integration scheme of a topology; \"silva\" supports semi-implicit Euler only", .choices = springs::solver_names()},
       {.name = "dynamics.bend", .slot = &dynamics.bend, .unit = "", .help = "positions of the layers if dynamics.topology is a mass-spring topology: \"linear\" places them on the straight stick; \"paper\" uses B Eq. 4 as printed; \"tangent\" uses B Eq. 4 without the component of the bend along the surface normal", .choices = {"linear", "paper", "tangent"}},
       {"dynamics.bend_power", &dynamics.bend_power, "", 1, 16, "k of B Eq. 4"},
@@ -175,7 +207,10 @@ std::vector<Key> scene_keys(Scene& s) {
       {"coat.skin", &coat.skin, "RGB", 0, 1, "factor by which the coat's colour is multiplied on the base surface"},
       {"coat.seed", &coat.seed, "", 0, most_seed, "random seed of the procedural coat"},
       {"coat.texture", &coat.texture, "texels", 1, 4096, "number of texels per side of a procedural coat"},
-
+  };
+  const std::vector<Key> strands = strand_keys(s.strands);
+  keys.insert(keys.end(), strands.begin(), strands.end());
+  const std::vector<Key> view{
       {.name = "camera.framed", .slot = &camera.framed, .unit = "", .help = "true: the camera is placed along camera.direction, at the nearest position at which the model with its fur fills at most 88% of the picture's height and at most 94% of its width; false: camera.eye and camera.target are used"},
       {"camera.direction", &camera.direction, "direction", -1e6, 1e6, "direction from the target to the eye"},
       {"camera.eye", &camera.eye, "R", -1e6, 1e6, "position of the camera if camera.framed is false"},
@@ -188,24 +223,18 @@ std::vector<Key> scene_keys(Scene& s) {
       {"image.height", &image.height, "pixels", 1, 16384, "height of the picture"},
       {"image.background", &image.background, "RGB", 0, 1, "colour behind the model"},
   };
+  keys.insert(keys.end(), view.begin(), view.end());
+  return keys;
 }
 
-std::vector<Key> droplet_keys(DropletScene& droplet) {
-  return {
-      {"uv", &droplet.uv, "UV units", -1e6, 1e6, "centre in UV space; give either uv or point"},
-      {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point; give either uv or point"},
-      {"radius", &droplet.radius, "UV units", 0.0001, 1, "r_drop, the radius of the droplet"},
-      {"wetness", &droplet.wetness, "", 0, 1, "rho_drop, the wetness of the droplet"},
-  };
-}
-
-std::vector<Key> light_keys(LightScene& light) {
-  return {
-      {"direction", &light.direction, "direction", -1e6, 1e6, "direction towards the light"},
-      {"intensity", &light.intensity, "", 0, 1000, "intensity of the light"},
-  };
-}
 // clang-format on
+
+std::vector<KeyList> scene_lists(Scene& scene) {
+  return {list_of(droplet_list, "droplets", 0, 100000, scene.wetness.droplets, droplet_keys),
+          list_of(light_list, "lights", 1, 2, scene.shading.lights, light_keys),
+          list_of(strand_layer_list, "fur layers", 1, 16, scene.strands.layers, strand_layer_keys),
+          list_of(strand_fill_list, "fill lights", 0, 1000, scene.strands.fills, strand_fill_keys)};
+}
 
 std::string describe_range(const Key& key) {
   if (!key.choices.empty()) {

@@ -1,6 +1,7 @@
 // The table of all keys of a scene. Each row has a pointer to the value, a unit, a range and a meaning. The
 // functions that read, check, write and document scenes iterate over this table.
 #pragma once
+#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -29,22 +30,32 @@ struct Key {
 };
 
 /// Returns all keys in the order in which write_scene() writes them, except those of the lists
-/// [[wetness.droplet]] and [[shading.light]]. Key::slot points into `scene`.
+/// (scene_lists()). Key::slot points into `scene`.
 std::vector<Key> scene_keys(Scene& scene);
+
+/// A list of TOML tables in a scene, for instance [[shading.light]].
+struct KeyList {
+  std::string_view name;            ///< dotted name of the list
+  std::string_view entry;           ///< what an entry is, plural, for messages: "lights"
+  std::size_t least = 0, most = 0;  ///< permitted number of entries
+  std::function<std::size_t()> size;
+  std::function<void(std::size_t)> resize;  ///< new entries have default values
+  /// Returns the keys of an entry. They have short names without the name of the list: "radius", not
+  /// "wetness.droplet.radius". Key::slot points into the scene.
+  std::function<std::vector<Key>(std::size_t)> keys;
+};
+
+/// Returns all lists. The functions of a KeyList refer to `scene`.
+std::vector<KeyList> scene_lists(Scene& scene);
 
 /// Returns the permitted values of the string key `name`, in the order of Key::choices. Throws InputError if
 /// no key has this name.
 std::vector<std::string> choices_of(std::string_view name);
 
-/// Returns the keys of one entry of [[wetness.droplet]] or [[shading.light]]. The keys have short names
-/// without the name of the list: "radius", not "wetness.droplet.radius".
-std::vector<Key> droplet_keys(DropletScene& droplet);
-std::vector<Key> light_keys(LightScene& light);
-
 inline constexpr std::string_view droplet_list = "wetness.droplet";
 inline constexpr std::string_view light_list = "shading.light";
-inline constexpr std::size_t most_droplets = 100000;
-inline constexpr std::size_t most_lights = 2;
+inline constexpr std::string_view strand_layer_list = "strands.layer";
+inline constexpr std::string_view strand_fill_list = "strands.fill";
 
 /// Returns the permitted values of a key as text, for instance "0.001 to 1 R" or "three numbers, each -1 to
 /// 1".

@@ -75,14 +75,20 @@ std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// Returns the error text for an unknown key. The text suggests the key with the smallest edit distance from
-/// `wanted` if this distance is below a limit. If `lists` is true, the text may also suggest the list
-/// wetness.droplet or the list shading.light.
-std::string unknown(std::string_view wanted, const std::vector<Key>& keys, bool lists) {
+/// All keys and lists of a scene.
+struct Keys {
+  std::vector<Key> keys;
+  std::vector<KeyList> lists;
+};
+
+/// Returns the error text for an unknown key. The text suggests the key or the list with the smallest edit
+/// distance from `wanted` if this distance is below a limit.
+std::string unknown(std::string_view wanted, const std::vector<Key>& keys,
+                    const std::vector<KeyList>& lists) {
   std::vector<std::string_view> names;
-  names.reserve(keys.size() + 2);
+  names.reserve(keys.size() + lists.size());
   for (const Key& key : keys) names.push_back(key.name);
-  if (lists) names.insert(names.end(), {droplet_list, light_list});
+  for (const KeyList& list : lists) names.push_back(list.name);
   std::string_view best;
   std::size_t least = std::max<std::size_t>(2, std::min<std::size_t>(wanted.size(), 40) / 3) + 1;
   if (wanted.size() < 100) {
@@ -164,63 +170,115 @@ void assign(const Source& source, const toml::node& node, const Key& key, const 
       key.slot);
 }
 
-/// Reads a list of tables: [[wetness.droplet]] or [[shading.light]].
-template <class Entry, class Keys>
-std::vector<Entry> read_list(const Source& source, const toml::node& node, std::string_view name,
-                             Keys&& keys_of) {
+/// Reads a list of tables, for instance [[shading.light]].
+void read_list(const Source& source, const toml::node& node, const KeyList& list) {
   const auto* array = node.as_array();
-  if (!array) refuse(source, &node, name, fmt::format("is {}; give [[{}]] entries", kind(node), name));
-  std::vector<Entry> entries;
+  if (!array)
+    refuse(source, &node, list.name, fmt::format("is {}; give [[{}]] entries", kind(node), list.name));
+  list.resize(0);
+  list.resize(array->size());
   for (std::size_t i = 0; i < array->size(); ++i) {
-    const std::string here = fmt::format("{}[{}]", name, i + 1);
+    const std::string here = fmt::format("{}[{}]", list.name, i + 1);
     const toml::node& element = (*array)[i];
     const auto* table = element.as_table();
     if (!table)
-      refuse(source, &element, here, fmt::format("is {}; give [[{}]] entries", kind(element), name));
-    Entry& entry = entries.emplace_back();
-    const std::vector<Key> keys = keys_of(entry);
+      refuse(source, &element, here, fmt::format("is {}; give [[{}]] entries", kind(element), list.name));
+    const std::vector<Key> keys = list.keys(i);
     for (const auto& [word, value] : *table) {
       const auto key = std::find_if(keys.begin(), keys.end(),
                                     [wanted = word.str()](const Key& k) { return k.name == wanted; });
       const std::string full = fmt::format("{}.{}", here, word.str());
-      if (key == keys.end()) refuse(source, &value, full, unknown(word.str(), keys, false));
+      if (key == keys.end()) refuse(source, &value, full, unknown(word.str(), keys, {}));
       assign(source, value, *key, full);
     }
   }
-  return entries;
 }
 
-/// Reads the key or the list `name` from `node`. Returns false if no key and no list
-/// has this name.
-bool read_key(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::node& node,
-              const std::string& name) {
-  if (name == droplet_list) {
-    scene.wetness.droplets = read_list<DropletScene>(source, node, name, droplet_keys);
-    return true;
-  }
-  if (name == light_list) {
-    scene.shading.lights = read_list<LightScene>(source, node, name, light_keys);
-    return true;
-  }
-  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
-  if (key == keys.end()) return false;
+/// Reads the key or the list `name` from `node`. Returns false if no key and no list has this name.
+bool read_key(const Keys& known, const Source& source, const toml::node& node, const std::string& name) {
+  for (const KeyList& list : known.lists)
+    if (name == list.name) {
+      read_list(source, node, list);
+      return true;
+    }
+  const auto key =
+      std::find_if(known.keys.begin(), known.keys.end(), [&](const Key& k) { return k.name == name; });
+  if (key == known.keys.end()) return false;
   assign(source, node, *key, name);
   return true;
 }
 
-void read_table(Scene& scene, const std::vector<Key>& keys, const Source& source, const toml::table& table,
+void read_table(const Keys& known, const Source& source, const toml::table& table,
                 const std::string& prefix) {
   for (const auto& [word, node] : table) {
     const std::string name = prefix + std::string(word.str());
-    const bool group =
-        std::any_of(keys.begin(), keys.end(), [&](const Key& k) { return k.name.starts_with(name + "."); });
+    const bool group = std::any_of(known.keys.begin(), known.keys.end(),
+                                   [&](const Key& k) { return k.name.starts_with(name + "."); });
     if (group) {
       if (!node.is_table())
         refuse(source, &node, name, fmt::format("is {}; give a TOML table [{}] with keys", kind(node), name));
-      read_table(scene, keys, source, *node.as_table(), name + ".");
-    } else if (!read_key(scene, keys, source, node, name)) {
-      refuse(source, &node, name, unknown(name, keys, true));
+      read_table(known, source, *node.as_table(), name + ".");
+    } else if (!read_key(known, source, node, name)) {
+      refuse(source, &node, name, unknown(name, known.keys, known.lists));
     }
+  }
+}
+
+/// Reads the keyframes of one key: an array of pairs [time, value]. `name` is the key in messages.
+KeyTrack read_track(const Source& source, const toml::node& node, const Key& key, const std::string& name) {
+  const std::string wanted =
+      fmt::format("give pairs [time in s, value], where the value is {}", describe_range(key));
+  const auto* pairs = node.as_array();
+  if (!pairs) refuse(source, &node, name, fmt::format("is {}; {}", kind(node), wanted));
+  if (pairs->empty() || pairs->size() > most_keyframes)
+    refuse(source, &node, name, fmt::format("has {} keyframes; give 1 to {}", pairs->size(), most_keyframes));
+  KeyTrack track{std::string(key.name), {}};
+  for (std::size_t i = 0; i < pairs->size(); ++i) {
+    const toml::node& entry = (*pairs)[i];
+    const std::string here = fmt::format("{}[{}]", name, i + 1);
+    const auto* pair = entry.as_array();
+    if (!pair) refuse(source, &entry, here, fmt::format("is {}; {}", kind(entry), wanted));
+    if (pair->size() != 2)
+      refuse(source, &entry, here, fmt::format("has {} entries; {}", pair->size(), wanted));
+    const toml::node& when = (*pair)[0];
+    if (!when.is_number()) refuse(source, &when, here, fmt::format("its time is {}; {}", kind(when), wanted));
+    const double time = *when.value<double>();
+    if (!(time >= 0 && time <= most_keyframe_time))
+      refuse(source, &when, here,
+             fmt::format("the time {} s is out of range; give 0 to {} s", time, most_keyframe_time));
+    if (i > 0 && !(time > track.frames.back().time))
+      refuse(source, &when, here,
+             fmt::format("the time {} s is not after {} s; give ascending times", time,
+                         track.frames.back().time));
+    assign(source, (*pair)[1], key, here);
+    track.frames.push_back({time, key_value(key)});
+  }
+  return track;
+}
+
+/// Reads the table [keyframes]. Its keys are dotted names of scene keys, quoted or not.
+void read_keyframes(const Source& source, const toml::node& node, const std::string& prefix, Scene& scene) {
+  const auto* table = node.as_table();
+  if (!table)
+    refuse(source, &node, "keyframes", fmt::format("is {}; give a TOML table [keyframes]", kind(node)));
+  Scene scratch;
+  const Keys known{scene_keys(scratch), {}};
+  for (const auto& [word, value] : *table) {
+    const std::string name = prefix + std::string(word.str()), full = fmt::format("keyframes.\"{}\"", name);
+    if (value.is_table()) {
+      read_keyframes(source, value, name + ".", scene);
+      continue;
+    }
+    const auto key =
+        std::find_if(known.keys.begin(), known.keys.end(), [&](const Key& k) { return k.name == name; });
+    if (key == known.keys.end()) refuse(source, &value, full, unknown(name, known.keys, {}));
+    if (!may_have_keyframes(*key)) refuse(source, &value, full, "this key cannot change over time");
+    KeyTrack track = read_track(source, value, *key, full);
+    std::vector<KeyTrack>& tracks = scene.keyframes.tracks;
+    std::erase_if(tracks, [&](const KeyTrack& other) { return other.key == name; });
+    tracks.push_back(std::move(track));
+    std::sort(tracks.begin(), tracks.end(),
+              [](const KeyTrack& left, const KeyTrack& right) { return left.key < right.key; });
   }
 }
 
@@ -236,8 +294,12 @@ Scene parse_scene(std::string_view text, const std::string& name, const fs::path
   Scene scene = base;
   try {
     check_toml_text(text, name);
-    const toml::table table = toml::parse(text, name);
-    read_table(scene, scene_keys(scene), Source{name, folder}, table, "");
+    toml::table table = toml::parse(text, name);
+    if (const toml::node* keyframes = table.get("keyframes")) {
+      read_keyframes(Source{name, folder}, *keyframes, "", scene);
+      table.erase("keyframes");
+    }
+    read_table({scene_keys(scene), scene_lists(scene)}, Source{name, folder}, table, "");
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", name, error.source().begin.line, error.description()));
@@ -276,11 +338,12 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   }
   const std::string value = trimmed(assignment.substr(equals + 1));
   const Source source{source_name, ".", false};
-  const std::vector<Key> keys = scene_keys(scene);
+  const Keys known{scene_keys(scene), scene_lists(scene)};
+  const std::vector<Key>& keys = known.keys;
   const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
-  if (key == keys.end() && name != droplet_list && name != light_list) {
-    refuse(source, nullptr, name, unknown(name, keys, true));
-  }
+  const bool is_list = std::any_of(known.lists.begin(), known.lists.end(),
+                                   [&](const KeyList& list) { return list.name == name; });
+  if (key == keys.end() && !is_list) refuse(source, nullptr, name, unknown(name, keys, known.lists));
   const bool words = key != keys.end() && (std::holds_alternative<std::string*>(key->slot) ||
                                            std::holds_alternative<fs::path*>(key->slot));
   if (words && (value.empty() || (value[0] != '"' && value[0] != '\''))) {
@@ -292,7 +355,7 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
     check_toml_text(value, fmt::format("{}: {}", source_name, name));
     const toml::table table = toml::parse("value = " + value);
     if (table.size() != 1) throw InputError(fmt::format("{}: {}: give one value", source_name, name));
-    read_key(scene, keys, source, *table.get("value"), name);
+    read_key(known, source, *table.get("value"), name);
   } catch (const toml::parse_error&) {
     refuse(source, nullptr, name, fmt::format("'{}' is no TOML value; give {}", value, wanted));
   }

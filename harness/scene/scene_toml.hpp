@@ -26,7 +26,8 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::fil
 /// Overrides one key by an assignment such as "fur.length=0.1". The value is TOML, except that strings need
 /// no quotes. Relative paths are resolved against the working directory. Error texts begin with `source`. The
 /// function checks this key alone; call check_scene() after the last override to check the consistency of all
-/// keys. Throws InputError.
+/// keys. The function does not change keyframes; a key with keyframes keeps the values of its keyframes.
+/// Throws InputError.
 void apply_set(Scene& scene, std::string_view assignment, const std::string& source = "--set");
 
 /// Throws InputError if a value is out of its range or contradicts another value. Error texts begin with
@@ -37,8 +38,8 @@ void check_scene(const Scene& scene, const std::string& source = "scene");
 /// default. parse_scene() returns a bitwise identical scene from this text.
 std::string write_scene(const Scene& scene);
 
-/// Returns a hash of all keys and values of a scene as 16 hexadecimal digits. The hash is the same on every
-/// machine. If a value is a path, the content of the file is hashed instead of the path.
+/// Returns a hash of all keys, values and keyframes of a scene as 16 hexadecimal digits. The hash is the same
+/// on every machine. If a value is a path, the content of the file is hashed instead of the path.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace pelage

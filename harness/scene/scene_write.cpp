@@ -25,12 +25,17 @@ std::string quoted(const std::string& text) {
   return out + '"';
 }
 
-/// Returns the shortest decimal number that is parsed as the same float. The number has a point or an
-/// exponent, because TOML parses other numbers as integers.
+/// Returns the shortest decimal number that is parsed as the same float or double. The number has a point or
+/// an exponent, because TOML parses other numbers as integers.
+template <class Real>
+std::string number(Real value) {
+  std::string digits = fmt::format("{}", value);
+  if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+  return digits;
+}
+
 std::string text(float value) {
-  std::string number = fmt::format("{}", value);
-  if (number.find_first_of(".e") == std::string::npos) number += ".0";
-  return number;
+  return number(value);
 }
 
 std::string text(const glm::vec2& v) {
@@ -61,36 +66,68 @@ std::string text(const std::optional<T>& value) {
 
 /// Returns the value as TOML. If the value is absent, returns an empty string. Only a droplet's uv and a
 /// droplet's point can be absent.
-std::string value_of(const Key& key) {
+std::string value_text(const Key& key) {
   return std::visit([](const auto* slot) { return text(*slot); }, key.slot);
 }
 
 std::string line(const Key& key, std::string_view word, const std::string& note) {
-  return fmt::format("{:<35} # {} [{}{}]\n", fmt::format("{} = {}", word, value_of(key)), key.help,
+  return fmt::format("{:<35} # {} [{}{}]\n", fmt::format("{} = {}", word, value_text(key)), key.help,
                      describe_range(key), note);
 }
 
-template <class Entry, class Keys>
-std::string write_list(std::string_view name, std::vector<Entry> entries, Keys&& keys_of) {
+std::string write_list(const KeyList& list) {
   std::string out;
-  for (Entry& entry : entries) {
-    out += fmt::format("\n[[{}]]\n", name);
-    for (const Key& key : keys_of(entry)) {
-      if (!value_of(key).empty()) out += line(key, key.name, "");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    out += fmt::format("\n[[{}]]\n", list.name);
+    for (const Key& key : list.keys(i)) {
+      if (!value_text(key).empty()) out += line(key, key.name, "");
     }
   }
   return out;
 }
 
-/// Returns a TOML comment that describes the keys of a [[wetness.droplet]] entry. write_scene() adds this
-/// comment to scenes that have no droplets.
-std::string describe_droplets() {
-  DropletScene droplet;
-  std::string out = fmt::format("\n# This scene has no [[{}]]. The keys of an entry are:\n", droplet_list);
-  for (const Key& key : droplet_keys(droplet)) {
-    const std::string standard = value_of(key);
+/// Returns a TOML comment that describes the keys of a list's entries. write_scene() adds this comment to
+/// scenes in which the list is empty. `standard` has one entry with default values.
+std::string describe_list(const KeyList& standard) {
+  std::string out = fmt::format("\n# This scene has no [[{}]]. The keys of an entry are:\n", standard.name);
+  for (const Key& key : standard.keys(0)) {
+    const std::string value = value_text(key);
     out += fmt::format("#   {:<30}# {} [{}{}]\n", key.name, key.help, describe_range(key),
-                       standard.empty() ? "" : "; default " + standard);
+                       value.empty() ? "" : "; default " + value);
+  }
+  return out;
+}
+
+/// Calls `use` with the key and the time of each keyframe of a scene, after it has set the key to the
+/// keyframe's value in a copy of the scene.
+template <class Use>
+void for_keyframes(const KeyTrack& track, const Use& use) {
+  Scene scratch;
+  for (const Key& key : scene_keys(scratch)) {
+    if (key.name != track.key) continue;
+    for (const Keyframe& frame : track.frames) {
+      set_key(key, frame.value);
+      use(key, frame.time);
+    }
+  }
+}
+
+std::string write_keyframes(const Keyframes& keyframes) {
+  const std::string meaning =
+      "values of keys over time, as pairs [time in s, value]; numbers and vectors are interpolated linearly, "
+      "other values change at the time of a pair";
+  if (keyframes.tracks.empty())
+    return fmt::format(
+        "\n# This scene has no [keyframes]. This table gives {}. Example:\n"
+        "#   \"strands.fraction\" = [[0.0, 1.0], [5.0, 0.1]]\n",
+        meaning);
+  std::string out = fmt::format("\n[keyframes] # {}\n", meaning);
+  for (const KeyTrack& track : keyframes.tracks) {
+    std::string pairs;
+    for_keyframes(track, [&](const Key& key, double time) {
+      pairs += fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", number(time), value_text(key));
+    });
+    out += fmt::format("{} = [{}]\n", quoted(track.key), pairs);
   }
   return out;
 }
@@ -121,7 +158,7 @@ std::string hashed_value(const Key& key) {
     const std::string& model = *std::get<std::string*>(key.slot);
     if (is_model_file(model)) return content(model);
   }
-  return value_of(key);
+  return value_text(key);
 }
 
 }  // namespace
@@ -131,6 +168,8 @@ std::string write_scene(const Scene& scene) {
   Scene defaults;
   const std::vector<Key> keys = scene_keys(values);
   const std::vector<Key> standards = scene_keys(defaults);
+  const std::vector<KeyList> lists = scene_lists(values), standard_lists = scene_lists(defaults);
+  for (const KeyList& list : standard_lists) list.resize(1);
   std::string out =
       "# A scene of pelage with all keys. Each comment gives the meaning and, in brackets, the range, unit "
       "and "
@@ -143,15 +182,13 @@ std::string write_scene(const Scene& scene) {
     const std::string_view name = keys[i].name;
     if (group(name) != table) out += fmt::format("\n[{}]\n", table = group(name));
     out += line(keys[i], name.substr(table.empty() ? 0 : table.size() + 1),
-                "; default " + value_of(standards[i]));
+                "; default " + value_text(standards[i]));
     const bool last = i + 1 == keys.size() || group(keys[i + 1].name) != table;
-    if (last && table == group(droplet_list)) {
-      out += scene.wetness.droplets.empty() ? describe_droplets()
-                                            : write_list(droplet_list, scene.wetness.droplets, droplet_keys);
-    }
-    if (last && table == group(light_list)) out += write_list(light_list, scene.shading.lights, light_keys);
+    for (std::size_t n = 0; last && n < lists.size(); ++n)
+      if (table == group(lists[n].name))
+        out += lists[n].size() > 0 ? write_list(lists[n]) : describe_list(standard_lists[n]);
   }
-  return out;
+  return out + write_keyframes(scene.keyframes);
 }
 
 std::string scene_hash(const Scene& scene) {
@@ -161,8 +198,12 @@ std::string scene_hash(const Scene& scene) {
     for (const Key& key : keys) all += fmt::format("{}{}={}\n", prefix, key.name, hashed_value(key));
   };
   add(scene_keys(values), "");
-  for (DropletScene& droplet : values.wetness.droplets) add(droplet_keys(droplet), droplet_list);
-  for (LightScene& light : values.shading.lights) add(light_keys(light), light_list);
+  for (const KeyList& list : scene_lists(values))
+    for (std::size_t i = 0; i < list.size(); ++i) add(list.keys(i), list.name);
+  for (const KeyTrack& track : scene.keyframes.tracks)
+    for_keyframes(track, [&](const Key& key, double time) {
+      all += fmt::format("keyframes.{}@{}={}\n", key.name, number(time), hashed_value(key));
+    });
   return fmt::format("{:016x}", fnv1a(all));
 }
 

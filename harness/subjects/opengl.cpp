@@ -10,11 +10,11 @@
 #include "harness/measure/cpu_use.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/mesh/quality.hpp"
+#include "harness/parallel.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/shells/reference/mask.hpp"
-#include "harness/shells/reference/parallel.hpp"
 #include "harness/shells/reference/strands.hpp"
 #include "harness/subjects/shells.hpp"
 
@@ -80,7 +80,7 @@ class OpenGlSubject : public Subject {
   void advance(int frames) {
     const std::size_t substeps = std::size_t(frames) * std::size_t(input_->scene.dynamics.substeps);
     const std::size_t first = std::size_t(frames_) * std::size_t(input_->scene.dynamics.substeps);
-    reference::for_each_index(strands_.size(), 256, [&](std::size_t face) {
+    for_each_index(strands_.size(), 256, [&](std::size_t face) {
       for (std::size_t i = 0; i < substeps; ++i)
         strands_[face] = reference::substep(*input_, face, strands_[face], first + i);
     });

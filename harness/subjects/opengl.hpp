@@ -14,6 +14,9 @@ std::unique_ptr<Subject> make_opengl(SubjectContext& context, const Case& which)
 /// Throws Unsupported if OpenGL is unavailable. Callers run this check before they prepare the mesh.
 void need_opengl();
 
+/// The phase of a row that has the times of an OpenGL baseline which draws in turns with OpenCL.
+inline constexpr const char* opengl_phase = "opengl";
+
 /// Returns a subject that draws in every round one frame of `ours` and then one frame of the baseline
 /// `rival`. In the row of results, the phase (a named list of times) "frame" contains the times of `ours`,
 /// and the phase with the name `phase` contains the baseline's times. An additional check requires that the

@@ -5,7 +5,9 @@
 #include "harness/springs/studies/study.hpp"
 #include "harness/subjects/fewer_layers.hpp"
 #include "harness/subjects/opengl.hpp"
+#include "harness/subjects/raycast_difference.hpp"
 #include "harness/subjects/shells.hpp"
+#include "harness/subjects/strands.hpp"
 
 namespace pelage {
 namespace {
@@ -22,6 +24,12 @@ constexpr Pipeline table[] = {
      [](SubjectContext& context, const Case& which) {
        need_opengl();
        return duel(make_shells(context, which), make_opengl(context, which), "opengl");
+     }},
+    {"strands", make_strand_frames},
+    {"strands+opengl", make_strands_against_opengl},
+    {"strands+raycast",
+     [](SubjectContext& context, const Case& which) {
+       return against_raycast(context, which, make_strand_frames(context, which));
      }},
     {"springs", springs::make_solver},
     {"springs+rivals", springs::make_solver_against_baselines},

@@ -22,6 +22,7 @@
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
+#include "harness/subjects/agreement_metrics.hpp"
 
 namespace pelage {
 namespace {
@@ -38,7 +39,7 @@ class ShellsSubject : public Subject {
   }
 
   FrameSample frame() override {
-    FrameTiming timing;
+    cl::FrameTiming timing;
     const Cost whole = cost_of([&] { bounded([&] { timing = shells_.frame(); }); });
     return {.wall_ms = timing.wall_ms, .phase_event_ms = timing.phase_event_ms, .cpu_ms = whole.cpu_ms};
   }
@@ -75,10 +76,8 @@ class ShellsSubject : public Subject {
       row.metrics["masses"] = {double(topology.mass.size()), "masses"};
       row.metrics["springs"] = {double(topology.spring.size()), "springs"};
     }
-    // These metrics help to find the cause of a failed check.
-    row.metrics["worst_difference"] = {agreement_.worst, "1"};
-    row.metrics["flips"] = {double(agreement_.flips), "pixels"};
-    row.metrics["psnr_without_flips"] = {agreement_.psnr_without_flips, "dB"};
+    add_agreement(row, agreement_);
+    // These metrics also help to find the cause of a failed check.
     row.metrics["windows_psnr"] = {sample_.psnr, "dB"};
     row.metrics["windows_flips"] = {double(sample_.flips), "pixels"};
     row.metrics["worst_x"] = {double(agreement_.worst_x), "pixels"};

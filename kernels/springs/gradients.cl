@@ -99,19 +99,22 @@ INLINE real3 pulled(TopologyParams p, real3 g, real3 w) { return along3(scale3(e
 // Computes A, the inverses of its diagonal matrix blocks and the right-hand side b from the state. Then
 // computes the residual r = b - A x, and the product z of the inverses and r. Stores z as the first search
 // direction d. moments: wind, weight and object motion at successive times. at: index of the Moment at the
-// end of the time step.
+// end of the time step. root: positions of the sticks' bases. reach: positions of the top masses relative to their
+// bases. The vector from one top mass to another is computed from differences of roots and differences of `reach`.
+// The difference of two positions in R would have a rounding error of 6e-8 R, which is too large for stiff springs
+// between light masses (docs/topology.md, section Solvers).
 INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                          TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
-                         TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                         TABLE(scalar) root, TABLE(scalar) reach, TABLE(scalar) speed, TABLE(scalar) x,
                          __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
                          __global scalar *r, __global scalar *d, __global total *sums) {
   real3 zero = uniform3(0.0f, 0.0f, 0.0f);
   totals rz = 0, rr = 0, bb = 0;
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     whole own = WHOLE(u * LANES) + lane_numbers();
-    real3 here = xyz(load_rows(tip, u));
+    Site site = load_site(p, sites, push, u, 1);
     Top a;
-    a.q = load3(offset, u, 3, 0);
+    a.q = xyz(load_rows(reach, u));
     a.v = xyz(load_rows(speed, u));
     real3 force = zero, load = zero, pulls = zero;
     Symmetric springs = symmetric(REAL(0.0f), REAL(0.0f), zero, REAL(0.0f), zero);
@@ -120,7 +123,8 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
       int e = entry_of(start, u, k);
       whole other = load_whole(neighbour, e);
       real spring = other != own ? REAL(1.0f) : REAL(0.0f);  // 0: padding, whose neighbour is the stick itself
-      real3 apart = sub3(xyz(gather_rows(tip, other)), here), parting = sub3(xyz(gather_rows(speed, other)), a.v);
+      real3 apart = add3(sub3(xyz(gather_rows(root, other)), site.root), sub3(xyz(gather_rows(reach, other)), a.q));
+      real3 parting = sub3(xyz(gather_rows(speed, other)), a.v);
       real length = load_real(rest, e);
       force = add3(force, edge_force(p, apart, parting, length));
       Span edge = span_of(apart);
@@ -132,7 +136,6 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
       pulls = add3(pulls, pulled(p, g, xyz(gather_rows(x, other))));
       store3(g, coupling, e, 3, 0);
     }
-    Site site = load_site(p, sites, push, u, 1);
     Row row = stick_row(p, site, a, add3(stick_force(p, moments[at], site, a), force));
     row.block = plus(row.block, springs);
     store_block(row.block, diagonal, u);
@@ -155,12 +158,12 @@ INLINE void set_up_chunk(TopologyParams p, int chunks, int chunk, int at, TABLE(
 }
 __kernel void gradients_set_up(TopologyParams p, int chunks, int at, TABLE(Moment) moments, TABLE(scalar) sites,
                                TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
-                               TABLE(scalar) tip, TABLE(scalar) offset, TABLE(scalar) speed, TABLE(scalar) x,
+                               TABLE(scalar) root, TABLE(scalar) reach, TABLE(scalar) speed, TABLE(scalar) x,
                                __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
                                __global scalar *r, __global scalar *d, __global total *sums) {
   int chunk = (int)get_global_id(0);
   if (chunk < chunks)
-    set_up_chunk(p, chunks, chunk, at, moments, sites, push, start, neighbour, rest, tip, offset, speed, x, diagonal,
+    set_up_chunk(p, chunks, chunk, at, moments, sites, push, start, neighbour, rest, root, reach, speed, x, diagonal,
                  inverse, coupling, r, d, sums);
 }
 
@@ -238,25 +241,25 @@ __kernel void gradients_turn(TopologyParams p, int chunks, int odd, TABLE(scalar
   if (chunk < chunks) turn_chunk(p, chunks, chunk, odd, z, d, x, sums);
 }
 
-// Computes the new velocity v += x, and then the new position q += h v, where h is the time step.
-INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) sites, TABLE(scalar) x,
-                       __global scalar *offset, __global scalar *speed, __global scalar *tip, __global int *diverged_at,
-                       __global int *first) {
+// Computes the new velocity v += x, and then the new position q += h v, where h is the time step. Stores q in columns
+// (offset) and in rows (reach).
+INLINE void move_chunk(TopologyParams p, int chunk, int number, TABLE(scalar) x, __global scalar *offset,
+                       __global scalar *speed, __global scalar *reach, __global int *diverged_at, __global int *first) {
   for (int u = first_unit(p, chunk); u < last_unit(p, chunk); ++u) {
     Top a;
     a.v = add3(xyz(load_rows(speed, u)), xyz(load_rows(x, u)));
     a.q = along3(load3(offset, u, 3, 0), REAL(p.step), a.v);
     store_rows(row_of(a.v), speed, u);
     store3(a.q, offset, u, 3, 0);
-    store_rows(row_of(add3(load3(sites, u, SITE_COLUMNS, SITE_ROOT), a.q)), tip, u);
+    store_rows(row_of(a.q), reach, u);
     note_step(p, a, u, number, diverged_at, first);
   }
 }
-__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) sites, TABLE(scalar) x,
-                             __global scalar *offset, __global scalar *speed, __global scalar *tip,
-                             __global int *diverged_at, __global int *first) {
+__kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(scalar) x, __global scalar *offset,
+                             __global scalar *speed, __global scalar *reach, __global int *diverged_at,
+                             __global int *first) {
   int chunk = (int)get_global_id(0);
-  if (chunk < chunks) move_chunk(p, chunk, number, sites, x, offset, speed, tip, diverged_at, first);
+  if (chunk < chunks) move_chunk(p, chunk, number, x, offset, speed, reach, diverged_at, first);
 }
 
 // Computes all substeps of a launch in one work-item. Each substep iterates until |r| <= residual |b|, but at most
@@ -264,14 +267,15 @@ __kernel void gradients_move(TopologyParams p, int chunks, int number, TABLE(sca
 // number of iterations in one substep, and the greatest |r| / |b| at the end of a substep.
 __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE(Moment) moments, TABLE(scalar) sites,
                               TABLE(scalar) push, TABLE(int) start, TABLE(int) neighbour, TABLE(scalar) rest,
-                              __global scalar *tip, __global scalar *offset, __global scalar *speed, __global scalar *x,
+                              TABLE(scalar) root, __global scalar *reach, __global scalar *offset,
+                              __global scalar *speed, __global scalar *x,
                               __global scalar *diagonal, __global scalar *inverse, __global scalar *coupling,
                               __global scalar *r, __global scalar *d, __global scalar *product_d, __global total *sums,
                               __global int *diverged_at, __global int *first, __global scalar *solved) {
   if (get_global_id(0) != 0) return;
   for (int k = 0; k < 3; ++k) solved[k] = 0;
   for (int i = 0; i < p.substeps; ++i) {
-    set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, tip, offset, speed, x,
+    set_up_chunk(p, 1, 0, p.first_moment + 2 * i + 2, moments, sites, push, start, neighbour, rest, root, reach, speed, x,
                  diagonal, inverse, coupling, r, d, sums);
     total bb = sums[SUM_BB];
     int done = 0;
@@ -282,7 +286,7 @@ __kernel void gradients_whole(TopologyParams p, int most, scalar residual, TABLE
       advance_chunk(p, 1, 0, done % 2, inverse, product_d, r, sums);
       turn_chunk(p, 1, 0, done % 2, product_d, d, x, sums);
     }
-    move_chunk(p, 0, p.first_step + i, sites, x, offset, speed, tip, diverged_at, first);
+    move_chunk(p, 0, p.first_step + i, x, offset, speed, reach, diverged_at, first);
     scalar left = bb > 0 ? sqrt((scalar)(sums[SUM_RR] / bb)) : 0;
     solved[0] += (scalar)done;
     solved[1] = solved[1] > (scalar)done ? solved[1] : (scalar)done;

@@ -22,7 +22,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(Animation, TheLoopDrawsFramesThatMoveAndJoin) {
   const Folder folder;
   const auto blocks = blocks_of(fs::path(PELAGE_SOURCE_DIR) / "docs/animation.md");
-  ASSERT_EQ(blocks.size(), 3u);
+  ASSERT_EQ(blocks.size(), 4u);
+  ASSERT_EQ(blocks[3].language, "toml");  // the keyframes of a scene
+  folder.write("keyframes.toml", blocks[3].text);
+  EXPECT_EQ(pelage(folder, "scene keyframes.toml").code, 0) << folder.read("stderr");
   std::string loop = replaced(blocks[0].text, "--size 800x600", "--size 96x72 --set fur.layers=8");
   loop = replaced(loop, "seq 0 59", "seq 0 3");
   loop = replaced(loop, "$i / 30", "$i / 5");  // with 0.2 s between frames, all frames differ

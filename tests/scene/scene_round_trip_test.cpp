@@ -9,6 +9,7 @@
 #include <random>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/scene/scene_keys.hpp"
@@ -21,22 +22,21 @@ namespace fs = std::filesystem;
 
 /// Returns the name of the first key whose value differs between two scenes; empty if the scenes are equal.
 std::string difference(Scene a, Scene b) {
-  const auto left = scene_keys(a), right = scene_keys(b);
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    const bool same = std::visit(
-        [&](auto* value) { return *value == *std::get<decltype(value)>(right[i].slot); }, left[i].slot);
-    if (!same) return std::string(left[i].name);
-  }
-  if (a.wetness.droplets.size() != b.wetness.droplets.size()) return std::string(droplet_list);
-  for (std::size_t i = 0; i < a.wetness.droplets.size(); ++i) {
-    const DropletScene &x = a.wetness.droplets[i], &y = b.wetness.droplets[i];
-    if (x.uv != y.uv || x.point != y.point || x.radius != y.radius || x.wetness != y.wetness)
-      return "a droplet";
-  }
-  if (a.shading.lights.size() != b.shading.lights.size()) return std::string(light_list);
-  for (std::size_t i = 0; i < a.shading.lights.size(); ++i) {
-    const LightScene &x = a.shading.lights[i], &y = b.shading.lights[i];
-    if (x.direction != y.direction || x.intensity != y.intensity) return "a light";
+  const auto first_in = [](const std::vector<Key>& left, const std::vector<Key>& right) -> std::string {
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const bool same = std::visit(
+          [&](auto* value) { return *value == *std::get<decltype(value)>(right[i].slot); }, left[i].slot);
+      if (!same) return std::string(left[i].name);
+    }
+    return {};
+  };
+  if (const std::string key = first_in(scene_keys(a), scene_keys(b)); !key.empty()) return key;
+  const std::vector<KeyList> left = scene_lists(a), right = scene_lists(b);
+  for (std::size_t n = 0; n < left.size(); ++n) {
+    if (left[n].size() != right[n].size()) return std::string(left[n].name);
+    for (std::size_t i = 0; i < left[n].size(); ++i)
+      if (const std::string key = first_in(left[n].keys(i), right[n].keys(i)); !key.empty())
+        return std::string(left[n].name) + "." + key;
   }
   return {};
 }
@@ -121,6 +121,12 @@ TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
       if (i % 2 == 1) scene.wetness.droplets[i].point = glm::vec3(t, -t, 1.5f * t);
       scene.wetness.droplets[i].wetness = t;
     }
+    scene.strands.layers.resize(1 + random() % 3);
+    scene.strands.fills.resize(random() % 3);
+    for (const KeyList& list : scene_lists(scene))
+      for (std::size_t i = 0; list.name.starts_with("strands.") && i < list.size(); ++i)
+        for (const Key& key : list.keys(i))
+          if (random() % 8 == 0) vary(key, random);
     try {
       check_scene(scene);
     } catch (const InputError&) {
@@ -218,10 +224,12 @@ TEST(SceneRoundTrip, TheWrittenSceneExplainsEveryKey) {
   }
 }
 
-/// Returns the members of the structs in scene.hpp as dotted keys: "float length = ..." in "struct FurScene"
-/// gives "fur.length".
+/// Returns the members of the structs in scene.hpp and strands_scene.hpp as dotted keys: "float length = ..."
+/// in "struct FurScene" gives "fur.length".
 std::vector<std::string> members() {
-  std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "harness/scene/scene.hpp");
+  std::stringstream file;
+  for (const char* name : {"harness/scene/scene.hpp", "harness/scene/strands_scene.hpp"})
+    file << std::ifstream(fs::path(PELAGE_SOURCE_DIR) / name).rdbuf();
   const std::map<std::string, std::string> tables{{"FurScene", "fur."},
                                                   {"CurlScene", "curl."},
                                                   {"WetnessScene", "wetness."},
@@ -230,6 +238,8 @@ std::vector<std::string> members() {
                                                   {"DynamicsScene", "dynamics."},
                                                   {"ShadingScene", "shading."},
                                                   {"CoatScene", "coat."},
+                                                  {"StrandsScene", "strands."},
+                                                  {"ChainScene", "strands.chain."},
                                                   {"CameraScene", "camera."},
                                                   {"ImageScene", "image."},
                                                   {"SpringsScene", "dynamics.springs."},
@@ -253,7 +263,8 @@ TEST(SceneRoundTrip, EveryMemberHasAKey) {
   for (const Key& key : scene_keys(scene)) keys.emplace(key.name);
   const std::vector<std::string> names = members();
   EXPECT_GE(names.size() + 1, keys.size());  // and the model
-  const std::set<std::string> tables{"dynamics.wind", "dynamics.springs", "dynamics.motion", "dynamics.poke"};
+  const std::set<std::string> tables{"dynamics.wind", "dynamics.springs", "dynamics.motion", "dynamics.poke",
+                                     "strands.chain"};
   for (const std::string& name : names) EXPECT_TRUE(keys.contains(name) || tables.contains(name)) << name;
 }
 

@@ -1,6 +1,5 @@
 #include "harness/shells/opencl/shells.hpp"
 
-#include <chrono>
 #include <optional>
 
 #include "harness/shells/opencl/params.hpp"
@@ -66,28 +65,14 @@ Shells::~Shells() = default;
 Shells::Shells(Shells&&) noexcept = default;
 Shells& Shells::operator=(Shells&&) noexcept = default;
 
-FrameTiming Shells::frame() {
+cl::FrameTiming Shells::frame() {
   State& s = *state_;
-  cl::PhaseEvents events;
-  const auto begin = std::chrono::steady_clock::now();
-  s.move(&events);
-  s.draw(&events);
-  s.queue.finish();
-  FrameTiming timing;
-  timing.wall_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  const cl::FrameTiming timing = cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
+    s.move(&events);
+    s.draw(&events);
+  });
   ++s.frames;
   if (s.springs) s.springs->check(s.queue);
-  for (const auto& [phase, event] : events) {
-    const std::optional<double> ms = event.milliseconds(s.queue.device());
-    if (!ms) {
-      timing.phase_event_ms.clear();
-      timing.kernels.clear();
-      break;
-    }
-    timing.phase_event_ms[phase] += *ms;
-    timing.kernels.push_back({event.kernel(), phase, *ms, event.bytes()});
-  }
   return timing;
 }
 

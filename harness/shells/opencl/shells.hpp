@@ -6,15 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "harness/cl/device.hpp"
+#include "harness/cl/frame_timing.hpp"
 #include "harness/picture/picture.hpp"
 #include "harness/prepare/frame_input.hpp"
 
 namespace pelage {
-
-namespace cl {
-class Program;
-}
 
 /// Returns the names of all mappings. A mapping is a way to assign the pixels of a frame to work-items.
 const std::vector<std::string>& mappings();
@@ -42,21 +38,6 @@ struct Tally {
   std::uint64_t blended = 0;
 };
 
-/// The time of one kernel launch of a frame.
-struct KernelTime {
-  std::string kernel, phase;
-  double ms = 0;
-  std::size_t bytes = 0;  ///< total size of the kernel's buffer arguments, each buffer counted once
-};
-
-/// The times of one frame, in milliseconds. phase_event_ms and kernels are empty if the times of the device's
-/// OpenCL events are not reliable.
-struct FrameTiming {
-  double wall_ms = 0;                            ///< time from the first enqueue until the queue has finished
-  std::map<std::string, double> phase_event_ms;  ///< event times by phase: simulate, transform, bin, raster
-  std::vector<KernelTime> kernels;               ///< in launch order; empty if phase_event_ms is empty
-};
-
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the
 /// wetness mask. frame() advances the strands by scene.dynamics.substeps substeps and draws one picture.
 /// read() copies the picture to the host. Lengths are in R, the radius of the mesh's bounding sphere.
@@ -69,7 +50,7 @@ class Shells {
   Shells& operator=(Shells&&) noexcept;
 
   // frame() and advance() throw springs::Diverged if masses of a mass-spring topology have diverged.
-  FrameTiming frame();           ///< simulates, draws and times one frame
+  cl::FrameTiming frame();       ///< simulates, draws and times one frame
   void advance(int frames);      ///< simulates `frames` frames without drawing
   Picture read() const;          ///< copies the picture of the last frame to the host
   int frames_simulated() const;  ///< number of frames simulated since the fur was at rest

@@ -2,6 +2,7 @@
 // faster with vectors of 16 elements, the work-item uses such vectors.
 #include <algorithm>
 
+#include "harness/cl/mapping_names.hpp"
 #include "harness/shells/opencl/tile_bins.hpp"
 
 namespace pelage::shells {
@@ -49,7 +50,7 @@ class TileMapping : public Mapping {
 }  // namespace
 
 const MappingKind tile_mapping{
-    .name = "tile",
+    .name = cl::item_mapping,
     .what = "a work-item draws a tile, with vectors of 16 elements on PoCL's CPU devices",
     .kernel = "tile_shells",
     .one_eye_per_pixel = true,

@@ -7,6 +7,7 @@
 #include <bit>
 #include <limits>
 
+#include "harness/cl/mapping_names.hpp"
 #include "harness/cl/radix_sort.hpp"
 #include "harness/error.hpp"
 #include "harness/shells/opencl/mapping.hpp"
@@ -89,7 +90,7 @@ class WorkgroupMapping : public Mapping {
 }  // namespace
 
 const MappingKind workgroup_mapping{
-    .name = "group",
+    .name = cl::group_mapping,
     .what = "a work-group draws a tile, and each of its work-items draws one pixel",
     .kernel = "group_shells",
     .one_eye_per_pixel = false,

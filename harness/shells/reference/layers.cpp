@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "harness/shells/reference/parallel.hpp"
+#include "harness/parallel.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {

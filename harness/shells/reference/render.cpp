@@ -9,10 +9,10 @@
 #include <glm/vec4.hpp>
 
 #include "harness/error.hpp"
+#include "harness/parallel.hpp"
 #include "harness/shells/reference/coverage.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
-#include "harness/shells/reference/parallel.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/shading.hpp"
 #include "harness/shells/reference/substeps.hpp"

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "harness/shells/reference/parallel.hpp"
+#include "harness/parallel.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {

@@ -119,15 +119,16 @@ std::size_t memory(const Layout& layout, Solver solver) {
   std::size_t values = layout.places() + 1 + layout.sides.size();
   if (layout.start.empty()) return 4 * (columns * layout.places() + values);
   // From here on, the topology is prisms. This topology stores the speed of a top mass in a row of four
-  // floats, three of which are already counted. It also stores the position of a top mass (tip) in a row of
-  // four floats.
+  // floats, three of which are already counted. It also stores the position of a top mass in a row of four
+  // floats.
   columns += 1 + 4;
   values += layout.start.size() + layout.neighbour.size() + layout.rest.size();
   if (solver.implicit) {
-    // The solver solves A x = b by conjugate gradients. For each stick it stores x and the direction d with 4
-    // floats each, and the residual r and the product A d with 3 floats each. It also stores a diagonal block
-    // of A and the inverse of this block. Both are symmetric 3 x 3 matrices with 6 floats each.
-    columns += 8 + 6 + 12;
+    // The solver solves A x = b by conjugate gradients. For each stick it stores the position of the base, x
+    // and the direction d with 4 floats each, and the residual r and the product A d with 3 floats each. It
+    // also stores a diagonal block of A and the inverse of this block. Both are symmetric 3 x 3 matrices with
+    // 6 floats each.
+    columns += 12 + 6 + 12;
     values += 3 * layout.neighbour.size();
   } else {
     columns += 8;  // tip and speed after the step, 4 floats each

@@ -42,14 +42,21 @@ double total(const std::vector<T>& sums, int row, int chunks) {
   return sum;
 }
 
-// Returns the positions of the top masses. Each place (a stick or padding) has a row of four floats: the
-// coordinates x, y and z of the top mass, and 0.
+// Converts vectors that are stored in columns. The result has a row of four floats for each place (a stick or
+// padding): x, y, z and 0. `columns` is the number of columns of `values`, and `first` is the column of x.
+std::vector<float> rows(const std::vector<float>& values, std::size_t columns, std::size_t first) {
+  std::vector<float> found(values.size() / columns * 4, 0.0f);
+  for (std::size_t place = 0; place < values.size() / columns; ++place)
+    for (std::size_t c = 0; c < 3; ++c) found[4 * place + c] = values[column_of(place, columns, first + c)];
+  return found;
+}
+
+// Returns the positions of the top masses, in rows. The positions relative to the bases of the sticks are in
+// the three columns of `offset`.
 std::vector<float> tips(const Layout& layout, const std::vector<float>& offset) {
-  std::vector<float> found(4 * layout.places(), 0.0f);
-  for (std::size_t place = 0; place < layout.places(); ++place)
-    for (std::size_t c = 0; c < 3; ++c)
-      found[4 * place + c] =
-          layout.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] + offset[column_of(place, 3, c)];
+  std::vector<float> found = rows(layout.sites, SITE_COLUMNS, SITE_ROOT);
+  const std::vector<float> above = rows(offset, 3, 0);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i] += above[i];
   return found;
 }
 
@@ -78,8 +85,12 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
   const auto floats = [&](std::size_t columns) {
     return cl::Buffer<float>(queue, std::span<const float>(std::vector<float>(columns * places, 0.0f)));
   };
-  tip_ = cl::Buffer<float>(queue, std::span<const float>(tips(layout, layout.offset)));
+  const auto uploaded = [&](const std::vector<float>& values) {
+    return cl::Buffer<float>(queue, std::span<const float>(values));
+  };
   if (solver_.implicit) {
+    root_ = uploaded(rows(layout.sites, SITE_COLUMNS, SITE_ROOT));
+    reach_ = uploaded(rows(layout.offset, 3, 0));
     diagonal_ = floats(6), inverse_ = floats(6), change_ = floats(4), left_ = floats(3), way_ = floats(4),
     along_ = floats(3);
     coupling_ = cl::Buffer<float>(queue.device(), 3 * layout.neighbour.size());
@@ -87,6 +98,7 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
                        std::size_t(SUM_ROWS * chunks_) * (double_sums_ ? sizeof(double) : sizeof(float)));
     solved_ = cl::Buffer<float>(queue.device(), SOLVED);
   } else {
+    tip_ = uploaded(tips(layout, layout.offset));
     other_tip_ = floats(4), other_speed_ = floats(4);
     if (solver_.multistage())
       spare_tip_ = floats(4), spare_speed_ = floats(4), stage_offset_ = floats(3), sum_offset_ = floats(3),
@@ -95,9 +107,9 @@ PrismStage::PrismStage(const cl::Queue& queue, const Layout& layout, const Dynam
 }
 
 void PrismStage::set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset) {
-  tip_.write(queue, std::span<const float>(tips(layout, offset)));
-  if (change_.size() > 0)
-    change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
+  if (!solver_.implicit) return tip_.write(queue, std::span<const float>(tips(layout, offset)));
+  reach_.write(queue, std::span<const float>(rows(offset, 3, 0)));
+  change_.write(queue, std::span<const float>(std::vector<float>(change_.size(), 0.0f)));
 }
 
 void PrismStage::launch(const cl::Queue& queue, const cl::Kernel& kernel, int items) const {
@@ -148,8 +160,8 @@ void PrismStage::whole(const cl::Queue& queue, const TopologyParams& params, Buf
 
 void PrismStage::whole_gradients(const cl::Queue& queue, const TopologyParams& params, Buffers& b) {
   kernels_[0].with(params, most_iterations_, float(residual_), b.moments, b.sites, b.push, start_, neighbour_,
-                   rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_, coupling_, left_, way_,
-                   along_, sums_, b.diverged_at, b.first, solved_);
+                   rest_, root_, reach_, b.offset, b.speed, change_, diagonal_, inverse_, coupling_, left_,
+                   way_, along_, sums_, b.diverged_at, b.first, solved_);
   launch(queue, kernels_[0], 1);
   std::array<float, SOLVED> solved{};
   solved_.read(queue, solved);
@@ -207,7 +219,7 @@ bool PrismStage::converged(const cl::Queue& queue) {
 void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& params, Buffers& b,
                                 int substep) {
   kernels_[SET_UP].with(params, chunks_, params.first_moment + 2 * substep + 2, b.moments, b.sites, b.push,
-                        start_, neighbour_, rest_, tip_, b.offset, b.speed, change_, diagonal_, inverse_,
+                        start_, neighbour_, rest_, root_, reach_, b.speed, change_, diagonal_, inverse_,
                         coupling_, left_, way_, sums_);
   launch(queue, kernels_[SET_UP], chunks_);
   int done = 0;
@@ -232,7 +244,7 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
   solves_.iterations += done;
   solves_.most_iterations = std::max(solves_.most_iterations, done);
   solves_.worst_residual = std::max(solves_.worst_residual, last_residual_);
-  kernels_[MOVE].with(params, chunks_, params.first_step + substep, b.sites, change_, b.offset, b.speed, tip_,
+  kernels_[MOVE].with(params, chunks_, params.first_step + substep, change_, b.offset, b.speed, reach_,
                       b.diverged_at, b.first);
   launch(queue, kernels_[MOVE], chunks_);
 }
@@ -240,8 +252,8 @@ void PrismStage::backward_euler(const cl::Queue& queue, const TopologyParams& pa
 std::size_t PrismStage::bytes() const {
   std::size_t values = start_.size() + neighbour_.size() + rest_.size();
   for (const cl::Buffer<float>* buffer :
-       {&tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_, &sum_offset_,
-        &sum_speed_, &diagonal_, &inverse_, &coupling_, &change_, &left_, &way_, &along_})
+       {&root_, &reach_, &tip_, &other_tip_, &other_speed_, &spare_tip_, &spare_speed_, &stage_offset_,
+        &sum_offset_, &sum_speed_, &diagonal_, &inverse_, &coupling_, &change_, &left_, &way_, &along_})
     values += buffer->size();
   return 4 * values;
 }

@@ -68,8 +68,8 @@ class PrismStage {
  public:
   PrismStage(const cl::Queue& queue, const Layout& layout, const Dynamics& dynamics, int lanes, bool whole,
              const MassSpringOptions& options);
-  /// Sets the position of each top mass (tip) to the position of the stick's base plus the stick's vector in
-  /// `offset`. `offset` is stored like Layout::offset. Resets the initial guess of conjugate gradients to 0.
+  /// Sets the position of each top mass relative to the stick's base to the stick's vector in `offset`.
+  /// `offset` is stored like Layout::offset. Resets the initial guess of conjugate gradients to 0.
   void set(const cl::Queue& queue, const Layout& layout, const std::vector<float>& offset);
   /// Enqueues params.substeps steps. Waits for the queue whenever conjugate gradients test their residual.
   void enqueue(const cl::Queue& queue, TopologyParams params, Buffers& buffers,
@@ -105,8 +105,10 @@ class PrismStage {
   LinearSolves solves_;
   cl::Buffer<std::int32_t> start_, neighbour_;
   cl::Buffer<float> rest_;
-  // These buffers have a row of four floats for each stick and for each unused place of a slice.
-  cl::Buffer<float> tip_, other_tip_, other_speed_;
+  // These buffers have a row of four floats for each stick and for each unused place of a slice. tip_ holds
+  // the positions of the top masses, for explicit solvers. Backward Euler instead reads root_, the positions
+  // of the sticks' bases, and reach_, the positions of the top masses relative to the bases.
+  cl::Buffer<float> tip_, other_tip_, other_speed_, root_, reach_;
   // Buffers of the RK4 solver. spare_tip_ and spare_speed_ hold rows of four floats.
   cl::Buffer<float> spare_tip_, spare_speed_, stage_offset_, sum_offset_, sum_speed_;
   // Buffers of the solver that solves A x = b by conjugate gradients. diagonal_ holds the 3 x 3 diagonal

@@ -44,12 +44,13 @@ void advance(const ChainParams& p, const ChainMoment* moments, const SerialStran
     Chain c;
     c.u = loaded(state.u), c.w = loaded(state.w), c.a = loaded(state.a), c.b = loaded(state.b);
     for (int k = 0; k < STOPS; ++k) c.stop[k] = state.stop[k];
+    bool none = false;
     const real3 rest = loaded(strand.rest), normal = loaded(strand.normal), root = loaded(strand.root);
     for (int k = 0; k < p.substeps; ++k) {
       const ChainMoment& t = moments[p.first_moment + k];
       s.rest = in_world(t, rest);
       s.normal = in_world(t, normal);
-      c = stepped(p, s, pull_on(p, t, root, strand.shortness, strand.phase_cos, strand.phase_sin), c);
+      c = stepped(p, s, pull_on(p, t, root, strand.shortness, strand.phase_cos, strand.phase_sin), c, 0, &none);
     }
     stored(c.u, state.u), stored(c.w, state.w), stored(c.a, state.a), stored(c.b, state.b);
     for (int k = 0; k < STOPS; ++k) state.stop[k] = c.stop[k];

@@ -12,6 +12,7 @@ namespace pelage::strands {
 namespace {
 
 constexpr std::size_t slice = 16;
+constexpr double escape_time = 1.0 / 30;  // T of docs/chains.md, section Body, s
 
 void in_range(const char* what, float value, float least, float most) {
   if (!(value >= least && value <= most))  // also true for NaN
@@ -88,6 +89,11 @@ void check(const ChainDynamics& d) {
   in_range("damping of the first segment (1/s)", d.damping_first, 0, 1e4f);
   in_range("damping of the second segment (1/s)", d.damping_second, 0, 1e4f);
   if (!finite(d.gravity)) throw InputError("gravity (R/s^2): all three components must be finite");
+  if (!d.body) return;
+  const glm::ivec3 n = d.body->nodes;
+  if (n.x < 2 || n.y < 2 || n.z < 2 || !(d.body->cell > 0) ||
+      d.body->distance.size() != std::size_t(n.x) * std::size_t(n.y) * std::size_t(n.z))
+    throw InputError("distance field of the body: it must have at least 2 nodes along each axis");
 }
 
 bool turns(const ChainDynamics& d) {
@@ -111,6 +117,12 @@ ChainParams params(const ChainDynamics& d) {
   p.damping_second = float(c * m2 * l2 * l2 + d2);
   p.damping_both = float(c * m2 * l1 * l2 - d2);
   p.step = d.step;
+  if (d.body) {
+    p.field_x = d.body->origin.x, p.field_y = d.body->origin.y, p.field_z = d.body->origin.z;
+    p.nodes_x = d.body->nodes.x, p.nodes_y = d.body->nodes.y, p.nodes_z = d.body->nodes.z;
+    p.per_cell = 1 / d.body->cell;
+    p.escape = float(std::min(1.0, double(d.step) / escape_time));
+  }
   return p;
 }
 
@@ -158,8 +170,59 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
   return table;
 }
 
+std::vector<float> body_columns(const std::vector<Chain>& chains, const ChainDynamics& dynamics,
+                                const std::vector<ChainState>& states) {
+  std::vector<float> table(slices_of(chains.size()) * slice * BODY_COLUMNS);
+  for (std::size_t i = 0; dynamics.body && i < slices_of(chains.size()) * slice; ++i) {
+    const auto put = [&](int column, float value) {
+      table[column_of(i, BODY_COLUMNS, std::size_t(column))] = value;
+    };
+    if (i >= chains.size()) {  // an unused place never touches the body
+      put(BODY_JOINT_ALLOWED, 1e3f);
+      put(BODY_TIP_ALLOWED, 1e3f);
+      continue;
+    }
+    const auto allowed = [&](float height) {
+      const glm::dvec3 point =
+          glm::dvec3(chains[i].root) + double(height * chains[i].length) * glm::dvec3(chains[i].rest);
+      return float(std::max(0.0, -value_at(*dynamics.body, point)));
+    };
+    put(BODY_JOINT_ALLOWED, allowed(dynamics.first_segment));
+    put(BODY_TIP_ALLOWED, allowed(1));
+    put(BODY_STOP, states[i].body[0]);
+    put(BODY_STOP + 1, states[i].body[1]);
+  }
+  return table;
+}
+
+std::vector<float> skin_columns(const SkinFrame& frame, std::size_t strands) {
+  for (const auto* list : {&frame.root, &frame.velocity, &frame.acceleration, &frame.rest, &frame.normal})
+    if (list->size() != strands)
+      throw InputError(fmt::format("frame of the skin: {} values for {} strands; both counts must be equal",
+                                   list->size(), strands));
+  std::vector<float> table(slices_of(strands) * slice * STRAND_COLUMNS);
+  for (std::size_t i = 0; i < slices_of(strands) * slice; ++i) {
+    const auto put = [&](int first, glm::vec3 v) {
+      for (int c = 0; c < 3; ++c)
+        table[column_of(i, STRAND_COLUMNS, std::size_t(first) + std::size_t(c))] = v[c];
+    };
+    const bool used = i < strands;
+    put(STRAND_REST, used ? frame.rest[i] : Chain{}.rest);
+    put(STRAND_NORMAL, used ? frame.normal[i] : Chain{}.normal);
+    if (!used) continue;
+    if (!finite(frame.root[i]) || !finite(frame.velocity[i]) || !finite(frame.acceleration[i]))
+      throw InputError("frame of the skin: all positions, velocities and accelerations must be finite");
+    unit("rest direction of a strand", frame.rest[i]);
+    unit("normal of the skin", frame.normal[i]);
+    put(STRAND_ROOT, frame.root[i]);
+    put(SKIN_VELOCITY, frame.velocity[i]);
+    put(SKIN_ACCELERATION, frame.acceleration[i]);
+  }
+  return table;
+}
+
 ChainState at_rest(const Chain& chain) {
-  return {.direction = {chain.rest, chain.rest}, .rate = {}, .stop = {}};
+  return {.direction = {chain.rest, chain.rest}, .rate = {}, .stop = {}, .body = {}};
 }
 
 std::vector<float> state_columns(const std::vector<ChainState>& states) {

@@ -1,12 +1,15 @@
-// The model of a strand's motion: a chain of two rigid segments (docs/strands.md). This file has the
+// The model of a strand's motion: a chain of two rigid segments (docs/chains.md). This file has the
 // constants and the states of chains, and their memory layout in the kernels. R is the radius of the mesh's
 // bounding sphere, and L is the length of a strand.
 #pragma once
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <vector>
 
 #include "harness/springs/model/motion.hpp"
+#include "harness/strands/body/field.hpp"
+#include "harness/strands/body/skin.hpp"
 #include "kernels/strands/chain/params.h"
 
 namespace pelage::strands {
@@ -32,6 +35,9 @@ struct ChainState {
   /// below the joint, Chain::limit_second, and the skin below the tip. The impulse of a stop that did not act
   /// is 0.
   std::array<float, 4> stop{};
+  /// Impulses of the stops 4 and 5 in the last step: the body at the joint, and the body at the tip. They are
+  /// 0 without ChainDynamics::body.
+  std::array<float, 2> body{};
 };
 
 /// The values that all strands share. The unit of mass is the mass of the strand. The unit of length is L,
@@ -46,6 +52,8 @@ struct ChainDynamics {
   glm::vec3 gravity{0, -9.81f, 0};  ///< R/s^2
   springs::Wind wind;               ///< R counts as 1 m
   springs::Motion motion;
+  /// The body in the object's frame, or null: the strands then collide with the plane of their own skin only.
+  std::shared_ptr<const DistanceField> body;
 };
 
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
@@ -72,8 +80,20 @@ std::vector<float> strand_columns(const std::vector<Chain>& chains, const spring
 /// are 0.
 ChainState at_rest(const Chain& chain);
 
+/// Returns, with BODY_COLUMNS columns, how deep joint and tip may lie in the body (docs/chains.md, section
+/// Body), and the impulses of the stops 4 and 5.
+std::vector<float> body_columns(const std::vector<Chain>& chains, const ChainDynamics& dynamics,
+                                const std::vector<ChainState>& states);
+
+/// Returns a skin's frame in the memory layout of the kernels. The table has STRAND_COLUMNS columns. Root,
+/// direction at rest and normal have the same columns as in strand_columns(). The velocity and the
+/// acceleration follow. Throws InputError if a value is not finite, if a direction is not a unit vector, or
+/// if the length of a list is not `strands`.
+std::vector<float> skin_columns(const SkinFrame& frame, std::size_t strands);
+
 /// state_columns() converts states to the memory layout of the kernels, with CHAIN_COLUMNS columns.
-/// states_of() converts them back. Unused places hold upright strands.
+/// states_of() converts them back, but without the impulses of the stops 4 and 5. Unused places hold upright
+/// strands.
 std::vector<float> state_columns(const std::vector<ChainState>& states);
 std::vector<ChainState> states_of(const std::vector<float>& columns, std::size_t strands);
 

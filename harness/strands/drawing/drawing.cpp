@@ -13,7 +13,7 @@ namespace pelage::strands {
 namespace {
 
 constexpr double depth_steps = 1 << 24;
-constexpr float most_frames = 256;
+constexpr std::size_t most_frames = 256, most_layers = 256;
 
 void in_range(const char* what, float value, float least, float most) {
   if (!(value >= least && value <= most))  // also true for NaN
@@ -51,7 +51,13 @@ Irradiance irradiance_of(const Look& look) {
   return sh;
 }
 
+LayerLook layer_look(const Look& look, int layer) {
+  if (std::size_t(layer) < look.layers.size()) return look.layers[std::size_t(layer)];
+  return {layer, 0, std::max(1, int(look.film.size()))};
+}
+
 void check(const Look& look) {
+  in_range("part of the strands that is drawn", look.fraction, 1e-6f, 1);
   in_range("number of segments", float(look.segments), 1, 7);
   in_range("taper", look.taper, 0, 1);
   in_range("opacity", look.opacity, 0, 1);
@@ -68,7 +74,20 @@ void check(const Look& look) {
   in_range("exponent of the rim light", look.rim_exponent, 1, 1000);
   in_range("shadow of the skin", look.skin_shadow, 0, 1);
   in_range("height of the shadow of the skin", look.skin_shadow_height, 1e-3f, 1000);
-  in_range("number of frames of the film strip", float(look.film.size()), 0, most_frames);
+  if (look.shadow.reading != Shadow::none) {
+    in_range("texels per side of the opacity map", float(look.shadow.size), 16, 8192);
+    in_range("mean length of the strands", look.shadow.length, 1e-6f, 1000);
+    in_range("radius of the opacity map", look.shadow.radius, 1e-6f, 1e6f);
+  }
+  in_range("number of frames of the film strips", float(look.film.size()), 0, float(most_frames));
+  in_range("number of fur layers", float(look.layers.size()), 0, float(most_layers));
+  const int frames = std::max(1, int(look.film.size()));
+  for (const LayerLook& layer : look.layers) {
+    in_range("rank of a fur layer", float(layer.rank), 0, 255);
+    in_range("first film frame of a fur layer", float(layer.first_frame), 0, float(frames - 1));
+    in_range("number of film frames of a fur layer", float(layer.frames), 1,
+             float(frames - layer.first_frame));
+  }
   for (const FillLight& fill : look.fills)
     in_range("length of the direction of a fill light", glm::length(fill.direction), 1e-6f, 1e7f);
   for (int axis = 0; axis < 3; ++axis) {

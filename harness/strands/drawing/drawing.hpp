@@ -17,6 +17,7 @@ struct DrawnStrand {
   glm::vec3 normal{0, 1, 0};  ///< normal of the skin at the root, unit vector
   glm::vec3 colour{0.5f};     ///< colour of the strand, gamma-encoded, each component 0 to 1
   float width = 0.002f;       ///< width at the root, R
+  int layer = 0;              ///< number of the fur layer, 0 to 255
   int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
 };
 
@@ -33,8 +34,29 @@ struct FilmSample {
 };
 using FilmFrame = std::array<FilmSample, 8>;  ///< samples at equal distances from the root to the tip
 
+/// Readings of the paper's opacity map: how the key light decreases behind the first strands.
+enum class Shadow { none, linear, exponential };
+
+/// The shadow that the strands cast on each other (docs/strands.md, section Shadow).
+struct ShadowLook {
+  Shadow reading = Shadow::none;
+  int size = 512;        ///< texels per side of the opacity map, 16 to 8192
+  float length = 0.1f;   ///< mean length of the strands, R; the shadow is complete at this depth
+  float radius = 1.25f;  ///< radius of a ball around the object's origin that contains all strands, R
+};
+
+/// The place of a fur layer in the order of drawing, and its frames of the film strip.
+struct LayerLook {
+  int rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank; 0 to 255
+  int first_frame = 0, frames = 1;  ///< the layer uses `frames` frames of Look::film from `first_frame` on
+  bool operator==(const LayerLook&) const = default;
+};
+
 /// The values that all strands of a picture share.
 struct Look {
+  /// Part of the strands that is drawn, above 0 and at most 1. The other strands become wider, so that the
+  /// coverage stays nearly the same (harness/strands/drawing/detail.hpp).
+  float fraction = 1;
   int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 7
   float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
   float opacity = 0.85f;                ///< alpha of a strand at its root, 0 to 1; it falls to 0 at the tip
@@ -44,12 +66,15 @@ struct Look {
   glm::vec3 specular{0.2f};             ///< colour of the highlight
   float exponent = 24.0f;               ///< exponent of the highlight, at least 1
   std::vector<FillLight> fills;
-  int bands = 2;                    ///< highest degree l of the spherical harmonics: 1 or 2
-  glm::vec3 rim{0};                 ///< colour of the rim light
-  float rim_exponent = 3;           ///< exponent of the rim light, at least 1
+  int bands = 2;           ///< highest degree l of the spherical harmonics: 1 or 2
+  glm::vec3 rim{0};        ///< colour of the rim light
+  float rim_exponent = 3;  ///< exponent of the rim light, at least 1
+  ShadowLook shadow;
   float skin_shadow = 0;            ///< part of the light that a strand loses at its root, 0 to 1
   float skin_shadow_height = 0.5f;  ///< height above the skin without this loss, in lengths of the strand
-  std::vector<FilmFrame> film;      ///< frames of the film strip; empty: no film strip
+  std::vector<FilmFrame> film;      ///< frames of the film strips; empty: no film strip
+  /// One entry per fur layer. layer_look() defines the values of a layer without an entry.
+  std::vector<LayerLook> layers;
   glm::vec3 background{0.30f, 0.34f, 0.39f};
 };
 
@@ -80,6 +105,10 @@ Irradiance irradiance_of(const Look& look);
 /// Returns the nine polynomials of the unit vector n to which the coefficients of Irradiance belong: 1; y, z,
 /// x; x y, y z, 3 z^2 - 1, x z, x^2 - y^2.
 std::array<double, 9> basis_at(glm::dvec3 n);
+
+/// Returns the values of the fur layer with the number `layer`. A layer without an entry in look.layers has
+/// its number as its rank, and uses all frames of the film strip.
+LayerLook layer_look(const Look& look, int layer);
 
 /// Throws InputError if a value is not finite or outside its valid range. The message names the value and the
 /// valid range.

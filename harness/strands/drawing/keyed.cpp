@@ -65,6 +65,17 @@ std::vector<float> key_records(const std::vector<KeyStrand>& keys) {
   return records;
 }
 
+std::vector<KeyStrand> keys_of(const std::vector<float>& records, std::size_t count) {
+  std::vector<KeyStrand> keys(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto vector = [first = &records[i * KEY_RECORD]](int k) {
+      return glm::vec3(first[3 * k], first[3 * k + 1], first[3 * k + 2]);
+    };
+    keys[i] = {vector(0), vector(1), vector(2), vector(3), vector(4)};
+  }
+  return keys;
+}
+
 std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::size_t keys) {
   const std::size_t slices = (strands.size() + slice - 1) / slice;
   std::vector<float> table(slices * slice * DRAWN_COLUMNS, 0.0f);  // unused places refer to key strand 0
@@ -83,7 +94,7 @@ std::vector<float> keyed_columns(const std::vector<KeyedStrand>& strands, std::s
     set(DRAWN_TWIST, bits(turn_bits(s.twist)));
     set(DRAWN_CURVATURE, bits(turn_bits(s.curvature)));
     set(DRAWN_COLOUR, bits(std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 |
-                           std::uint32_t(s.colour[2]) << 16 | std::uint32_t(s.rank) << 24));
+                           std::uint32_t(s.colour[2]) << 16 | std::uint32_t(s.layer) << 24));
   }
   return table;
 }

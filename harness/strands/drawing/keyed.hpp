@@ -25,10 +25,10 @@ struct KeyedStrand {
   float length = 0.1f;     ///< R
   float width = 0.002f;    ///< width at the root, R
   std::array<std::uint8_t, 3> colour{128, 128, 128};  ///< red, green and blue, gamma-encoded
-  float response = 1;     ///< factor of the movement away from the direction at rest, 0 to 10
-  float twist = 0;        ///< rotation of the strand about the normal, degrees, -360 to 360
-  float curvature = 0;    ///< rotation of the second segment towards the skin, degrees, -180 to 180
-  std::uint8_t rank = 0;  ///< strands of a lower rank are in front of all strands of a higher rank
+  float response = 1;      ///< factor of the movement away from the direction at rest, 0 to 10
+  float twist = 0;         ///< rotation of the strand about the normal, degrees, -360 to 360
+  float curvature = 0;     ///< rotation of the second segment towards the skin, degrees, -180 to 180
+  std::uint8_t layer = 0;  ///< number of the fur layer, an index of Look::layers
 };
 
 /// True if some strand has a response other than 1, or a twist or a curvature other than 0.
@@ -37,6 +37,9 @@ bool has_styles(const std::vector<KeyedStrand>& strands);
 /// Returns the records of the key strands in the memory layout of the kernels: KEY_RECORD floats each
 /// (kernels/strands/draw/params.h).
 std::vector<float> key_records(const std::vector<KeyStrand>& keys);
+
+/// Converts the first `count` records back to key strands.
+std::vector<KeyStrand> keys_of(const std::vector<float>& records, std::size_t count);
 
 /// Returns the strands in the memory layout of the kernels: slices of 16 strands with DRAWN_COLUMNS columns
 /// (kernels/common/slices.clh). Throws InputError if a value is not finite or outside its valid range, or if

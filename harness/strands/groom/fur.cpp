@@ -5,91 +5,220 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numbers>
-#include <numeric>
+#include <limits>
 
 #include "harness/error.hpp"
 #include "harness/prepare/random.hpp"
+#include "harness/strands/groom/film.hpp"
+#include "harness/strands/groom/key_strands.hpp"
+#include "harness/strands/groom/layer_maps.hpp"
+#include "harness/strands/groom/locks.hpp"
+#include "harness/strands/groom/prefix_order.hpp"
 #include "harness/strands/groom/roots.hpp"
 
 namespace pelage::strands {
 namespace {
 
-constexpr std::uint32_t length_stream = 71, colour_stream = 72;  // independent sequences of Random
-
-void check(const FurLayer& layer) {
-  const auto in_range = [](const char* what, float value, float least, float most) {
-    if (!(value >= least && value <= most))
-      throw InputError(fmt::format("{}: {}; it must be from {} to {}", what, value, least, most));
-  };
-  in_range("length of the strands", layer.length, 1e-4f, 10);
-  in_range("spread of the lengths", layer.length_spread, 0, 0.95f);
-  in_range("width of the strands", layer.width, 1e-6f, 1);
-  in_range("lean of the strands", layer.lean, 0, 90);
-  in_range("spread of the colours", layer.colour_spread, 0, 1);
-  for (int axis = 0; axis < 3; ++axis) {
-    in_range("colour of the strands", layer.colour[axis], 0, 1);
-    in_range("direction of the comb", layer.comb[axis], -1e6f, 1e6f);
-  }
-}
-
-/// Returns the unit normal of every surface point: the mean of the normals of its triangles, weighted by
-/// their areas.
-std::vector<glm::dvec3> normals_of(const Mesh& mesh) {
-  std::vector<glm::dvec3> normals(mesh.welded, glm::dvec3(0));
-  for (const glm::uvec3& t : mesh.triangle) {
-    const glm::dvec3 a(mesh.position[t.x]), b(mesh.position[t.y]), c(mesh.position[t.z]);
-    const glm::dvec3 n = glm::cross(b - a, c - a);
-    for (int corner = 0; corner < 3; ++corner) normals[mesh.weld[t[corner]]] += n;
-  }
-  for (glm::dvec3& n : normals) n = glm::length(n) > 0 ? glm::normalize(n) : glm::dvec3(0, 1, 0);
-  return normals;
-}
-
-/// Returns the direction that leans from the normal n by `angle` (radians) towards the projection of `comb`
-/// onto the surface. Returns n if the projection is 0.
-glm::dvec3 leaning(glm::dvec3 n, glm::dvec3 comb, double angle) {
-  const glm::dvec3 flat = comb - glm::dot(comb, n) * n;
-  const double length = glm::length(flat);
-  if (length < 1e-6 * glm::length(comb) || length == 0) return n;
-  return std::cos(angle) * n + std::sin(angle) / length * flat;
-}
+// Independent sequences of Random.
+constexpr std::uint32_t length_stream = 71, colour_stream = 72, curvature_stream = 73, twist_stream = 74;
+constexpr std::size_t most_frames = 256;  // limit of Look::film
+constexpr double least_size = 1e-6;       // least length and width of a strand, R
 
 std::uint8_t byte_of(double value) {
   return std::uint8_t(std::lround(255 * std::clamp(value, 0.0, 1.0)));
 }
 
+/// Layers with equal seeds have different roots.
+std::uint32_t seed_of(const StrandLayerScene& layer, std::size_t number) {
+  return layer.seed + std::uint32_t(number) * 0x9e3779b9u;
+}
+
+/// Returns the coat's colour at `uv`, each component 0 to 1. The value is interpolated linearly between the
+/// centres of the texels. The texture repeats.
+glm::dvec3 colour_at(const CoatTexture& coat, glm::dvec2 uv) {
+  const double px = uv.x * coat.size - 0.5, py = uv.y * coat.size - 0.5;
+  const auto wrapped = [&](double place) {
+    const int i = int(std::floor(place)) % coat.size;
+    return std::size_t(i < 0 ? i + coat.size : i);
+  };
+  const auto texel = [&](std::size_t x, std::size_t y) {
+    const auto& t = coat.texel[y * std::size_t(coat.size) + x];
+    return glm::dvec3(t[0], t[1], t[2]);
+  };
+  const std::size_t x0 = wrapped(px), x1 = wrapped(px + 1), y0 = wrapped(py), y1 = wrapped(py + 1);
+  const double u = px - std::floor(px), v = py - std::floor(py);
+  const glm::dvec3 low = texel(x0, y0) + u * (texel(x1, y0) - texel(x0, y0));
+  const glm::dvec3 high = texel(x0, y1) + u * (texel(x1, y1) - texel(x0, y1));
+  return (low + v * (high - low)) / 255.0;
+}
+
+/// The random values of a strand. They depend only on the layer's seed and on the strand's number in the
+/// list of roots.
+class Strands {
+ public:
+  Strands(const Mesh& mesh, const LayerMaps& maps, const CoatTexture& coat, std::uint32_t seed)
+      : mesh_(mesh),
+        maps_(maps),
+        coat_(coat),
+        lengths_(seed, length_stream),
+        colours_(seed, colour_stream),
+        curvatures_(seed, curvature_stream),
+        twists_(seed, twist_stream) {}
+
+  KeyedStrand at(const Root& root, std::size_t number, const std::vector<std::uint32_t>& keys) const {
+    const StrandLayerScene& layer = maps_.layer;
+    const glm::uvec3 corners = mesh_.triangle[root.face];
+    const glm::dvec2 uv = uv_of(mesh_, root);
+    const auto around = [&](float mean, float spread, const Random& random) {
+      return double(mean) + double(spread) * random.symmetric(number);
+    };
+    KeyedStrand s;
+    for (int k = 0; k < 3; ++k) s.key[std::size_t(k)] = keys[mesh_.weld[corners[k]]];
+    s.weight = root.weight;
+    const double length = double(layer.length) * around(1, layer.length_spread, lengths_);
+    s.length = float(std::max(length * maps_.length.at(uv), least_size));
+    s.width = float(std::max(double(layer.width) * maps_.width.at(uv), least_size));
+    s.response = layer.response;
+    const double twist = around(layer.twist, layer.twist_spread, twists_) * maps_.twist.sign_at(uv);
+    const double curvature =
+        around(layer.curvature, layer.curvature_spread, curvatures_) * maps_.curvature.sign_at(uv);
+    s.twist = float(twist);
+    s.curvature = float(std::clamp(curvature, -180.0, 180.0));
+    const glm::dvec3 colour =
+        colour_at(coat_, uv) * glm::dvec3(layer.colour) * around(1, layer.colour_spread, colours_);
+    for (int c = 0; c < 3; ++c) s.colour[std::size_t(c)] = byte_of(colour[c]);
+    return s;
+  }
+
+ private:
+  const Mesh& mesh_;
+  const LayerMaps& maps_;
+  const CoatTexture& coat_;
+  Random lengths_, colours_, curvatures_, twists_;
+};
+
+void include(LayerBounds& bounds, glm::vec3 point) {
+  bounds.low = glm::min(bounds.low, point);
+  bounds.high = glm::max(bounds.high, point);
+}
+
+/// Returns the bounds of the strands from number `first` on.
+LayerBounds bounds_of(const Fur& fur, std::size_t first) {
+  const float most = std::numeric_limits<float>::max();
+  LayerBounds bounds{glm::vec3(most), glm::vec3(-most)};
+  for (std::size_t i = first; i < fur.strands.size(); ++i) {
+    const KeyedStrand& s = fur.strands[i];
+    const auto mean = [&](glm::vec3 KeyStrand::*v) {
+      const glm::vec3 a = fur.keys[s.key[0]].*v, b = fur.keys[s.key[1]].*v, c = fur.keys[s.key[2]].*v;
+      return a + s.weight.x * (b - a) + s.weight.y * (c - a);
+    };
+    const glm::vec3 root = mean(&KeyStrand::root), rest = mean(&KeyStrand::rest);
+    include(bounds, root);
+    if (glm::length(rest) > 0) include(bounds, root + s.length * glm::normalize(rest));
+  }
+  return bounds;
+}
+
+/// The arguments of prefix_order() for all strands.
+struct Places {
+  std::vector<float> place;
+  std::vector<std::uint32_t> near;
+};
+
+/// Sorts the strands of all layers in the order of prefix_order().
+void sort_strands(const Places& places, Fur& fur) {
+  std::vector<KeyedStrand> sorted;
+  sorted.reserve(fur.strands.size());
+  for (const std::uint32_t i : prefix_order(places.place, places.near)) sorted.push_back(fur.strands[i]);
+  fur.strands = std::move(sorted);
+}
+
+void add_layer(const Mesh& mesh, const Skin& skin, const LayerMaps& maps, const CoatTexture& coat,
+               std::size_t number, float first_segment, Fur& fur, Places& places) {
+  const std::uint32_t seed = seed_of(maps.layer, number);
+  maps.require_place(mesh);
+  const std::vector<Root> roots = scatter_roots(
+      mesh, [&](const Root& root) { return maps.density(mesh, root); }, std::size_t(maps.layer.count), seed,
+      maps.bare(mesh));
+  KeyStrands keys = key_strands(mesh, skin, maps, roots);
+  const auto first_key = std::uint32_t(fur.keys.size());
+  for (std::uint32_t& key : keys.index) key += first_key;
+  fur.keys.insert(fur.keys.end(), keys.keys.begin(), keys.keys.end());
+  fur.chains.insert(fur.chains.end(), keys.chains.begin(), keys.chains.end());
+  const std::size_t first = fur.strands.size();
+  const Strands values(mesh, maps, coat, seed);
+  const auto first_face = std::uint32_t(number * mesh.triangle.size());
+  std::vector<KeyedStrand> strands;
+  strands.reserve(roots.size());
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    strands.push_back(values.at(roots[i], i, keys.index));
+    strands.back().layer = std::uint8_t(number);
+    places.place.push_back(float((double(i) + 0.5) / double(roots.size())));
+    places.near.push_back(first_face + roots[i].face);
+  }
+  pull_into_locks(strands, fur.keys, {std::size_t(maps.layer.locks), maps.layer.lock_pull, first_segment});
+  fur.strands.insert(fur.strands.end(), strands.begin(), strands.end());
+  fur.bounds.push_back(bounds_of(fur, first));
+}
+
+/// Reads the film strips. If one layer has a film strip and another has none, the latter gets a frame of
+/// factors 1.
+void add_film(const std::vector<StrandLayerScene>& layers, Fur& fur) {
+  const bool any =
+      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return !l.film.empty(); });
+  int plain = -1;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const std::string key = fmt::format("strands.layer[{}].film", i + 1);
+    LayerLook look{int(i), int(fur.film.size()), 1};
+    if (!layers[i].film.empty()) {
+      const std::vector<FilmFrame> frames = read_film(layers[i].film, key);
+      look.frames = int(frames.size());
+      fur.film.insert(fur.film.end(), frames.begin(), frames.end());
+    } else if (any) {
+      if (plain < 0) {
+        plain = int(fur.film.size());
+        fur.film.emplace_back();
+      }
+      look.first_frame = plain;
+    } else {
+      look.first_frame = 0;
+    }
+    if (fur.film.size() > most_frames)
+      throw InputError(fmt::format("{}: {}: the film strips of all layers have more than {} frames in total",
+                                   key, layers[i].film.string(), most_frames));
+    fur.layers.push_back(look);
+  }
+}
+
 }  // namespace
 
-Fur grow(const Mesh& mesh, const FurLayer& layer) {
-  check(layer);
+Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
+  const std::vector<StrandLayerScene>& layers = strands.layers;
+  if (coat.size < 1 || coat.texel.size() < std::size_t(coat.size) * std::size_t(coat.size))
+    throw InputError("coat of the strands: the texture has no texels");
   Fur fur;
-  const std::vector<glm::dvec3> normals = normals_of(mesh);
-  fur.keys.resize(mesh.welded);
-  for (std::size_t v = 0; v < mesh.position.size(); ++v) {
-    KeyStrand& key = fur.keys[mesh.weld[v]];
-    const glm::dvec3 n = normals[mesh.weld[v]];
-    key.root = mesh.position[v];
-    key.normal = glm::vec3(n);
-    key.first = key.second = key.rest =
-        glm::vec3(leaning(n, glm::dvec3(layer.comb), double(layer.lean) * std::numbers::pi / 180));
+  Places places;
+  const Skin skin = weld(mesh);
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    add_layer(mesh, skin, LayerMaps(layers[i], fmt::format("strands.layer[{}]", i + 1)), coat, i,
+              strands.chain.first_segment, fur, places);
+  sort_strands(places, fur);
+  add_film(layers, fur);
+  return fur;
+}
+
+void set_chains(Fur& fur, const ChainScene& chain) {
+  for (Chain& each : fur.chains) {
+    each.stiffness_first *= chain.stiffness;
+    each.stiffness_second *= chain.stiffness_joint;
+    each.limit_first = chain.limit;
+    each.limit_second = chain.limit_joint;
   }
-  std::vector<Root> roots = scatter_roots(
-      mesh, [](const Root&) { return 1.0; }, layer.count, layer.seed);
-  std::stable_sort(roots.begin(), roots.end(), [](const Root& a, const Root& b) { return a.face < b.face; });
-  const Random lengths(layer.seed, length_stream), colours(layer.seed, colour_stream);
-  fur.strands.reserve(roots.size());
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    const glm::uvec3 corners = mesh.triangle[roots[i].face];
-    KeyedStrand s;
-    for (int k = 0; k < 3; ++k) s.key[std::size_t(k)] = mesh.weld[corners[k]];
-    s.weight = roots[i].weight;
-    s.length = float(double(layer.length) * (1 + double(layer.length_spread) * lengths.symmetric(i)));
-    s.width = layer.width;
-    const double brightness = 1 + double(layer.colour_spread) * colours.symmetric(i);
-    for (int c = 0; c < 3; ++c) s.colour[std::size_t(c)] = byte_of(brightness * double(layer.colour[c]));
-    fur.strands.push_back(s);
-  }
+}
+
+Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat) {
+  Fur fur = grow_layers(mesh, strands, coat);
+  set_chains(fur, strands.chain);
   return fur;
 }
 

@@ -1,35 +1,39 @@
-// Grows fur on a mesh: key strands at the mesh's surface points, and the strands between them.
+// Grows the fur layers of a scene on a mesh: key strands at the mesh's surface points, and the strands
+// between them. docs/strands.md, section Authoring, defines the fur.
 #pragma once
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
 #include "harness/mesh/mesh.hpp"
+#include "harness/prepare/frame_input.hpp"
+#include "harness/strands/chain/chain.hpp"
+#include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
+#include "harness/strands/groom/layer_order.hpp"
 
 namespace pelage::strands {
 
-/// A fur layer. R is the radius of the mesh's bounding sphere.
-struct FurLayer {
-  std::size_t count = 10000;   ///< number of strands
-  std::uint32_t seed = 1;      ///< seed of all random values
-  float length = 0.1f;         ///< mean length of a strand, R
-  float length_spread = 0.3f;  ///< largest relative deviation of a length from the mean, 0 to below 1
-  float width = 0.002f;        ///< width at the root, R
-  float lean = 40;             ///< angle between the normal and the strand at rest, 0 to 90 degrees
-  glm::vec3 comb{0, -1, 0};    ///< direction in which the strands lean, projected onto the surface
-  glm::vec3 colour{0.55f, 0.42f, 0.30f};  ///< mean colour, gamma-encoded, each component 0 to 1
-  float colour_spread = 0.2f;             ///< largest relative deviation of a strand's brightness, 0 to 1
-};
-
-/// Key strands, and strands between them.
+/// The fur of a scene at rest.
 struct Fur {
-  std::vector<KeyStrand> keys;       ///< at rest; one per surface point of the mesh (Mesh::weld)
-  std::vector<KeyedStrand> strands;  ///< in the order of the triangles, so that neighbours share key strands
+  std::vector<KeyStrand> keys;       ///< one per fur layer and surface point (Mesh::weld) that has strands
+  std::vector<Chain> chains;         ///< constants of the key strands' motion, in the order of `keys`
+  std::vector<KeyedStrand> strands;  ///< of all layers, in the order of prefix_order()
+  std::vector<LayerBounds> bounds;   ///< one per fur layer
+  /// One entry per fur layer, for Look::layers. The rank of a layer is its number; layer_ranks() returns the
+  /// ranks for a view.
+  std::vector<LayerLook> layers;
+  std::vector<FilmFrame> film;  ///< the film strips of all layers, for Look::film
 };
 
-/// Returns the fur of one layer at rest. The same arguments give the same fur on every machine. Throws
-/// InputError if a value is outside its valid range.
-Fur grow(const Mesh& mesh, const FurLayer& layer);
+/// Returns the fur of all layers. The same arguments give the same fur on every machine. The coat gives the
+/// colour at the roots. Throws InputError if a picture of the scene cannot be read or is not usable, or if a
+/// layer has no place for strands; the message names the scene key.
+Fur grow(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
+
+/// The two steps of grow(). grow_layers() reads only `strands.layers` and `strands.chain.first_segment`. The
+/// stiffnesses of the chains that grow_layers() returns are the factors of the
+/// layers. set_chains() multiplies them by the stiffnesses of the scene, and sets the limits of the angles.
+Fur grow_layers(const Mesh& mesh, const StrandsScene& strands, const CoatTexture& coat);
+void set_chains(Fur& fur, const ChainScene& chain);
 
 }  // namespace pelage::strands

@@ -34,8 +34,9 @@ using Density = std::function<double(const Root&)>;
 /// same roots on every machine. Throws InputError if the density is 0 on almost the whole surface.
 ///
 /// The method is dart throwing with a radius that shrinks until there are enough roots (McCool and Fiume,
-/// Hierarchical Poisson Disk Sampling Distributions, 1992).
+/// Hierarchical Poisson Disk Sampling Distributions, 1992). `bare` saves time: for each triangle, it is true
+/// if the density is known to be 0 on the whole triangle. An empty list stands for false everywhere.
 std::vector<Root> scatter_roots(const Mesh& mesh, const Density& density, std::size_t count,
-                                std::uint32_t seed);
+                                std::uint32_t seed, const std::vector<bool>& bare = {});
 
 }  // namespace pelage::strands

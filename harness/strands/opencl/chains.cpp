@@ -16,13 +16,17 @@ int lanes_of(const cl::Queue& queue, int wanted) {
   return wanted != 0 ? wanted : queue.device().info().lanes;
 }
 
+int ceiling(int value, int divisor) {
+  return (value + divisor - 1) / divisor;
+}
+
 // On a CPU the slices (16 strands each) are divided among about 8 work-items per core. On a GPU a work-item
 // computes one strand.
 int units_per_item(const cl::DeviceInfo& device, int lanes, int slices, int wanted) {
   if (wanted > 0) return wanted * (16 / lanes);
   if (lanes == 1) return 1;
   const int items = 8 * std::max(1, int(device.compute_units));
-  return std::clamp((slices + items - 1) / items, 1, 64);
+  return std::clamp(ceiling(slices, items), 1, 64);
 }
 
 cl::Buffer<float> uploaded(const cl::Queue& queue, const std::vector<float>& table) {
@@ -38,14 +42,18 @@ std::vector<ChainState> all_at_rest(const std::vector<Chain>& chains) {
 
 }  // namespace
 
+std::string Chains::options(bool skin) const {
+  return fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}", lanes_,
+                     int(!skin && turns(dynamics_)), int(dynamics_.body != nullptr), int(skin));
+}
+
 Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const ChainDynamics& dynamics,
                const ChainOptions& options)
     : strands_(chains.size()),
       dynamics_(dynamics),
       params_((check(dynamics), params(dynamics))),
       lanes_(lanes_of(queue, options.lanes)),
-      program_(queue.device(), "strands/chain/chain.cl",
-               fmt::format("-D LANES={} -D TURNING={}", lanes_, int(turns(dynamics)))),
+      program_(queue.device(), "strands/chain/chain.cl", this->options(false)),
       key_program_(queue.device(), "strands/draw/chain_keys.cl", fmt::format("-D LANES={}", lanes_)),
       frame_(program_, "chain_frame"),
       write_keys_(key_program_, "chain_keys"),
@@ -55,10 +63,43 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
   params_.slices = int((strands_ + 15) / 16);
   params_.units_per_item =
       units_per_item(queue.device().info(), lanes_, params_.slices, options.slices_per_item);
+  // With one lane, the kernel does not use the room, but a buffer cannot be empty.
+  room_ = lanes_ == 1 ? 16 : 16 * std::size_t(ceiling(params_.slices, params_.units_per_item));
+  some_constants_ = cl::Buffer<float>(queue.device(), room_ * STRAND_COLUMNS);
+  some_states_ = cl::Buffer<float>(queue.device(), room_ * CHAIN_COLUMNS);
+  if (!dynamics.body) return;
+  chains_ = chains;
+  field_ = uploaded(queue, dynamics.body->distance);
+  body_ = uploaded(queue, body_columns(chains, dynamics, all_at_rest(chains)));
+  some_body_ = cl::Buffer<float>(queue.device(), room_ * BODY_COLUMNS);
+}
+
+Chains::MovingSkin::MovingSkin(const cl::Device& device, const std::string& options, std::size_t room)
+    : program(device, "strands/chain/chain.cl", options),
+      frame(program, "chain_frame"),
+      some_from(device, room * STRAND_COLUMNS),
+      some_to(device, room * STRAND_COLUMNS) {}
+
+void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinFrame& to, int substeps) {
+  if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
+  if (dynamics_.body)
+    throw InputError("skin of the strands: the distance field of a body does not follow a skin that deforms");
+  const springs::Motion& m = dynamics_.motion;
+  if (turns(dynamics_) || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0))
+    throw InputError("skin of the strands: its frames contain the motion, so the object must not move");
+  const std::vector<float> first = skin_columns(from, strands_), last = skin_columns(to, strands_);
+  if (!skin_) skin_.emplace(queue.device(), options(true), room_);
+  skin_->from = uploaded(queue, first);
+  skin_->to = uploaded(queue, last);
+  skin_->first_step = steps_;
+  skin_->last_step = steps_ + substeps;
 }
 
 void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event>* launches) {
   if (substeps <= 0) throw InputError(fmt::format("substeps: {}; the number must be at least 1", substeps));
+  if (skin_ && (steps_ < skin_->first_step || steps_ + substeps > skin_->last_step))
+    throw InputError(fmt::format("substeps: {}; the frames of the skin have {} more steps", substeps,
+                                 std::max(0L, skin_->last_step - steps_)));
   if (steps_ < known_from_ || steps_ + substeps > known_to_) {
     const int count = std::max(substeps, 256);
     const std::vector<ChainMoment> table = moments(dynamics_, steps_, count);
@@ -72,10 +113,26 @@ void Chains::enqueue(const cl::Queue& queue, int substeps, std::vector<cl::Event
   const std::size_t units = std::size_t(p.slices) * std::size_t(16 / lanes_);
   const std::size_t group = lanes_ == 1 ? 64 : 1;
   const std::size_t items = (units + std::size_t(p.units_per_item) - 1) / std::size_t(p.units_per_item);
-  frame_.with(p, moments_, constants_, states_);
-  cl::Event event = frame_.enqueue(queue, (items + group - 1) / group * group, group);
+  if (skin_) {
+    p.skin_step = 1 / float(skin_->last_step - skin_->first_step);
+    p.skin_from = float(steps_ - skin_->first_step) * p.skin_step;
+    skin_->frame.with(p, moments_, constants_, states_, some_constants_, some_states_, skin_->from, skin_->to,
+                      skin_->some_from, skin_->some_to);
+  } else if (dynamics_.body) {
+    frame_.with(p, moments_, constants_, states_, some_constants_, some_states_, field_, body_, some_body_);
+  } else {
+    frame_.with(p, moments_, constants_, states_, some_constants_, some_states_);
+  }
+  cl::Event event =
+      (skin_ ? skin_->frame : frame_).enqueue(queue, (items + group - 1) / group * group, group);
   if (launches) launches->push_back(std::move(event));
   steps_ += substeps;
+}
+
+std::vector<const cl::Program*> Chains::programs() const {
+  std::vector<const cl::Program*> all{&program_, &key_program_};
+  if (skin_) all.push_back(&skin_->program);
+  return all;
 }
 
 void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
@@ -91,7 +148,8 @@ void Chains::write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
   else
     present_.write(queue, std::span<const ChainMoment>(now));
   const std::size_t units = padded / std::size_t(lanes_), group = lanes_ == 1 ? 64 : 1;
-  write_keys_.with(std::int32_t(units), std::int32_t(0), present_, constants_, states_, keys);
+  write_keys_.with(std::int32_t(units), std::int32_t(0), present_, skin_ ? skin_->to : constants_, states_,
+                   keys);
   cl::Event event = write_keys_.enqueue(queue, (units + group - 1) / group * group, group);
   if (launches) launches->push_back(std::move(event));
 }
@@ -102,6 +160,10 @@ void Chains::set(const cl::Queue& queue, const std::vector<ChainState>& states, 
         fmt::format("states: {} for {} strands; both counts must be equal", states.size(), strands_));
   const std::vector<float> table = state_columns(states);
   states_.write(queue, std::span<const float>(table));
+  if (dynamics_.body) {
+    const std::vector<float> body = body_columns(chains_, dynamics_, states);
+    body_.write(queue, std::span<const float>(body));
+  }
   steps_ = steps;
 }
 
@@ -118,7 +180,13 @@ void Chains::retarget(const ChainDynamics& dynamics) {
 }
 
 std::vector<ChainState> Chains::states(const cl::Queue& queue) const {
-  return states_of(states_.read(queue), strands_);
+  std::vector<ChainState> states = states_of(states_.read(queue), strands_);
+  if (!dynamics_.body) return states;
+  const std::vector<float> body = body_.read(queue);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      states[i].body[k] = body[(i / 16 * BODY_COLUMNS + BODY_STOP + k) * 16 + i % 16];
+  return states;
 }
 
 }  // namespace pelage::strands

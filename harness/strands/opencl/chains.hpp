@@ -1,6 +1,7 @@
 // Simulates strands on an OpenCL device.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "harness/cl/program.hpp"
@@ -33,25 +34,50 @@ class Chains {
   /// was built without rotation.
   void retarget(const ChainDynamics& dynamics);
 
+  /// The next `substeps` steps follow a skin that moves and deforms: the strands' roots move from `from` to
+  /// `to`, in the world. Directions, velocities and accelerations are interpolated linearly. The call
+  /// replaces ChainDynamics::motion, which must then be the default, and the roots, directions at rest and
+  /// normals of the chains. The phases of the gusts stay. Before each later step beyond these `substeps`,
+  /// set_skin() must be called again. The first call builds a program. Throws InputError if a value is not
+  /// valid, or if ChainDynamics::body is not null.
+  void set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinFrame& to, int substeps);
+
   std::vector<ChainState> states(const cl::Queue& queue) const;
   /// Enqueues the conversion of the present states to key strands: KEY_RECORD floats each
-  /// (kernels/strands/draw/params.h). The key strands are in the object's frame. `keys` must have room for
-  /// the number of strands, rounded up to a multiple of 16. Appends the event of the launch to `launches`
+  /// (kernels/strands/draw/params.h). The key strands are in the object's frame. With set_skin(), they are in
+  /// the world and have the roots, normals and directions at rest of the frame `to`. `keys` must have room
+  /// for the number of strands, rounded up to a multiple of 16. Appends the event of the launch to `launches`
   /// unless it is null. Throws InputError if `keys` is too small.
   void write_keys(const cl::Queue& queue, const cl::Buffer<float>& keys,
                   std::vector<cl::Event>* launches = nullptr);
   const cl::Buffer<float>& buffer() const { return states_; }  ///< the table of states, CHAIN_COLUMNS columns
   long steps() const { return steps_; }
-  std::vector<const cl::Program*> programs() const { return {&program_, &key_program_}; }
+  std::vector<const cl::Program*> programs() const;
 
  private:
+  /// The two frames of the skin between which the strands move, and the kernel that follows them.
+  struct MovingSkin {
+    MovingSkin(const cl::Device& device, const std::string& options, std::size_t room);
+    cl::Program program;
+    cl::Kernel frame;
+    cl::Buffer<float> from, to, some_from, some_to;
+    long first_step = 0, last_step = 0;  ///< the frames are those of the steps first_step to last_step - 1
+  };
+
+  std::string options(bool skin) const;
+
   std::size_t strands_;
+  std::vector<Chain> chains_;  ///< empty without ChainDynamics::body
   ChainDynamics dynamics_;
   ChainParams params_;
   int lanes_;
+  std::size_t room_ = 0;  ///< number of strands in the tables whose names begin with some_
   cl::Program program_, key_program_;
   cl::Kernel frame_, write_keys_;
   cl::Buffer<float> constants_, states_;
+  cl::Buffer<float> some_constants_, some_states_;  ///< one slice per work-item (chain.cl)
+  cl::Buffer<float> field_, body_, some_body_;      ///< empty without ChainDynamics::body
+  std::optional<MovingSkin> skin_;
   cl::Buffer<ChainMoment> moments_, present_;
   long steps_ = 0;
   long known_from_ = 0,

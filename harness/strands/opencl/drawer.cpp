@@ -9,12 +9,13 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/strands/drawing/detail.hpp"
 
 namespace pelage::strands {
 namespace {
 
 constexpr std::size_t slice = 16;
-constexpr int most_chunks = 65536;
+constexpr int most_chunks = 65536, most_layers = 256;
 
 int lanes_of(const cl::Device& device, int wanted) {
   if (wanted != 0 && wanted != 1 && wanted != 16)
@@ -59,7 +60,7 @@ void copy(float* to, glm::vec4 v) {
   for (int i = 0; i < 4; ++i) to[i] = v[i];
 }
 
-DrawParams params_of(const DrawingScene& scene, int tile) {
+DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   const Camera& c = scene.camera;
   const Look& look = scene.look;
   check(look);
@@ -102,7 +103,8 @@ DrawParams params_of(const DrawingScene& scene, int tile) {
   p.rim_exponent = look.rim_exponent;
   p.skin_shadow = look.skin_shadow;
   p.skin_shadow_height = look.skin_shadow_height;
-  p.frames = std::max(1, int(look.film.size()));
+  if (look.shadow.reading != Shadow::none) set_map_rows(p, c, look);
+  p.chunks = chunks;
   return p;
 }
 
@@ -121,9 +123,38 @@ std::vector<std::int32_t> film_table(const Look& look) {
   return table;
 }
 
-std::string options_of(int lanes, int tile, const Look& look, const std::vector<KeyedStrand>& strands) {
-  return fmt::format("-D LANES={} -D STRAND_TILE={} -D STRAND_LIGHTS={} -D STRAND_STYLES={}", lanes, tile,
-                     int(has_lights(look)), int(has_styles(strands)));
+/// Returns the values of the fur layers 0 to 255.
+std::vector<LayerLook> layers_of(const Look& look) {
+  std::vector<LayerLook> layers;
+  for (int layer = 0; layer < most_layers; ++layer) layers.push_back(layer_look(look, layer));
+  return layers;
+}
+
+/// Number of bits that the sort keys of the strands use.
+int key_bits_of(const std::vector<KeyedStrand>& strands, const std::vector<LayerLook>& layers) {
+  const bool ranks = std::any_of(strands.begin(), strands.end(),
+                                 [&](const KeyedStrand& s) { return layers[s.layer].rank > 0; });
+  return ranks ? 32 : 24;
+}
+
+/// The fur layers in the kernels' layout: LAYER_RECORD integers each.
+std::vector<std::int32_t> layer_table(const std::vector<LayerLook>& layers) {
+  std::vector<std::int32_t> table;
+  for (const LayerLook& layer : layers)
+    table.insert(table.end(), {layer.rank, layer.first_frame, layer.frames, 0});
+  return table;
+}
+
+std::string options_of(const Look& look, const std::vector<KeyedStrand>& strands) {
+  const int shadow = look.shadow.reading == Shadow::none     ? SHADOW_NONE
+                     : look.shadow.reading == Shadow::linear ? SHADOW_LINEAR
+                                                             : SHADOW_EXPONENTIAL;
+  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}", int(has_lights(look)),
+                     int(has_styles(strands)), shadow);
+}
+
+std::string with(std::string options, int lanes, int tile) {
+  return fmt::format("{} -D LANES={} -D STRAND_TILE={}", options, lanes, tile);
 }
 
 }  // namespace
@@ -131,105 +162,108 @@ std::string options_of(int lanes, int tile, const Look& look, const std::vector<
 Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vector<KeyedStrand>& strands,
                std::size_t keys, const DrawerOptions& options)
     : strands_(strands),
+      scene_(scene),
+      layers_(layers_of(scene.look)),
       group_(is_group(queue.device(), options.mapping)),
       tile_(tile_of(queue.device(), scene.camera, group_, options.tile)),
       lanes_(lanes_of(queue.device(), options.lanes)),
       sort_(queue.device(), options.runs),
-      params_(params_of(scene, tile_)),
-      key_program_(queue.device(), "strands/draw/keys.cl", options_of(lanes_, tile_, scene.look, strands)),
-      bin_program_(queue.device(), "strands/draw/bins.cl", options_of(1, tile_, scene.look, strands)),
+      params_(params_of(scene, tile_, chunks_of(queue.device(), options.chunks))),
+      key_program_(queue.device(), "strands/draw/keys.cl", with(kernel_options(), lanes_, tile_)),
       draw_program_(queue.device(), group_ ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-                    options_of(group_ ? 1 : 16, tile_, scene.look, strands)),
+                    with(kernel_options(), group_ ? 1 : 16, tile_)),
       make_keys_(key_program_, "strand_keys"),
-      count_(bin_program_, "strand_bin_count"),
-      sum_(bin_program_, "strand_bin_sum"),
-      start_(bin_program_, "strand_bin_start"),
-      fill_(bin_program_, "strand_bin_fill"),
       draw_(draw_program_, group_ ? "strand_group" : "strand_tiles"),
-      key_bits_(std::any_of(strands.begin(), strands.end(), [](const KeyedStrand& s) { return s.rank > 0; })
-                    ? 32
-                    : 24) {
+      lists_(queue, params_, with(kernel_options(), 1, tile_)),
+      key_bits_(key_bits_of(strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
   const cl::Device& device = queue.device();
   const std::vector<float> table = keyed_columns(strands, keys);
   constants_ = cl::Buffer<float>(queue, std::span<const float>(table));
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
-  params_.strands = int(strands.size());
-  params_.units = int(padded / std::size_t(lanes_));
   params_.runs = sort_.runs();
-  params_.units_per_run = (params_.units + params_.runs - 1) / params_.runs;
+  set_pruning(1);
   params_.capacity = params_.units_per_run * lanes_;
-  params_.chunks = chunks_of(device, options.chunks);
+  set_pruning(scene.look.fraction);
   rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
   const std::vector<std::int32_t> film = film_table(scene.look);
   film_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(film));
+  layer_table_ = cl::Buffer<std::int32_t>(device, std::size_t(most_layers) * LAYER_RECORD);
   curves_ = cl::Buffer<float>(device, 1);
   blocks_ = cl::Buffer<std::uint64_t>(device, padded);
   pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params_.capacity) * std::size_t(params_.runs));
   live_ = cl::Buffer<std::int32_t>(device, std::size_t(params_.runs));
-  const std::size_t tiles = std::size_t(params_.tiles_x) * std::size_t(params_.tiles_y);
-  chunk_count_ = cl::Buffer<std::int32_t>(device, tiles * std::size_t(params_.chunks));
-  length_ = cl::Buffer<std::int32_t>(device, tiles);
-  list_start_ = cl::Buffer<std::int32_t>(device, tiles + 1);
-  taken_ = cl::Buffer<std::int32_t>(device, 1);
-  const std::vector<std::int32_t> unknown(tiles, 0);
-  blank_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(unknown));
+  no_map_ = cl::Buffer<glm::vec2>(device, 1);
+  if (scene.look.shadow.reading != Shadow::none)
+    map_.emplace(queue, params_, light_view(scene.look), group_, lanes_, kernel_options(), padded);
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
 }
 
+std::string Drawer::kernel_options() const {
+  return options_of(scene_.look, strands_);
+}
+
+void Drawer::set_pruning(float fraction) {
+  const Pruning pruning = pruning_of(strands_.size(), fraction);
+  params_.strands = pruning.drawn;
+  params_.widen = pruning.widen;
+  params_.per_fade = pruning.per_fade;
+  // The constants of the strands have slices of 16 strands.
+  const std::size_t padded = (std::size_t(pruning.drawn) + slice - 1) / slice * slice;
+  params_.units = int(padded / std::size_t(lanes_));
+  params_.units_per_run = (params_.units + params_.runs - 1) / params_.runs;
+}
+
+void Drawer::set_view(const DrawingScene& scene) {
+  const Camera &old = scene_.camera, &camera = scene.camera;
+  if (camera.width != old.width || camera.height != old.height)
+    throw InputError(fmt::format("view: a picture of {}x{} pixels; the drawer was made for {}x{}",
+                                 camera.width, camera.height, old.width, old.height));
+  if (film_table(scene.look) != film_table(scene_.look) ||
+      options_of(scene.look, strands_) != kernel_options() ||
+      scene.look.shadow.size != scene_.look.shadow.size)
+    throw InputError("view: another film strip, other kinds of light or another shadow need a new drawer");
+  DrawParams p = params_of(scene, tile_, params_.chunks);
+  p.runs = params_.runs;
+  p.capacity = params_.capacity;
+  params_ = p;
+  scene_ = scene;
+  layers_ = layers_of(scene.look);
+  layers_written_ = false;
+  key_bits_ = key_bits_of(strands_, layers_);
+  set_pruning(scene.look.fraction);
+}
+
+void Drawer::write_layers(const cl::Queue& queue) {
+  if (layers_written_) return;
+  const std::vector<std::int32_t> table = layer_table(layers_);
+  layer_table_.write(queue, table);
+  layers_written_ = true;
+}
+
 void Drawer::enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events) {
-  make_keys_.with(params_, constants_, keys_, rows_, blocks_, pairs_, live_, curves_);
+  write_layers(queue);
+  make_keys_.with(params_, constants_, keys_, layer_table_, rows_, blocks_, pairs_, live_, curves_);
   const std::size_t group = queue.device().info().cpu ? 1 : 64;
   const std::size_t items = (std::size_t(params_.runs) + group - 1) / group * group;
   cl::Event event = make_keys_.enqueue(queue, items, group);
   if (events) events->emplace_back("keys", std::move(event));
 }
 
-void Drawer::enqueue_bins(const cl::Queue& queue, cl::PhaseEvents* events) {
-  const auto keep = [&](cl::Event event) {
-    if (events) events->emplace_back("bin", std::move(event));
-  };
-  const auto chunks = std::size_t(params_.chunks);
-  count_.with(params_, sort_.total(), blocks_, pairs_, chunk_count_);
-  keep(count_.enqueue(queue, chunks, 1));
-  sum_.with(params_, chunk_count_, length_);
-  keep(sum_.enqueue(queue, length_.size()));
-  start_.with(params_, length_, list_start_, taken_);
-  keep(start_.enqueue(queue, 1));
-  std::array<std::int32_t, 1> total{};
-  list_start_.read(queue, total, length_.size());
-  if (total[0] == std::numeric_limits<std::int32_t>::max())
-    throw DeviceError(
-        "the strand lists of the tiles would have 2^31 entries or more: use a smaller picture or fewer "
-        "strands");
-  listed_ = std::size_t(total[0]);
-  if (list_.size() < listed_) {
-    list_ = {};  // frees the memory before the larger buffers are allocated
-    spot_ = {};
-    list_ = cl::Buffer<std::int32_t>(queue.device(), listed_ + listed_ / 4);
-    spot_ = cl::Buffer<std::uint16_t>(queue.device(), listed_ + listed_ / 4);
-  }
-  if (listed_ == 0 && list_.size() == 0) {
-    list_ = cl::Buffer<std::int32_t>(queue.device(), 1);
-    spot_ = cl::Buffer<std::uint16_t>(queue.device(), 1);
-  }
-  fill_.with(params_, sort_.total(), blocks_, pairs_, list_start_, chunk_count_, list_, spot_);
-  keep(fill_.enqueue(queue, chunks, 1));
-}
-
 void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
+  if (map_) {
+    write_layers(queue);
+    map_->enqueue(queue, params_, light_view(scene_.look), {constants_, keys_, layer_table_, film_}, events);
+  }
   enqueue_keys(queue, events);
   std::vector<cl::Event> sorted;
   sort_.sort(queue, pairs_, live_, std::size_t(params_.capacity), key_bits_, &sorted);
   if (events)
     for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
-  enqueue_bins(queue, events);
-  draw_.with(params_, rows_, film_, list_start_, list_, spot_, image_, taken_, blank_);
-  // With Drawing::item, a work-item draws tiles until no tile is left.
-  const std::size_t tiles = length_.size(), group = std::size_t(tile_) * std::size_t(tile_);
-  const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));
-  cl::Event event = group_ ? draw_.enqueue(queue, tiles * group, group) : draw_.enqueue(queue, items, 1);
+  lists_.enqueue(queue, params_, sort_.total(), blocks_, pairs_, "bin", events);
+  cl::Event event = lists_.draw(queue, draw_, group_, tile_, params_, rows_, film_,
+                                map_ ? map_->texels() : no_map_, image_);
   if (events) events->emplace_back("raster", std::move(event));
 }
 
@@ -250,8 +284,10 @@ std::vector<Entry> Drawer::order(const cl::Queue& queue) const {
 std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
   curves_ = cl::Buffer<float>(queue.device(), blocks_.size() * CURVE_COLUMNS);
   params_.keep_curves = 1;
+  set_pruning(1);
   enqueue_keys(queue, nullptr);
   params_.keep_curves = 0;
+  set_pruning(scene_.look.fraction);
   const std::vector<float> table = curves_.read(queue);
   curves_ = cl::Buffer<float>(queue.device(), 1);
   std::vector<DrawnStrand> drawn(strands_.size());
@@ -266,13 +302,21 @@ std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
     d.normal = vector(CURVE_NORMAL);
     d.colour = glm::vec3(s.colour[0], s.colour[1], s.colour[2]) / 255.0f;
     d.width = s.width;
-    d.rank = s.rank;
+    d.layer = s.layer;
+    d.rank = layers_[s.layer].rank;
   }
   return drawn;
 }
 
+std::vector<glm::vec2> Drawer::opacity_map(const cl::Queue& queue) const {
+  return map_ ? map_->texels().read(queue) : std::vector<glm::vec2>();
+}
+
 std::vector<const cl::Program*> Drawer::programs() const {
-  return {&key_program_, &sort_.program(), &bin_program_, &draw_program_};
+  std::vector<const cl::Program*> all{&key_program_, &sort_.program(), &lists_.program(), &draw_program_};
+  if (map_)
+    for (const cl::Program* program : map_->programs()) all.push_back(program);
+  return all;
 }
 
 }  // namespace pelage::strands

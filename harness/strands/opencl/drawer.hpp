@@ -1,5 +1,8 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "harness/cl/pair_sort.hpp"
@@ -7,7 +10,8 @@
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
-#include "kernels/strands/draw/params.h"
+#include "harness/strands/opencl/opacity_map.hpp"
+#include "harness/strands/opencl/tile_lists.hpp"
 
 namespace pelage::strands {
 
@@ -42,8 +46,14 @@ class Drawer {
   /// multiple of 16. The caller writes them before enqueue(), for instance by Chains::write_keys().
   cl::Buffer<float>& keys() { return keys_; }
 
-  /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster. Waits once for the total
-  /// length of the tiles' lists. Throws DeviceError if it is 2^31 or more.
+  /// Changes the camera, the look or the fraction of the following pictures, and builds nothing. Throws
+  /// InputError if the size of the picture or the film strip differs from the present scene's, or if the look
+  /// has other kinds of light, for which the programs would have to be built again.
+  void set_view(const DrawingScene& scene);
+
+  /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster, and before them those of
+  /// the opacity map, if the look has one, in the phase shadow. Waits for the total length of the tiles'
+  /// lists. Throws DeviceError if it is 2^31 or more.
   void enqueue(const cl::Queue& queue, cl::PhaseEvents* events);
 
   Picture read(const cl::Queue& queue) const;
@@ -54,27 +64,38 @@ class Drawer {
   /// of enqueue(), because this call overwrites the list.
   std::vector<DrawnStrand> curves(const cl::Queue& queue);
   /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
-  std::size_t listed() const { return listed_; }
+  std::size_t listed() const { return lists_.listed(); }
+  /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look
+  /// has no shadow.
+  std::vector<glm::vec2> opacity_map(const cl::Queue& queue) const;
   std::vector<const cl::Program*> programs() const;
 
  private:
   void enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events);
-  void enqueue_bins(const cl::Queue& queue, cl::PhaseEvents* events);
+  void set_pruning(float fraction);
+  /// Writes layers_ to layer_table_ if set_view() has changed them.
+  void write_layers(const cl::Queue& queue);
+  /// Build options of the kernels, without LANES and STRAND_TILE.
+  std::string kernel_options() const;
 
   std::vector<KeyedStrand> strands_;
-  bool group_;  ///< the mapping is Drawing::group
+  DrawingScene scene_;
+  std::vector<LayerLook> layers_;  ///< of all 256 possible fur layers
+  bool group_;                     ///< the mapping is Drawing::group
   int tile_, lanes_;
   cl::PairSort sort_;
   DrawParams params_;
-  cl::Program key_program_, bin_program_, draw_program_;
-  cl::Kernel make_keys_, count_, sum_, start_, fill_, draw_;
+  cl::Program key_program_, draw_program_;
+  cl::Kernel make_keys_, draw_;
+  TileLists lists_;
+  std::optional<OpacityMap> map_;
   cl::Buffer<float> constants_, keys_, rows_, curves_;
   cl::Buffer<std::uint64_t> blocks_;
   cl::Buffer<cl::Pair> pairs_;
-  cl::Buffer<std::int32_t> film_, live_, chunk_count_, length_, list_start_, list_, taken_, blank_;
-  cl::Buffer<std::uint16_t> spot_;
+  cl::Buffer<std::int32_t> film_, layer_table_, live_;
+  cl::Buffer<glm::vec2> no_map_;  ///< the kernels' argument if the look has no shadow
   cl::Buffer<glm::vec4> image_;
-  std::size_t listed_ = 0;
+  bool layers_written_ = false;
   int key_bits_;  ///< number of bits that the sort keys use
 };
 

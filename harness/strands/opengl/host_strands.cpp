@@ -55,14 +55,16 @@ bool beyond(const std::array<float, 3>& place, const std::array<float, 3>& depth
 
 }  // namespace
 
-HostStrands::HostStrands(const Camera& camera, const DepthRange& range, float first_segment,
+HostStrands::HostStrands(const Camera& camera, const Look& look, const DepthRange& range, float first_segment,
                          const std::vector<KeyedStrand>& strands)
     : camera_(camera),
       range_(range),
       first_segment_(first_segment),
       strands_(strands),
       records_(strands.size()),
-      keys_(strands.size()) {}
+      keys_(strands.size()) {
+  for (const KeyedStrand& s : strands) ranks_.push_back(std::uint32_t(layer_look(look, s.layer).rank));
+}
 
 void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
   const auto count = std::int64_t(strands_.size());
@@ -93,7 +95,7 @@ void HostStrands::interpolate(const std::vector<KeyStrand>& keys) {
     r.colour =
         std::uint32_t(s.colour[0]) | std::uint32_t(s.colour[1]) << 8 | std::uint32_t(s.colour[2]) << 16;
     const float step = std::min(std::max((w[1] - range_.nearest) * range_.per_depth, 0.0f), 16777215.0f);
-    keys_[at] = std::uint32_t(s.rank) << 24 | std::uint32_t(step);
+    keys_[at] = ranks_[at] << 24 | std::uint32_t(step);
   }
 }
 

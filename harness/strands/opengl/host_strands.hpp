@@ -21,7 +21,7 @@ struct StrandRecord {
 
 class HostStrands {
  public:
-  HostStrands(const Camera& camera, const DepthRange& range, float first_segment,
+  HostStrands(const Camera& camera, const Look& look, const DepthRange& range, float first_segment,
               const std::vector<KeyedStrand>& strands);
   /// Returns the strands to draw, from back to front. The result is valid until the next call. All cores of
   /// the machine interpolate strands; one core sorts them.
@@ -38,6 +38,7 @@ class HostStrands {
   DepthRange range_;
   float first_segment_;
   std::vector<KeyedStrand> strands_;
+  std::vector<std::uint32_t> ranks_;            ///< rank of each strand's fur layer
   std::vector<StrandRecord> records_, sorted_;  ///< one per strand; those to draw, from back to front
   std::vector<std::uint32_t> keys_;             ///< one per strand; not_drawn for strands that are not drawn
   std::vector<Item> entries_, other_;

@@ -90,7 +90,7 @@ struct Ribbons::State {
 
   State(const RibbonScene& from, const std::vector<KeyedStrand>& strands, const RibbonOptions& options)
       : scene(from),
-        host(from.camera, from.range, from.first_segment, strands),
+        host(from.camera, from.look, from.range, from.first_segment, strands),
         instanced(is_instanced(options)),
         program(program_of(from, instanced)),
         records(gl::make_buffer(nullptr, std::max<std::size_t>(strands.size(), 1) * sizeof(StrandRecord),

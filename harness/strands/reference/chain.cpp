@@ -1,5 +1,5 @@
 // The double-precision reference for the simulation of strands. The items 1 to 6 in the comments are those of
-// the list in docs/strands.md, section "Time step".
+// the list in docs/chains.md, section "Time step".
 #include "harness/strands/reference/chain.hpp"
 
 #include <Eigen/Dense>
@@ -17,6 +17,7 @@ using Vec = glm::dvec3;
 using Pair = Eigen::Matrix<double, 6, 1>;        // the rates of both segments, or forces on both
 using PairMatrix = Eigen::Matrix<double, 6, 6>;  // a linear map from a Pair to a Pair
 using FourPairs = Eigen::Matrix<double, 6, 4>;   // one pair in each column
+using Pairs = Eigen::Matrix<double, 6, 6>;       // one pair in each column
 using FourPairsT = Eigen::Matrix<double, 4, 6>;  // one pair in each row
 
 Pair pair(Vec first, Vec second) {
@@ -31,7 +32,7 @@ Vec second(const Pair& p) {
   return {p[3], p[4], p[5]};
 }
 
-// The values of the symbols of docs/strands.md at one time.
+// The values of the symbols of docs/chains.md at one time.
 struct Model {
   double l1, l2, m1, m2, c1, c2, d1, d2, k1, k2;
   double inertia_u, inertia_w, inertia_uw;  // A, B, C
@@ -40,7 +41,8 @@ struct Model {
   Vec gu, gw;  // Gu, Gw
 };
 
-Model model_at(const Chain& chain, const ChainDynamics& dynamics, double time) {
+Model model_at(const Chain& chain, const ChainDynamics& dynamics, double time,
+               const SkinPoint* skin = nullptr) {
   Model m{};
   m.l1 = double(dynamics.first_segment);
   m.l2 = 1 - m.l1;
@@ -60,12 +62,13 @@ Model model_at(const Chain& chain, const ChainDynamics& dynamics, double time) {
 
   const springs::Pose pose = springs::pose_at(dynamics.motion, time);
   const auto to_world = [&](glm::vec3 v) { return turned(Vec(v), pose.axis, pose.angle); };
-  m.d = glm::normalize(to_world(chain.rest));
-  m.n = glm::normalize(to_world(chain.normal));
+  m.d = glm::normalize(skin ? skin->rest : to_world(chain.rest));
+  m.n = glm::normalize(skin ? skin->normal : to_world(chain.normal));
 
   const Vec x = to_world(chain.root), o = pose.rate * pose.axis, o_1 = pose.rate_up * pose.axis;
-  const Vec root_velocity = pose.velocity + glm::cross(o, x);
-  const Vec root_acceleration = pose.acceleration + glm::cross(o_1, x) + glm::cross(o, glm::cross(o, x));
+  const Vec root_velocity = skin ? skin->velocity : pose.velocity + glm::cross(o, x);
+  const Vec root_acceleration =
+      skin ? skin->acceleration : pose.acceleration + glm::cross(o_1, x) + glm::cross(o, glm::cross(o, x));
 
   const springs::Wind& wind = dynamics.wind;
   constexpr double tau = 2 * std::numbers::pi;
@@ -99,6 +102,71 @@ FourPairs gap_derivatives(const Model& m, Vec u, Vec w) {
   FourPairs j;
   j << pair(m.d, Vec(0)), pair(m.n, Vec(0)), pair(w, u), pair(m.l1 * m.n, m.l2 * m.n);
   return j;
+}
+
+// The gaps of all stops at the start of a step, and their derivatives J with respect to u and w, one gap in
+// each column. Without a body, the gaps of stops 4 and 5 are 1 and their derivatives are 0, so they never
+// act.
+struct Stops {
+  std::array<double, 6> gap;
+  Pairs J;
+};
+
+// Section "Body": the value of the field at a point of the object's frame, and its derivatives with respect
+// to the position. Each of the eight nodes around the point has the weight product(1 - |distance along an
+// axis in cells|).
+std::pair<double, Vec> field_at(const DistanceField& field, Vec point) {
+  Vec at = (point - Vec(field.origin)) / double(field.cell);
+  std::array<int, 3> low{};
+  for (int axis = 0; axis < 3; ++axis) {
+    at[axis] = std::clamp(at[axis], 0.0, double(field.nodes[axis] - 1));
+    low[std::size_t(axis)] = std::min(int(std::floor(at[axis])), field.nodes[axis] - 2);
+  }
+  double value = 0;
+  Vec slope(0);
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec weight, change;
+    std::array<int, 3> node{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int high = corner >> axis & 1;
+      node[std::size_t(axis)] = low[std::size_t(axis)] + high;
+      weight[axis] = 1 - std::abs(at[axis] - node[std::size_t(axis)]);
+      change[axis] = (high ? 1 : -1) / double(field.cell);
+    }
+    const auto across = std::size_t(field.nodes.x), down = std::size_t(field.nodes.y);
+    const double there = double(
+        field.distance[(std::size_t(node[2]) * down + std::size_t(node[1])) * across + std::size_t(node[0])]);
+    value += there * weight.x * weight.y * weight.z;
+    slope += there * Vec(change.x * weight.y * weight.z, weight.x * change.y * weight.z,
+                         weight.x * weight.y * change.z);
+  }
+  return {value, slope};
+}
+
+Stops stops_at(const Model& m, const Chain& chain, const ChainDynamics& dynamics, double time, Vec u, Vec w) {
+  Stops s;
+  const std::array<double, 4> gap = gaps(m, u, w);
+  std::copy(gap.begin(), gap.end(), s.gap.begin());
+  s.gap[4] = s.gap[5] = 1;
+  s.J.setZero();
+  s.J.leftCols<4>() = gap_derivatives(m, u, w);
+  if (!dynamics.body) return s;
+  constexpr double T = 1.0 / 30;
+  const springs::Pose pose = springs::pose_at(dynamics.motion, time);
+  const double L = double(chain.length);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double l2 = k == 0 ? 0 : m.l2;
+    const auto from_root = [&](Vec first, Vec second) { return L * (m.l1 * first + l2 * second); };
+    const auto [value, slope] =
+        field_at(*dynamics.body, Vec(chain.root) + turned(from_root(u, w), pose.axis, -pose.angle));
+    const double at_rest =
+        field_at(*dynamics.body, Vec(chain.root) + from_root(chain.rest, chain.rest)).first;
+    s.gap[4 + k] = (value - std::min(0.0, at_rest)) / L;
+    if (s.gap[4 + k] < 0) s.gap[4 + k] *= std::min(1.0, double(dynamics.step) / T);
+    const Vec outwards = turned(slope, pose.axis, pose.angle);
+    s.J.col(int(4 + k)) = pair(m.l1 * outwards, l2 * outwards);
+  }
+  return s;
 }
 
 // Returns two unit vectors that are orthogonal to `v` and to each other.
@@ -144,16 +212,18 @@ PairMatrix solution(const Equations& e, Vec u, Vec w) {
   return basis * solved;
 }
 
-// Returns the impulses of the four stops (item 3). `lambda` holds the impulses of the previous step. Without
-// impulses, the value of gap_i / h + J_i . V is gap[i] / h + speed[i].
-std::array<double, 4> impulses(std::array<double, 4> lambda, const std::array<double, 4>& gap, double h,
-                               const Eigen::Vector4d& speed, const Eigen::Matrix4d& W, double softening) {
+// Returns the impulses of the stops (item 3). `lambda` holds the impulses of the previous step. Without
+// impulses, the value of gap_i / h + J_i . V is gap[i] / h + speed[i]. The sweeps begin with stop `last`.
+std::array<double, 6> impulses(std::array<double, 6> lambda, std::size_t last,
+                               const std::array<double, 6>& gap, double h,
+                               const Eigen::Matrix<double, 6, 1>& speed, const PairMatrix& W,
+                               double softening) {
   for (int sweep = 0; sweep < 4; ++sweep)
-    for (int i = 3; i >= 0; --i) {
-      double others = gap[std::size_t(i)] / h + speed[i];
-      for (int j = 0; j < 4; ++j)
-        if (j != i) others += W(i, j) * lambda[std::size_t(j)];
-      lambda[std::size_t(i)] = std::max(0.0, -others / (W(i, i) + softening));
+    for (std::size_t i = last + 1; i-- > 0;) {
+      double others = gap[i] / h + speed[int(i)];
+      for (std::size_t j = 0; j <= last; ++j)
+        if (j != i) others += W(int(i), int(j)) * lambda[j];
+      lambda[i] = std::max(0.0, -others / (W(int(i), int(i)) + softening));
     }
   return lambda;
 }
@@ -195,10 +265,24 @@ Vec orthogonal(Vec v, Vec direction) {
 
 // Returns whether a stop has an impulse above 0.
 bool acts(const State& state) {
-  return std::any_of(state.stop.begin(), state.stop.end(), [](double s) { return s > 0; });
+  const auto above = [](double s) { return s > 0; };
+  return std::any_of(state.stop.begin(), state.stop.end(), above) ||
+         std::any_of(state.body.begin(), state.body.end(), above);
 }
 
 }  // namespace
+
+State in_double(const ChainState& s) {
+  State state{glm::dvec3(s.direction[0]),
+              glm::dvec3(s.direction[1]),
+              glm::dvec3(s.rate[0]),
+              glm::dvec3(s.rate[1]),
+              {},
+              {}};
+  for (std::size_t i = 0; i < state.stop.size(); ++i) state.stop[i] = double(s.stop[i]);
+  for (std::size_t i = 0; i < state.body.size(); ++i) state.body[i] = double(s.body[i]);
+  return state;
+}
 
 State at_rest(const Chain& chain) {
   State state;
@@ -211,9 +295,11 @@ double energy(const Chain& chain, const ChainDynamics& dynamics, const State& st
   return kinetic(m, state.a, state.b) + potential(m, state.u, state.w);
 }
 
-State step(const Chain& chain, const ChainDynamics& dynamics, const State& state, long number) {
+State step(const Chain& chain, const ChainDynamics& dynamics, const State& state, long number,
+           const SkinPoint* skin) {
   const double h = double(dynamics.step);
-  const Model m = model_at(chain, dynamics, double(number + 1) * h);
+  const double time = double(number + 1) * h;
+  const Model m = model_at(chain, dynamics, time, skin);
   const std::array<double, 4> gap = gaps(m, state.u, state.w);
 
   // Item 1
@@ -228,15 +314,21 @@ State step(const Chain& chain, const ChainDynamics& dynamics, const State& state
 
   // Item 3
   State next;
-  const FourPairs J = gap_derivatives(m, state.u, state.w);
-  const Eigen::Vector4d speed = J.transpose() * rates;
+  const Stops stops = stops_at(m, chain, dynamics, time, state.u, state.w);
+  const Pair speed = stops.J.transpose() * rates;
   bool needs_impulses = held;
-  for (int i = 0; i < 4; ++i) needs_impulses |= gap[std::size_t(i)] + h * speed[i] < 0;
+  for (int i = 0; i < 6; ++i) needs_impulses |= stops.gap[std::size_t(i)] + h * speed[i] < 0;
   if (needs_impulses) {
-    const Eigen::Matrix4d W = J.transpose() * solve * J;
+    const PairMatrix W = stops.J.transpose() * solve * stops.J;
     const double alpha = e.a - e.c * e.c / e.b;
-    next.stop = impulses(state.stop, gap, h, speed, W, 1e-6 * (1 / e.b + 1 / alpha));
-    rates += solve * (J * Eigen::Vector4d(next.stop[0], next.stop[1], next.stop[2], next.stop[3]));
+    const std::array<double, 6> before{state.stop[0], state.stop[1], state.stop[2],
+                                       state.stop[3], state.body[0], state.body[1]};
+    const std::array<double, 6> found =
+        impulses(before, dynamics.body ? 5 : 3, stops.gap, h, speed, W, 1e-6 * (1 / e.b + 1 / alpha));
+    for (std::size_t i = 0; i < 6; ++i) {
+      (i < 4 ? next.stop[i] : next.body[i - 4]) = found[i];
+      rates += solve * (found[i] * stops.J.col(int(i)));
+    }
   }
 
   // Item 4. With y = h Va / 2, the document's formula for the new direction is a rotation by 2 atan |y|.
@@ -255,7 +347,15 @@ State step(const Chain& chain, const ChainDynamics& dynamics, const State& state
   next.u = in_cone(next.u, m.d, m.limit1);
   next.u = along_arc(next.u, m.d, [&](Vec v) { return glm::dot(m.n, v); });
   next.w = in_cone(next.w, next.u, m.limit2);
-  next.w = along_arc(next.w, next.u, [&](Vec v) { return glm::dot(m.n, m.l1 * next.u + m.l2 * v); });
+  const auto height = [&](Vec v) { return glm::dot(m.n, m.l1 * next.u + m.l2 * v); };
+  if (const Vec flat = orthogonal(next.w, m.n); height(next.w) < 0) {
+    // The angle between the raised segment and the plane is asin(height of the joint / l2), below the plane.
+    const double angle = std::asin(std::min(1.0, m.l1 * std::max(0.0, glm::dot(m.n, next.u)) / m.l2));
+    const bool upright = glm::length(flat) <= 1e-6;
+    const Vec raised = upright ? next.w : std::cos(angle) * glm::normalize(flat) - std::sin(angle) * m.n;
+    const bool fits = !upright && angle_between(next.u, raised) <= m.limit2;
+    next.w = fits ? raised : along_arc(next.w, next.u, height);
+  }
 
   // Item 6
   const double change = potential(m, next.u, next.w) - potential(m, state.u, state.w);

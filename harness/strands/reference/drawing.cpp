@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 #include <optional>
+
+#include "harness/strands/reference/opacity_map.hpp"
+#include "harness/strands/reference/strip.hpp"
 
 namespace pelage::strands::reference {
 namespace {
 
 using Vec = glm::dvec3;
-
-// A segment is not drawn if it is shorter, in pixels.
-constexpr double shortest_segment = 1.0 / 1024;
 
 /// A point in view coordinates: x and y are pixels from the image centre times the view depth, z is the view
 /// depth in R.
@@ -23,13 +22,6 @@ Vec in_view(const Camera& camera, glm::vec3 p) {
   return {glm::dot(glm::dvec4(camera.row_x), q), glm::dot(glm::dvec4(camera.row_y), q),
           glm::dot(glm::dvec4(camera.row_w), q)};
 }
-
-/// The curve of one strand.
-struct Curve {
-  std::array<Vec, 3> p;  ///< control points
-  Vec at(double t) const { return (1 - t) * (1 - t) * p[0] + 2 * t * (1 - t) * p[1] + t * t * p[2]; }
-  Vec tangent(double t) const { return (1 - t) * (p[1] - p[0]) + t * (p[2] - p[1]); }
-};
 
 /// The part of a curve's parameter in which the curve is drawn.
 struct Part {
@@ -63,13 +55,6 @@ std::optional<Part> visible_part(const Curve& view, double near, int segments) {
   const double k = double(segments) - double(last_behind - front.rbegin());
   return Part{crossing(view, near, (k + 1) / segments, k / segments), 1};
 }
-
-struct Vertex {
-  glm::dvec2 place;  ///< pixels from the top left corner of the picture
-  double half = 0;   ///< half of the strand's width, pixels
-  double alpha = 0;
-  Vec colour;
-};
 
 /// Light of Kajiya and Kay on a hair with the tangent T, without the highlight's factor: x is |T x L|, and y
 /// the power of (T.L)(T.E) + |T x L||T x E|. E points from the eye to the joint.
@@ -114,10 +99,16 @@ struct Film {
   double luminance = 1, gloss = 1, opacity = 1;
 };
 
-Film film_at(const Look& look, std::uint32_t strand, double t) {
+Film film_at(const Look& look, const DrawnStrand& drawn, std::uint32_t strand, double t) {
   if (look.film.empty()) return {};
   const std::uint64_t hash = std::uint32_t(strand * 2654435761u);
-  const FilmFrame& frame = look.film[std::size_t(hash * look.film.size() >> 32)];
+  const auto layer = std::size_t(drawn.layer);
+  std::size_t begin = 0, count = look.film.size();
+  if (layer < look.layers.size()) {
+    begin = std::size_t(look.layers[layer].first_frame);
+    count = std::size_t(look.layers[layer].frames);
+  }
+  const FilmFrame& frame = look.film[begin + std::size_t(hash * count >> 32)];
   const double place = 7 * t;
   const auto first = std::min(std::size_t(place), std::size_t(6));
   const auto between = [&](std::uint8_t FilmSample::*value) {
@@ -128,115 +119,111 @@ Film film_at(const Look& look, std::uint32_t strand, double t) {
           between(&FilmSample::opacity) / 255};
 }
 
-std::vector<Vertex> vertices_of(const Camera& camera, const Look& look, const DrawnStrand& strand,
-                                std::uint32_t number) {
-  Curve object, view;
-  for (std::size_t i = 0; i < 3; ++i) {
-    object.p[i] = Vec(strand.point[i]);
-    view.p[i] = in_view(camera, strand.point[i]);
+/// The view of the key light, and its opacity map.
+struct ShadowMap {
+  LightView view;
+  OpacityMap map;
+};
+
+Curve curve_of(const DrawnStrand& strand) {
+  Curve curve;
+  for (std::size_t i = 0; i < 3; ++i) curve.p[i] = Vec(strand.point[i]);
+  return curve;
+}
+
+/// The light at all places of one strand.
+class StrandLight {
+ public:
+  StrandLight(const Camera& camera, const Look& look, const DrawnStrand& strand, std::uint32_t number)
+      : look_(look), strand_(strand), number_(number), curve_(curve_of(strand)) {
+    const Vec normal(strand.normal);
+    from_eye_ = glm::normalize(curve_.p[1] - Vec(camera.eye));
+    steady_ = Vec(strand.colour) * (double(look.ambient) + fill_light(look, normal)) +
+              Vec(look.rim) * std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye_))),
+                                       double(look.rim_exponent));
+    length_ = glm::distance(curve_.p[0], curve_.p[1]) + glm::distance(curve_.p[1], curve_.p[2]);
   }
+
+  /// Returns the colour at the parameter t. `lit` is the part of the key light that reaches this place.
+  Vec colour(double t, double lit) const {
+    const Vec tangent = curve_.tangent(t), base(strand_.colour);
+    const double length = glm::length(tangent), key = double(look_.intensity) * lit;
+    const Film film = film_at(look_, strand_, number_, t);
+    const glm::dvec2 light = hair_light(look_, length > 0 ? tangent / length : Vec(0), from_eye_);
+    const double height = std::max(0.0, glm::dot(Vec(strand_.normal), curve_.at(t) - curve_.p[0]));
+    const double shadow = 1 - double(look_.skin_shadow) *
+                                  (1 - std::min(1.0, height / (double(look_.skin_shadow_height) * length_)));
+    return shadow * film.luminance *
+           (steady_ + key * (base * light.x + film.gloss * Vec(look_.specular) * light.y));
+  }
+
+ private:
+  const Look& look_;
+  const DrawnStrand& strand_;
+  std::uint32_t number_;
+  Curve curve_;
+  Vec from_eye_{0}, steady_{0};
+  double length_ = 0;
+};
+
+std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
+                                const std::optional<ShadowMap>& shadow_map, const DrawnStrand& strand,
+                                std::uint32_t number) {
+  const Curve object = curve_of(strand);
+  Curve view;
+  for (std::size_t i = 0; i < 3; ++i) view.p[i] = in_view(camera, strand.point[i]);
   const std::optional<Part> part = visible_part(view, camera.near, look.segments);
   if (!part) return {};
-  const Vec from_eye = glm::normalize(object.p[1] - Vec(camera.eye)), normal(strand.normal);
-  const Vec base(strand.colour);
-  const Vec steady = base * (double(look.ambient) + fill_light(look, normal)) +
-                     Vec(look.rim) * std::pow(1 - std::min(1.0, std::abs(glm::dot(normal, from_eye))),
-                                              double(look.rim_exponent));
-  const double strand_length =
-      glm::distance(object.p[0], object.p[1]) + glm::distance(object.p[1], object.p[2]);
+  const StrandLight light(camera, look, strand, number);
   std::vector<Vertex> vertices;
   for (int k = 0; k <= look.segments; ++k) {
     const double t = part->from + (part->to - part->from) * k / look.segments;
-    const Vec v = view.at(t), tangent = object.tangent(t);
-    const double length = glm::length(tangent);
+    const Vec v = view.at(t);
     Vertex vertex;
     vertex.place = glm::dvec2(v) / v.z + 0.5 * glm::dvec2(camera.width, camera.height);
     vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / (double(camera.pixel) * v.z);
-    const Film film = film_at(look, number, t);
-    vertex.alpha = double(look.opacity) * film.opacity * (1 - t * t * t);
-    const glm::dvec2 light = hair_light(look, length > 0 ? tangent / length : Vec(0), from_eye);
-    const double height = std::max(0.0, glm::dot(normal, object.at(t) - object.p[0]));
-    const double shadow =
-        1 - double(look.skin_shadow) *
-                (1 - std::min(1.0, height / (double(look.skin_shadow_height) * strand_length)));
-    vertex.colour =
-        shadow * film.luminance *
-        (steady + double(look.intensity) * (base * light.x + film.gloss * Vec(look.specular) * light.y));
+    vertex.alpha = alpha_of(look, strand, number, t);
+    const double lit = shadow_map ? key_light(look, shadow_map->view, shadow_map->map, object.at(t)) : 1;
+    vertex.colour = light.colour(t, lit);
     vertices.push_back(vertex);
   }
   return vertices;
 }
 
-/// One fragment of a strand.
-struct Fragment {
-  double alpha;
-  Vec colour;
-};
-
+/// The pixels of a picture while strands are blended from front to back.
 class Canvas {
  public:
   Canvas(int width, int height)
-      : width_(width), height_(height), fragments_(std::size_t(width) * std::size_t(height)) {}
+      : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height)) {}
 
   void draw(const std::vector<Vertex>& vertices) {
-    std::vector<glm::dvec2> direction;  // of each segment; 0 for a segment that is not drawn
-    std::vector<double> length;
-    for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
-      const glm::dvec2 step = vertices[k + 1].place - vertices[k].place;
-      length.push_back(glm::length(step));
-      direction.push_back(length.back() < shortest_segment ? glm::dvec2(0) : step / length.back());
-    }
-    for (std::size_t k = 0; k < direction.size(); ++k) {
-      if (direction[k] == glm::dvec2(0)) continue;
-      const glm::dvec2 before = k > 0 ? direction[k - 1] : glm::dvec2(0);
-      const glm::dvec2 behind = k + 1 < direction.size() ? direction[k + 1] : glm::dvec2(0);
-      segment(vertices[k], vertices[k + 1], direction[k], length[k], direction[k] + before,
-              direction[k] + behind);
-    }
+    each_fragment(vertices, width_, height_, [&](int x, int y, double alpha, Vec colour) {
+      Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
+      pixel.colour += pixel.through * alpha * colour;
+      pixel.through *= 1 - alpha;
+      ++fragments_;
+    });
   }
+
+  std::uint64_t fragments() const { return fragments_; }
 
   Picture composed(Vec background) const {
     Picture picture{width_, height_, {}};
-    for (const std::vector<Fragment>& pixel : fragments_) {
-      Vec colour(0);
-      double through = 1;
-      for (const Fragment& f : pixel) {
-        colour += through * f.alpha * f.colour;
-        through *= 1 - f.alpha;
-      }
-      picture.pixel.emplace_back(glm::vec3(colour + through * background), float(1 - through));
-    }
+    for (const Pixel& pixel : pixels_)
+      picture.pixel.emplace_back(glm::vec3(pixel.colour + pixel.through * background),
+                                 float(1 - pixel.through));
     return picture;
   }
 
  private:
-  /// Adds the fragments of the segment from `a` to `b`. `e` is its direction. The lines through a and b that
-  /// are orthogonal to `mitre_a` and `mitre_b` separate it from its neighbours.
-  void segment(const Vertex& a, const Vertex& b, glm::dvec2 e, double length, glm::dvec2 mitre_a,
-               glm::dvec2 mitre_b) {
-    const double reach =
-        std::max(a.half, b.half) + 0.5;  // a mitre extends no further beyond the end of the segment
-    const glm::dvec2 low = glm::min(a.place, b.place) - 2 * reach,
-                     high = glm::max(a.place, b.place) + 2 * reach;
-    const auto clamped = [](double value, int limit) { return int(std::clamp(value, 0.0, double(limit))); };
-    for (int y = clamped(std::floor(low.y), height_); y < clamped(std::ceil(high.y), height_); ++y) {
-      for (int x = clamped(std::floor(low.x), width_); x < clamped(std::ceil(high.x), width_); ++x) {
-        const glm::dvec2 p(x + 0.5, y + 0.5), from = p - a.place;
-        if (glm::dot(from, mitre_a) < 0 || glm::dot(p - b.place, mitre_b) >= 0) continue;
-        const double along = glm::dot(from, e), across = from.x * e.y - from.y * e.x;
-        if (along < -reach || along > length + reach) continue;
-        const double s = std::clamp(along / length, 0.0, 1.0);
-        const double half = a.half + s * (b.half - a.half);
-        const double coverage = std::min(across + half, 0.5) - std::max(across - half, -0.5);
-        if (coverage <= 0) continue;
-        fragments_[std::size_t(y) * std::size_t(width_) + std::size_t(x)].push_back(
-            {coverage * (a.alpha + s * (b.alpha - a.alpha)), a.colour + s * (b.colour - a.colour)});
-      }
-    }
-  }
+  struct Pixel {
+    Vec colour{0};
+    double through = 1;  ///< transmittance of the fragments
+  };
 
   int width_, height_;
-  std::vector<std::vector<Fragment>> fragments_;  ///< fragments of each pixel, from front to back
+  std::vector<Pixel> pixels_;
+  std::uint64_t fragments_ = 0;
 };
 
 float dot_f(glm::vec3 a, glm::vec3 b) {
@@ -265,6 +252,23 @@ bool beyond_side(const Camera& camera, const DrawnStrand& strand, glm::vec4 row,
 
 }  // namespace
 
+double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t) {
+  return double(look.opacity) * film_at(look, strand, number, t).opacity * (1 - t * t * t);
+}
+
+std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, float fraction) {
+  const auto all = double(strands.size());
+  const auto drawn = std::size_t(std::min(std::max(std::ceil(double(fraction) * all), 1.0), all));
+  const std::size_t fading = std::max<std::size_t>(1, std::min(drawn / 8, strands.size() - drawn));
+  const auto step = float(1.0 / double(fading));
+  double sum = 0;
+  for (std::size_t i = 0; i < drawn; ++i) sum += std::min(1.0, double(drawn - i) / double(fading));
+  const auto widen = float(all / sum);
+  std::vector<DrawnStrand> result(strands.begin(), strands.begin() + std::ptrdiff_t(drawn));
+  for (std::size_t i = 0; i < drawn; ++i) result[i].width *= widen * std::min(float(drawn - i) * step, 1.0f);
+  return result;
+}
+
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
                                  const std::vector<DrawnStrand>& strands) {
   const auto depth = [&](glm::vec3 p) { return times(camera.row_w, p); };
@@ -285,13 +289,25 @@ std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
   return order;
 }
 
+glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const DrawnStrand& strand,
+                             std::uint32_t number, double t) {
+  return StrandLight(camera, look, strand, number).colour(t, 1);
+}
+
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
-             const std::vector<Entry>& order) {
+             const std::vector<Entry>& order, std::uint64_t* fragments) {
+  std::optional<ShadowMap> shadow_map;
+  if (look.shadow.reading != Shadow::none) {
+    const LightView view = light_view(look);
+    shadow_map = ShadowMap{view, opacity_map(look, view, strands)};
+  }
   Canvas canvas(camera.width, camera.height);
   for (const Entry& entry : order) {
-    const std::vector<Vertex> vertices = vertices_of(camera, look, strands[entry.strand], entry.strand);
+    const std::vector<Vertex> vertices =
+        vertices_of(camera, look, shadow_map, strands[entry.strand], entry.strand);
     if (!vertices.empty()) canvas.draw(vertices);
   }
+  if (fragments) *fragments = canvas.fragments();
   return canvas.composed(Vec(look.background));
 }
 

@@ -9,6 +9,13 @@
 
 namespace pelage::strands::reference {
 
+/// Returns the alpha of strand `number` at the parameter t of its curve.
+double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t);
+
+/// Returns the strands that are drawn for a fraction (docs/strands.md, section Level of detail), with their
+/// widths.
+std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, float fraction);
+
 /// Returns the strands to draw, from front to back. The list contains no strands that face away from the
 /// camera, none that are nearer than the near plane and none that are beyond a side of the picture. Its
 /// operations are those of docs/strands.md in single
@@ -17,8 +24,14 @@ std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
                                  const std::vector<DrawnStrand>& strands);
 
 /// Draws the strands of `order`, which is a result of drawing_order(). Alpha of a pixel is the coverage of
-/// the strands. The values in `look` must be in their valid ranges.
+/// the strands. The values in `look` must be in their valid ranges. All
+/// `strands` cast shadows, also those that are not in `order`. The function does not use look.fraction.
+/// Stores the number of fragments with a coverage above 0 in `fragments` unless it is null.
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
-             const std::vector<Entry>& order);
+             const std::vector<Entry>& order, std::uint64_t* fragments = nullptr);
+
+/// Returns the colour of strand `number` at the parameter t of its curve, if no strand shadows this place.
+glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const DrawnStrand& strand,
+                             std::uint32_t number, double t);
 
 }  // namespace pelage::strands::reference

@@ -49,7 +49,7 @@ DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& stran
   drawn.normal = glm::vec3(n);
   drawn.colour = glm::vec3(strand.colour[0], strand.colour[1], strand.colour[2]) / 255.0f;
   drawn.width = strand.width;
-  drawn.rank = strand.rank;
+  drawn.layer = drawn.rank = strand.layer;
   return drawn;
 }
 

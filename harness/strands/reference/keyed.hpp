@@ -9,7 +9,8 @@
 namespace pelage::strands::reference {
 
 /// Returns the curve of a strand between three of the key strands `keys`. `first_segment` is the length of
-/// the first segment in lengths of the strand, above 0 and below 1.
+/// the first segment in lengths of the strand, above 0 and below 1. The strand's rank is the number of its
+/// fur layer.
 DrawnStrand between(const std::vector<KeyStrand>& keys, const KeyedStrand& strand, float first_segment);
 
 }  // namespace pelage::strands::reference

@@ -1,9 +1,9 @@
 // Constants that the host passes to the kernels of the strands' simulation, for OpenCL C and C++. All members have four
-// bytes. docs/strands.md defines the model.
+// bytes. docs/chains.md defines the model.
 //
 // A strand is a chain of two rigid segments. The first segment joins the root to the joint, the second the joint to the
 // tip. Each strand has its own units: its length L is the unit of length, and its mass is the unit of mass. R is the
-// radius of the mesh's bounding sphere. d1 and d2 are the damping coefficients of docs/strands.md.
+// radius of the mesh's bounding sphere. d1 and d2 are the damping coefficients of docs/chains.md.
 #ifndef PELAGE_STRANDS_CHAIN_PARAMS_H
 #define PELAGE_STRANDS_CHAIN_PARAMS_H
 
@@ -26,6 +26,14 @@ typedef struct {
   int first_moment;         // index of the ChainMoment of this launch's first substep
   int slices;               // number of slices of 16 strands
   int units_per_item;       // number of units of LANES strands that a work-item computes
+  // The distance field of the body (docs/chains.md, section Body). Only used if CHAIN_BODY is 1.
+  float field_x, field_y, field_z;     // position of the first node, R
+  float per_cell;                      // 1 divided by the distance between adjacent nodes, 1/R
+  int nodes_x, nodes_y, nodes_z;       // number of nodes along each axis
+  float escape;                        // h / T, or 1 if this is above 1
+  // The time of the first step, and the duration of a step, as fractions of the time between the two frames of the skin.
+  // Only used if CHAIN_SKIN is 1.
+  float skin_from, skin_step;
 } ChainParams;
 
 // The values of one time that are the same for all strands. Vectors are in the world, whose axes do not rotate.
@@ -56,6 +64,15 @@ enum {
   STRAND_PHASE_SIN,
   STRAND_COLUMNS
 };
+
+// Column numbers in the table of a frame of the skin, which has STRAND_COLUMNS columns. Root, rest and normal are in the
+// columns STRAND_ROOT, STRAND_REST and STRAND_NORMAL. The vectors are in the world: velocity of the root in R/s, and its
+// acceleration in R/s^2.
+enum { SKIN_VELOCITY = 9, SKIN_ACCELERATION = 12 };
+
+// Column numbers in the table that the strands have in addition if CHAIN_BODY is 1: the depths in R to which joint and tip
+// may lie in the body, and the impulses of the stops 4 and 5 in the last substep.
+enum { BODY_JOINT_ALLOWED, BODY_TIP_ALLOWED, BODY_STOP, BODY_COLUMNS = 4 };
 
 // Column numbers in the table of the strands' states: the directions of the segments, their rates in rad/s, and the
 // impulses of the four stops in the last substep. Directions and rates are vectors in the world, three columns each.

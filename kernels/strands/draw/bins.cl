@@ -15,6 +15,15 @@ INLINE Chunk chunk_of(int chunk, int chunks, int total) {
   return c;
 }
 
+// The loops over a chunk read the blocks of strands in random order. They prefetch the blocks that follow after this number of
+// strands.
+#define AHEAD 16
+#if BUILTIN(__builtin_prefetch)
+#define PREFETCH_BLOCKS(i, last) if ((i) + AHEAD < (last)) __builtin_prefetch((const void *)(size_t)(blocks + pair[(i) + AHEAD].y))
+#else
+#define PREFETCH_BLOCKS(i, last)
+#endif
+
 // The blocks that a strand may touch, and the tiles that contain these blocks.
 typedef struct { int left, top, right, bottom; } Touched;
 
@@ -45,6 +54,7 @@ __kernel void strand_bin_count(DrawParams p, TABLE(int) total, TABLE(uint2) bloc
   for (int t = 0; t < p.tiles_x * p.tiles_y; ++t) mine[t] = 0;
   Chunk c = chunk_of(chunk, p.chunks, total[0]);
   for (int i = c.first; i < c.last; ++i) {
+    PREFETCH_BLOCKS(i, c.last);
     Touched t = tiles_of(blocks_touched_by(blocks, pair, i));
     for (int y = t.top; y <= t.bottom; ++y)
       for (int x = t.left; x <= t.right; ++x) ++mine[y * p.tiles_x + x];
@@ -84,6 +94,7 @@ __kernel void strand_bin_fill(DrawParams p, TABLE(int) total, TABLE(uint2) block
   __global int *mine = count + (size_t)chunk * (p.tiles_x * p.tiles_y);
   Chunk c = chunk_of(chunk, p.chunks, total[0]);
   for (int i = c.first; i < c.last; ++i) {
+    PREFETCH_BLOCKS(i, c.last);
     Touched b = blocks_touched_by(blocks, pair, i), t = tiles_of(b);
     int strand = (int)pair[i].y;
     for (int y = t.top; y <= t.bottom; ++y)

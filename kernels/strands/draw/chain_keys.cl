@@ -3,11 +3,6 @@
 #include "strands/chain/equations.clh"
 #include "strands/draw/params.h"
 
-// Rotates a vector from the world to the object's frame.
-INLINE real3 in_object(ChainMoment t, real3 v) {
-  return vec3(dot3(v, uniform3(t.x_x, t.x_y, t.x_z)), dot3(v, uniform3(t.y_x, t.y_y, t.y_z)), dot3(v, uniform3(t.z_x, t.z_y, t.z_z)));
-}
-
 // moment: index in `moments` of the time to which the states belong. units: number of units of LANES chains.
 __kernel void chain_keys(int units, int moment, TABLE(ChainMoment) moments, TABLE(scalar) strands, TABLE(scalar) states,
                          __global float *keys) {

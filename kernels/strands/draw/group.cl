@@ -1,6 +1,7 @@
 // Draws strands by a method for GPUs: a work-group draws a tile, and a work-item draws a pixel. The strands of a tile are
 // processed in batches, from front to back. The work-items first compute the vertices and segments of a batch together.
 // Then each work-item blends the fragments of its pixel.
+#include "strands/draw/pixel.clh"
 #include "strands/draw/row.clh"
 
 #define GROUP_ITEMS (STRAND_TILE * STRAND_TILE)
@@ -17,10 +18,10 @@ typedef struct {
 } Batch;
 
 // Computes vertex k of strand s.
-INLINE void put_vertex(const DrawParams *p, TABLE(int) film, Row r, int k, int s, float origin_x, float origin_y, __local Batch *b) {
+INLINE void put_vertex(const DrawParams *p, TABLE(int) film, TABLE(float) map, Row r, int k, int s, float origin_x, float origin_y, __local Batch *b) {
   Part part = visible_part(p, r);
   float t = k < p->segments ? fma(part.to - part.from, (float)k / (float)p->segments, part.from) : part.to;
-  Vertex v = vertex_at(p, film, r, towards_joint(p, r), t);
+  Vertex v = vertex_at(p, film, map, r, towards_joint(p, r), t);
   b->x[k][s] = v.x - origin_x;
   b->y[k][s] = v.y - origin_y;
   b->radius[k][s] = v.radius;
@@ -63,21 +64,25 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
   float coverage = fmin(across + wide, 0.5f) - fmax(across - wide, -0.5f);
   if (coverage <= 0.0f) return;
 #define VALUE(name) fma(t, b->name[k + 1][s] - b->name[k][s], b->name[k][s])
+#if STRAND_MAP
+  *front = blended(*front, (float4)(VALUE(red), 0.0f, 0.0f, -(coverage * VALUE(alpha))));
+#else
   float through = front->w * (coverage * VALUE(alpha));
   *front = fma((float4)(through), (float4)(VALUE(red), VALUE(green), VALUE(blue), -1.0f), *front);
+#endif
 #undef VALUE
 }
 
 __kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
-void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
-                  __global float4 *image, __global int *taken, __global int *blank) {
+void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
+                  __global STORED *image, __global int *taken, __global ushort *blank) {
   __local Batch batch;
   int item = (int)get_local_id(0), tile = (int)get_group_id(0);
   int first_x = tile % p.tiles_x * STRAND_TILE, first_y = tile / p.tiles_x * STRAND_TILE;
   int x = item % STRAND_TILE, y = item / STRAND_TILE;
   float origin_x = (float)first_x + 0.5f - 0.5f * (float)p.width, origin_y = (float)first_y + 0.5f - 0.5f * (float)p.height;
   bool inside = first_x + x < p.width && first_y + y < p.height, finished = false;
-  float4 front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
+  float4 front = EMPTY;
   int begin = list_start[tile], end = list_start[tile + 1];
   if (item == 0) batch.finished = 0;
   for (int first = begin; first < end; first += BATCH) {
@@ -85,7 +90,7 @@ void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(int) l
     barrier(CLK_LOCAL_MEM_FENCE);             // waits until the previous batch has been drawn
     if (batch.finished == GROUP_ITEMS) break;
     for (int i = item; i < count * (p.segments + 1); i += GROUP_ITEMS)
-      put_vertex(&p, film, load_row(rows, list[first + i % count]), i / count, i % count, origin_x, origin_y, &batch);
+      put_vertex(&p, film, map, load_row(rows, list[first + i % count]), i / count, i % count, origin_x, origin_y, &batch);
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int i = item; i < count * p.segments; i += GROUP_ITEMS) put_direction(i / count, i % count, &batch);
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -94,12 +99,11 @@ void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(int) l
     if (finished) continue;
     for (int s = 0; s < count; ++s)
       for (int k = 0; k < p.segments; ++k) draw_segment(&batch, k, s, (float)x, (float)y, &front);
-    if (!inside || front.w <= STRAND_OPAQUE) {
+    if (!inside || IS_OPAQUE(front.w)) {
       finished = true;
       atomic_inc(&batch.finished);
     }
   }
   if (!inside) return;
-  image[(size_t)(first_y + y) * p.width + first_x + x] =
-      fma((float4)(front.w), (float4)(p.background[0], p.background[1], p.background[2], -1.0f), (float4)(front.x, front.y, front.z, 1.0f));
+  image[(size_t)(first_y + y) * p.width + first_x + x] = stored(&p, front);
 }

@@ -58,7 +58,8 @@ typedef struct { whole first, last; } Blocks;
 INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real radius) {
   real least = lesser(a.z, lesser(b.z, c.z));
   truth in_front = least >= REAL(p->near_depth);
-  real wa = inverse(in_front ? a.z : REAL(1.0f)), wb = inverse(in_front ? b.z : REAL(1.0f)), wc = inverse(in_front ? c.z : REAL(1.0f));
+  real wa = per_depth_at(in_front ? a.z : REAL(1.0f)), wb = per_depth_at(in_front ? b.z : REAL(1.0f));
+  real wc = per_depth_at(in_front ? c.z : REAL(1.0f));
   real pad = 1.5f * fma(radius, greater(wa, greater(wb, wc)), REAL(0.5f));
   real ax = a.x * wa, bx = b.x * wb, cx = c.x * wc, ay = a.y * wa, by = b.y * wb, cy = c.y * wc;
   real mid_x = REAL(0.5f * (float)p->width), mid_y = REAL(0.5f * (float)p->height);
@@ -71,6 +72,19 @@ INLINE Blocks blocks_of(const DrawParams *p, real3 a, real3 b, real3 c, real rad
   out.first = in_front ? left | (top << 16) : WHOLE(0);
   out.last = in_front ? right | (bottom << 16) : WHOLE((across - 1) | (down - 1) << 16);
   return out;
+}
+
+// Returns true if the strand is drawn. Such a strand faces the camera, is not entirely nearer than the near plane, and is
+// not beyond a side of the picture. depth: view depths of root, joint and tip. margin: an upper bound of W times half of
+// the strand's width in pixels.
+INLINE truth is_seen(const DrawParams *p, Curve curve, real3 root, real3 joint, real3 tip, real3 depth, real margin) {
+  real near = REAL(p->near_depth);
+  truth faces = !faces_away(curve.normal, sub3(uniform3(p->eye[0], p->eye[1], p->eye[2]), curve.root));
+  truth some_in_front = (depth.x >= near) || (depth.y >= near) || (depth.z >= near);
+  truth in_front = (depth.x >= near) && (depth.y >= near) && (depth.z >= near);
+  truth outside = beyond_side(root.x, joint.x, tip.x, depth, 0.5f * (float)p->width + 1.0f, margin) ||
+                  beyond_side(root.y, joint.y, tip.y, depth, 0.5f * (float)p->height + 1.0f, margin);
+  return faces && some_in_front && !(in_front && outside);
 }
 
 #if STRAND_LIGHTS
@@ -93,23 +107,25 @@ INLINE real3 steady_light(const DrawParams *p, Curve curve, real3 colour) {
               fma(colour.z, p->ambient + fill_light(p->fill + 18, curve.normal), rim.z));
 }
 
-// Returns the number of the strand's film frame.
-INLINE whole film_frame(const DrawParams *p, whole strand) {
+// Returns the number of the strand's film frame. layer: LAYER_RECORD times the number of the strand's fur layer.
+INLINE whole film_frame(TABLE(int) layers, whole layer, whole strand) {
   wide hash = to_wide(strand * WHOLE((int)2654435761u)) & 0xffffffffL;
-  return narrow(hash * (long)p->frames >> 32);
+  return gather_whole(layers, layer + 1) + narrow(hash * to_wide(gather_whole(layers, layer + 2)) >> 32);
 }
 #endif
 
-__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, __global float *row,
+__kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys, TABLE(int) layers, __global float *row,
                           __global uint2 *blocks, __global uint2 *pair, __global int *live, __global scalar *curves) {
   int run = (int)get_global_id(0);
   if (run >= p.runs) return;
   int first = run * p.units_per_run, last = min(first + p.units_per_run, p.units);
-  __global uint2 *out = pair + (size_t)run * p.capacity;
+  __global uint2 *out = pair + (size_t)run * p.capacity;    // with STRAND_MAP, the lists of the runs have no gaps
   int listed = 0;
   for (int u = first; u < last; ++u) {
     Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY)), b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1));
     Key c = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 2));
+    if (u + 1 < last)
+      for (int k = 0; k < 3; ++k) read_soon(keys, KEY_RECORD * drawn_bits(strands, u + 1, DRAWN_KEY + k));
     Key key = between_keys(a, b, c, drawn_value(strands, u, DRAWN_WEIGHT), drawn_value(strands, u, DRAWN_WEIGHT + 1));
 #if STRAND_STYLES
     key = styled(key, drawn_value(strands, u, DRAWN_RESPONSE), drawn_turn(strands, u, DRAWN_TWIST), drawn_turn(strands, u, DRAWN_CURVATURE));
@@ -119,26 +135,24 @@ __kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys
 
     whole number = u * LANES + lane_numbers();
     real3 root = in_view(&p, curve.root), joint = in_view(&p, curve.joint), tip = in_view(&p, curve.tip);
-    truth drawn = number < WHOLE(p.strands);
-    drawn = drawn && !faces_away(curve.normal, sub3(uniform3(p.eye[0], p.eye[1], p.eye[2]), curve.root));
-    real near = REAL(p.near_depth);
     real3 depth = vec3(root.z, joint.z, tip.z);
-    drawn = drawn && ((depth.x >= near) || (depth.y >= near) || (depth.z >= near));
-    real radius = drawn_value(strands, u, DRAWN_WIDTH) * REAL(p.half_per_width), wide = 1.5f * radius;
-    truth in_front = (depth.x >= near) && (depth.y >= near) && (depth.z >= near);
-    truth outside = beyond_side(root.x, joint.x, tip.x, depth, 0.5f * (float)p.width + 1.0f, wide) ||
-                    beyond_side(root.y, joint.y, tip.y, depth, 0.5f * (float)p.height + 1.0f, wide);
-    drawn = drawn && !(in_front && outside);
+    real fade = lesser(to_real(WHOLE(p.strands) - number) * REAL(p.per_fade), REAL(1.0f));
+    real radius = drawn_value(strands, u, DRAWN_WIDTH) * (p.widen * fade) * REAL(p.half_per_width);
+    truth drawn = number < WHOLE(p.strands);
+#if !STRAND_MAP               // all strands cast a shadow
+    drawn = drawn && is_seen(&p, curve, root, joint, tip, depth, 1.5f * radius);
+#endif
     if (!some(drawn)) continue;
 
     whole colour = drawn_bits(strands, u, DRAWN_COLOUR);
-    whole sort_key = (colour & WHOLE((int)0xff000000u)) | depth_step(&p, depth.y);
+    whole layer = LAYER_RECORD * ((colour >> 24) & 255);
+    whole sort_key = (gather_whole(layers, layer) << 24) | depth_step(&p, depth.y);
 #if STRAND_LIGHTS
     real3 steady = steady_light(&p, curve, vec3(colour_byte(colour, 0), colour_byte(colour, 1), colour_byte(colour, 2)));
     real scale = 1.0f / (p.skin_shadow_height * drawn_value(strands, u, DRAWN_LENGTH));
     real joint_height = dot3(curve.normal, sub3(curve.joint, curve.root)) * scale;
     real tip_height = dot3(curve.normal, sub3(curve.tip, curve.root)) * scale;
-    colour = (colour & 0xffffff) | (film_frame(&p, number) << 24);
+    colour = (colour & 0xffffff) | (film_frame(layers, layer, number) << 24);
     real4 part[4] = {{root.x, root.y, root.z, joint.x}, {joint.y, joint.z, tip.x, tip.y},
                      {tip.z, radius, bits_as_real(colour), joint_height}, {tip_height, steady.x, steady.y, steady.z}};
     const int parts = 4;

@@ -16,7 +16,8 @@ typedef struct {
   float nearest, per_depth;    // view depth of the first depth step, R; number of depth steps per R
   float first_segment;         // length of the first segment, in lengths of the strand
   float slope;                 // length of the second segment divided by the length of the first segment
-  int strands;                 // number of strands
+  int strands;                 // number of strands that are drawn: the first ones (docs/strands.md, Level of detail)
+  float widen, per_fade;       // factor of all widths; 1 / number of strands that fade
   int units;                   // number of units of LANES strands
   int runs;                    // number of runs; one work-item of strand_keys computes one run
   int units_per_run;
@@ -33,13 +34,17 @@ typedef struct {
   float fill[27];              // irradiance of the fill lights: nine coefficients each for red, green and blue
   float rim[3], rim_exponent;
   float skin_shadow, skin_shadow_height;
-  int frames;                  // number of frames of the film strip
+  // The opacity map. The products of these rows with (X, Y, W, 1) are the column and the row of a point in the map, in
+  // texels from the centre of the first texel, and the depth in R, which grows away from the light.
+  float map_x[4], map_y[4], map_z[4];
+  float per_shadow_length;     // 1 / mean length of the strands, 1/R
+  int map_size;                // texels per side of the map
 } DrawParams;
 
 // Columns of the table of the drawn strands' constants. The keys of a strand are the key strands at the corners of its
 // triangle. KEY: indices of the three keys (bits of integers). WEIGHT: barycentric weights of the second and third key.
-// LENGTH and WIDTH are in R. COLOUR: one byte each for red, green, blue and the rank of the fur layer, the lowest byte
-// first. RESPONSE: factor of the movement. TWIST and CURVATURE: cosine and sine of the angle, in 16 bits each and in units
+// LENGTH and WIDTH are in R. COLOUR: one byte each for red, green, blue and the number of the fur layer, the lowest
+// byte first. RESPONSE: factor of the movement. TWIST and CURVATURE: cosine and sine of the angle, in 16 bits each and in units
 // of 1/32767, the cosine in the lower bits. Kernels that are built with STRAND_STYLES 0 do not use the last three columns.
 enum { DRAWN_KEY, DRAWN_WEIGHT = 3, DRAWN_LENGTH = 5, DRAWN_WIDTH, DRAWN_COLOUR, DRAWN_RESPONSE, DRAWN_TWIST, DRAWN_CURVATURE,
        DRAWN_COLUMNS };
@@ -67,16 +72,36 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #ifndef STRAND_LIGHTS
 #define STRAND_LIGHTS 1
 #endif
+
+// 1: the kernels draw the opacity map of the key light instead of a picture. The rows of the camera matrix then are those of
+// the light's view (harness/strands/drawing/light_view.hpp), and W is the depth. Because the projection is parallel, X and Y
+// are not divided by W. A texel has two floats: the least depth of its fragments in R, and their transmittance 1 - A.
+#ifndef STRAND_MAP
+#define STRAND_MAP 0
+#endif
+// Readings of the opacity map.
+#define SHADOW_NONE 0
+#define SHADOW_LINEAR 1
+#define SHADOW_EXPONENTIAL 2
+#ifndef STRAND_SHADOW
+#define STRAND_SHADOW SHADOW_NONE
+#endif
+#define LEAST_THROUGH 9.5367431640625e-7f    // least transmittance whose logarithm is the optical depth of a texel, 2^-20
+#define NO_DEPTH 1e30f                       // depth of a texel without fragments
+
 #define FILM_SAMPLES 8         // samples of a film frame
 
-// Width and height of a tile in pixels: 16, 32, 64 or 128. A tile consists of at most 8 x 8 blocks.
+// Integers in the record of a fur layer: its rank, its first film frame, its number of film frames; one unused integer.
+#define LAYER_RECORD 4
+
+// Width of a tile in pixels: 16, 32, 64 or 128. A tile is square and has at most 16 x 16 blocks of 8 x 8 pixels.
 #ifndef STRAND_TILE
 #define STRAND_TILE 64
 #endif
 #if STRAND_TILE == 128
-#define BLOCK_SIDE 16
-#else
 #define BLOCK_SIDE 8
+#else
+#define BLOCK_SIDE 4
 #endif
 #define TILE_BLOCKS (STRAND_TILE / BLOCK_SIDE)
 

@@ -1,200 +1,231 @@
-// Draws strands, one tile per work-item at a time. The strands of a tile are drawn from front to back. put_vertices() and
-// segments_of() compute the segments (segments.clh). draw_strand() then finds the fragments of one strand after the other,
-// LANES rows of its segments at once, and appends them to a queue. drain() blends the fragments of the queue in their order.
-// The kernel always has 16 lanes.
+// Draws strands, one tile per work-item at a time. The strands of a tile are drawn from front to back. put_vertices() computes
+// the vertices of LANES strands, and segments_of() their segments (segments.clh). find_strand() then finds the fragments of one
+// strand after the other, LANES rows of its segments at once, and appends them to a list. blend_strand() computes the colours
+// of these fragments and blends them in their order.
 #undef LANES
+#ifdef __AVX512F__
 #define LANES 16
+#else
+#define LANES 8
+#endif
+#include "strands/draw/pixel.clh"
 #include "strands/draw/segments.clh"
 
 #define TILE_PIXELS (STRAND_TILE * STRAND_TILE)
-// The kernel looks for closed blocks after each CHECK_EVERY times LANES strands.
-#define CHECK_EVERY (128 / LANES)
+// The kernel looks for closed blocks after each CHECK_EVERY strands.
+#define CHECK_EVERY 128
 
-// drain() is called when the queue has more than QUEUE_FULL fragments. draw_strand() appends at most QUEUE_MORE fragments
-// between two tests.
-#define QUEUE_FULL 256
-#define QUEUE_MORE (LANES * STRAND_TILE + LANES)
+// The list is emptied when it has more than LIST_FULL fragments. find_rows() appends at most LIST_MORE fragments between two tests.
+#define LIST_FULL 1024
+#define LIST_MORE (LANES * STRAND_TILE + LANES)
 
-// Fragments that wait for blending: the pixel's number in the tile, alpha times colour, and alpha with the opposite sign.
+// Fragments that wait for blending: the pixel's number in the tile with the number of the segment in the upper 16 bits, the
+// coverage of the pixel, and s (docs/strands.md).
 typedef struct {
   int used;
-  int pixel[QUEUE_FULL + QUEUE_MORE] ALIGNED;
-  int red[QUEUE_FULL + QUEUE_MORE] ALIGNED, green[QUEUE_FULL + QUEUE_MORE] ALIGNED, blue[QUEUE_FULL + QUEUE_MORE] ALIGNED;
-  int through[QUEUE_FULL + QUEUE_MORE] ALIGNED;     // bits of floats, like the colours
-} Queue;
+  int place[LIST_FULL + LIST_MORE] ALIGNED;
+  int coverage[LIST_FULL + LIST_MORE] ALIGNED, s[LIST_FULL + LIST_MORE] ALIGNED;     // bits of floats
+} Fragments;
 
 typedef struct {
-  // Red, green, blue and transmittance of each pixel. One more pixel receives the fragments that fill up the queue.
-  float pixel[4 * (TILE_PIXELS + 1)] ALIGNED;
-  ulong closed;                                     // bit i: block i receives no more fragments
+  float pixel[4 * TILE_PIXELS] ALIGNED;             // red, green, blue and transmittance of each pixel
+  int width, height;                                // size of the part of the tile that lies within the picture
+  // Bit x of closed[y]: block x in row y of the blocks receives no more fragments. any_closed: 0 if there is no such block.
+  uint closed[TILE_BLOCKS], any_closed;
 } Tile;
 
-// Adds a fragment behind those that the pixel has: colour += T a C and T -= T a. fragment: a C and -a.
-INLINE void blend(float *pixel, float4 fragment) {
-  float4 d = vload4(0, pixel);
-  vstore4(fma((float4)(d.w), fragment, d), 0, pixel);
-}
-
-static void drain(Queue *q, Tile *tile) {
-  for (int i = 0; i < LANES; ++i) q->pixel[q->used + i] = TILE_PIXELS;    // fills up the last LANES fragments
-  for (int i = 0; i < q->used; i += LANES) {
-    real4 v = {bits_as_real(fill_whole(q->red + i)), bits_as_real(fill_whole(q->green + i)), bits_as_real(fill_whole(q->blue + i)),
-               bits_as_real(fill_whole(q->through + i))};
-    float fragment[4 * LANES] ALIGNED;
-    spill_rows(v, fragment);
-    UNROLL for (int k = 0; k < LANES; ++k) blend(tile->pixel + 4 * q->pixel[i + k], vload4(k, fragment));
-  }
-  q->used = 0;
-}
-
-// A list of the rows of a strand: first all rows of the first segment, then all rows of the next segment, and so on. An
-// element of this list is called an item. The items of segment order[j] begin with item start[j].
-typedef struct {
-  int order[LANES] ALIGNED, start[LANES] ALIGNED;
-  int segments, items;
-  int columns;                  // largest number of pixels in a row
-} Items;
-
-// Lists the items of the segments `first` to `first` + VERTICES - 1 of g.
-INLINE void list_items(const Segments *g, int first, Items *out) {
-  int used = 0, items = 0, columns = 0;
-  UNROLL for (int k = first; k < first + VERTICES; ++k) {
-    int rows = g->rows[k];
-    out->order[used] = k;
-    out->start[used] = items;
-    items += rows;
-    used += rows > 0;
-    columns = max(columns, rows > 0 ? g->columns[k] : 0);
-  }
-  out->segments = used;
-  out->items = items;
-  out->columns = columns;
-}
-
-// The value of a column of the vertices at the start of the segments, and its change to their end.
+// The value of a column of the vertices at the start of the segments of a strand, and its change to their end.
 typedef struct { real at, step; } Change;
 
-// vertices: the column's values, from the first vertex of segment 0 on.
-INLINE Change change_of(const float *vertices, whole segment) {
+INLINE Change changes_of(const Vertices *vertices, int column, int strand) {
+  const float *first = vertices->column[column] + strand * VERTICES;
   Change c;
-  c.at = permuted(fill_real(vertices), segment);
-  c.step = permuted(fill_real(vertices + 1), segment) - c.at;
+  c.at = fill_real(first);
+  c.step = fill_real(first + 1) - c.at;
   return c;
 }
+INLINE real value_at(Change c, whole segment, real s) { return fma(s, eights(c.step, segment), eights(c.at, segment)); }
 
-INLINE real value_at(Change c, real s) { return fma(s, c.step, c.at); }
+INLINE void blend(float *pixel, float4 fragment) { vstore4(blended(vload4(0, pixel), fragment), 0, pixel); }
 
-// Appends the fragments of the items `base` to `base` + LANES - 1 to the queue. strand: number of the first strand whose segments g holds.
-INLINE void draw_items(const Strips *strips, int strand, const Segments *g, const Items *items, int base, Queue *q) {
-  whole item = lane_numbers() + base, nth = WHOLE(0);
-  for (int j = 1; j < items->segments; ++j) nth = nth + (item >= WHOLE(items->start[j]) ? WHOLE(1) : WHOLE(0));
-  whole segment = permuted_whole(fill_whole(items->order), nth);
-#define COLUMN(name) permuted(fill_real(g->column[name]), segment)
-  truth exists = item < WHOLE(items->items);
-  real a_major = COLUMN(A_MAJOR), a_minor = COLUMN(A_MINOR), e_major = COLUMN(E_MAJOR), e_minor = COLUMN(E_MINOR);
-  real major = COLUMN(FIRST_ROW) + to_real(item - permuted_whole(fill_whole(items->start), nth)), from_a = major - a_major;
-  real minor = greater(-floor_real(COLUMN(REACH) - fma(from_a, COLUMN(SLOPE), a_minor)), REAL(0.0f));
-  real along_row = from_a * e_major, across_row = -(from_a * e_minor);
-  real mitre_a_minor = COLUMN(MITRE_A_MINOR), mitre_b_minor = COLUMN(MITRE_B_MINOR), b_minor = COLUMN(B_MINOR);
-  real mitre_a_row = from_a * COLUMN(MITRE_A_MAJOR), mitre_b_row = (major - COLUMN(B_MAJOR)) * COLUMN(MITRE_B_MAJOR);
-  real stride_major = COLUMN(STRIDE_MAJOR), stride_minor = (STRAND_TILE + 1.0f) - stride_major, place_row = major * stride_major;
-  real per_length = COLUMN(PER_LENGTH), before = COLUMN(BEFORE), behind = COLUMN(BEHIND);
-#undef COLUMN
-#define CHANGE(name) change_of(strips->column[name] + strand * VERTICES, segment)
-  Change radius = CHANGE(RADIUS), alpha = CHANGE(ALPHA), red = CHANGE(RED), green = CHANGE(GREEN), blue = CHANGE(BLUE);
-#undef CHANGE
-  int used = q->used;
-  for (int column = 0; column < items->columns; ++column) {
-    real from = minor - a_minor;
-    // The two tests of a common vertex have the same operations in both segments, so no pixel belongs to both. The products
+// Blends the fragments `begin` to `end` - 1 of the list, which belong to one strand.
+INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *f, int begin, int end, Tile *tile) {
+  Change alpha = changes_of(vertices, ALPHA, strand), red = changes_of(vertices, RED, strand);
+  Change green = changes_of(vertices, GREEN, strand), blue = changes_of(vertices, BLUE, strand);
+  for (int i = begin; i < end; i += LANES) {
+    whole segment = fill_whole(f->place + i) >> 16;
+    real s = bits_as_real(fill_whole(f->s + i)), coverage = bits_as_real(fill_whole(f->coverage + i));
+    // The lanes behind the last fragment belong to other strands. The coverage 0 makes their fragments change nothing.
+    coverage = lane_numbers() + i < WHOLE(end) ? coverage : REAL(0.0f);
+    real through = coverage * value_at(alpha, segment, s);
+#if STRAND_MAP
+    real4 v = {coverage > REAL(0.0f) ? -value_at(red, segment, s) : REAL(NO_DEPTH), REAL(0.0f), REAL(0.0f), through};
+#else
+    real4 v = {through * value_at(red, segment, s), through * value_at(green, segment, s), through * value_at(blue, segment, s), through};
+#endif
+    float fragment[4 * LANES] ALIGNED;
+    spill_rows(v, fragment);
+    UNROLL for (int k = 0; k < LANES; ++k) blend(tile->pixel + 4 * (f->place[i + k] & 0xffff), vload4(k, fragment));
+  }
+}
+
+// Appends the fragments of the rows `base` to `base` + LANES - 1 of a strand to the list. The rows of a strand are those of its
+// first segment, then those of the next segment, and so on. first: lane of the strand's first segment. radius: of the vertices.
+INLINE void find_rows(const Segments *g, int first, Change radius, int base, Fragments *f) {
+#define OF(name) permuted(g->name, segment)
+  whole row = lane_numbers() + base, segment = WHOLE(first);
+  UNROLL for (int k = 1; k < VERTICES - 1; ++k) segment = segment - (row >= WHOLE(g->start[first + k]));
+  real major = OF(first_row) + to_real(row);
+  real minor = greater(-floor_real(-fma(major, OF(slope), OF(run))), REAL(0.0f));
+  minor = row < WHOLE(g->start[first + VERTICES - 1]) ? minor : REAL((float)STRAND_TILE);
+  real e_major = OF(e_major), e_minor = OF(e_minor), along_row = fma(major, e_major, OF(along)), across_row = fma(-major, e_minor, OF(across));
+  real a_row = major * OF(a_major), a_minor = OF(a_minor), a_offset = OF(a_offset);
+  real b_row = major * OF(b_major), b_minor = OF(b_minor), b_offset = OF(b_offset);
+  real per_length = OF(per_length), stride_major = OF(stride_major), stride_minor = (STRAND_TILE + 1.0f) - stride_major;
+  real radius_a = eights(radius.at, segment), radius_step = eights(radius.step, segment);
+  whole place = to_whole(fma(minor, stride_minor, major * stride_major)) | ((segment - first) << 16), stride = to_whole(stride_minor);
+  bool sharp = (g->sharp >> first & 0xff) != 0;
+  int used = f->used;
+  for (int pixels = g->pixels[first]; pixels > 0; --pixels) {
+    // The two segments of a vertex have the same line there with the same operations, so no pixel belongs to both. The products
     // are rounded before they are added: then the sum does not depend on which axis is the major one.
-    truth inside = exists && (minor < REAL((float)STRAND_TILE)) && (from * mitre_a_minor + mitre_a_row >= REAL(0.0f)) &&
-                   ((minor - b_minor) * mitre_b_minor + mitre_b_row < REAL(0.0f));
-    real along = fma(from, e_minor, along_row), across = fma(from, e_major, across_row);
-    inside = inside && (along >= before) && (along <= behind);
-    real s = lesser(greater(along * per_length, REAL(0.0f)), REAL(1.0f));
-    real wide = value_at(radius, s);
+    real from_line_a = (a_row + minor * a_minor) + a_offset, from_line_b = (b_row + minor * b_minor) + b_offset;
+    real across = fma(minor, e_major, across_row), part = fma(minor, e_minor, along_row) * per_length;
+    real s = lesser(greater(part, REAL(0.0f)), REAL(1.0f)), wide = fma(s, radius_step, radius_a);
     real coverage = lesser(across + wide, REAL(0.5f)) - greater(across - wide, REAL(-0.5f));
-    inside = inside && (coverage > REAL(0.0f));
-    real a = coverage * value_at(alpha, s);
-    squeeze(bits_as_whole(a * value_at(red, s)), inside, q->red + used);
-    squeeze(bits_as_whole(a * value_at(green, s)), inside, q->green + used);
-    squeeze(bits_as_whole(a * value_at(blue, s)), inside, q->blue + used);
-    squeeze(bits_as_whole(-a), inside, q->through + used);
-    used += squeeze(to_whole(fma(minor, stride_minor, place_row)), inside, q->pixel + used);
+    // The pixel is inside if from_line_b is negative and the following numbers are not.
+    whole outside = bits_as_whole(from_line_a) | bits_as_whole(coverage) | bits_as_whole((STRAND_TILE - 0.5f) - minor);
+    if (sharp) {
+      real reach = OF(reach);
+      outside = outside | bits_as_whole(part + reach) | bits_as_whole((1.0f + reach) - part);
+    }
+    Chosen inside = chosen((bits_as_whole(from_line_b) & ~outside) < WHOLE(0));
+    put_chosen(place, inside, f->place + used);
+    put_chosen(bits_as_whole(coverage), inside, f->coverage + used);
+    put_chosen(bits_as_whole(s), inside, f->s + used);
+    used += chosen_lanes(inside);
     minor = minor + 1.0f;
+    place = place + stride;
   }
-  q->used = used;
+  f->used = used;
+#undef OF
 }
 
-// Appends the fragments of one strand to the queue. g holds the segments of two strands. `strand` is the number of the first
-// of the two. `first` selects one of them: 0 is the first strand, VERTICES the second.
-INLINE void draw_strand(const Strips *strips, int strand, const Segments *g, int first, Queue *q, Tile *tile) {
-  Items items;
-  list_items(g, first, &items);
-  for (int base = 0; base < items.items; base += LANES) {
-    draw_items(strips, strand, g, &items, base, q);
-    if (q->used > QUEUE_FULL) drain(q, tile);
-  }
+// Empties the list: blends its fragments. Those of the strands 0 to `count` - 1 end at end[0], end[1], ...
+INLINE void blend_all(const Vertices *vertices, const int *end, int count, Fragments *f, Tile *tile) {
+  spill_whole(WHOLE(0), f->place + f->used);     // blend_strand() reads these places
+  for (int strand = 0; strand < count; ++strand) blend_strand(vertices, strand, f, strand > 0 ? end[strand - 1] : 0, end[strand], tile);
+  f->used = 0;
 }
 
-// Returns the mask of the blocks of a strand. spot: left, top, right and bottom block, 4 bits each (bins.cl).
-INLINE ulong blocks_of_spot(ushort spot) {
-  int left = spot & 15, top = (spot >> 4) & 15, right = (spot >> 8) & 15, bottom = spot >> 12;
-  ulong row = ((2ul << right) - 1) & ~((1ul << left) - 1), mask = 0;
-  for (int y = top; y <= bottom; ++y) mask |= row << (y * TILE_BLOCKS);
-  return mask;
+// Draws the strands 0 to `count` - 1 of `vertices`.
+INLINE void draw_block(const DrawParams *p, const Vertices *vertices, int count, Fragments *f, Tile *tile) {
+  int end[LANES];
+  for (int strand = 0; strand < count; strand += TOGETHER) {
+    Segments g;
+    segments_of(p, vertices, strand, &g);
+    UNROLL for (int other = 0; other < TOGETHER; ++other) {
+      int here = strand + other, first = other * VERTICES;
+      if (here >= count) break;
+      Change radius = changes_of(vertices, RADIUS, here);
+      for (int base = 0; base < g.start[first + VERTICES - 1]; base += LANES) {
+        find_rows(&g, first, radius, base, f);
+        end[here] = f->used;
+        if (f->used > LIST_FULL) {
+          blend_all(vertices, end, here + 1, f, tile);
+          for (int k = 0; k <= here; ++k) end[k] = 0;
+        }
+      }
+      end[here] = f->used;
+    }
+  }
+  blend_all(vertices, end, count, f, tile);
+}
+
+#define ALL_BLOCKS ((1u << TILE_BLOCKS) - 1)     // all blocks of a row
+
+// Returns true if a strand may touch a block that is not closed. spot: left, top, right and bottom block, 4 bits each (bins.cl).
+INLINE bool is_open(const Tile *tile, ushort spot) {
+  if (tile->any_closed == 0) return true;
+  uint left = spot & 15, right = (spot >> 8) & 15, row = (2u << right) - (1u << left), open = 0;
+  for (int y = (spot >> 4) & 15; y <= spot >> 12; ++y) open |= row & ~tile->closed[y];
+  return open != 0;
+}
+
+// Returns true if all blocks are closed.
+INLINE bool is_finished(const Tile *tile) {
+  uint all = ALL_BLOCKS;
+  for (int y = 0; y < TILE_BLOCKS; ++y) all &= tile->closed[y];
+  return all == ALL_BLOCKS;
+}
+
+// Returns the first pixel of row y of a block.
+INLINE const float *row_of_block(const Tile *tile, int block, int y) {
+  return tile->pixel + 4 * ((block / TILE_BLOCKS * BLOCK_SIDE + y) * STRAND_TILE + block % TILE_BLOCKS * BLOCK_SIDE);
+}
+
+INLINE void close(Tile *tile, int block) {
+  tile->closed[block / TILE_BLOCKS] |= 1u << block % TILE_BLOCKS;
+  tile->any_closed = 1;
+}
+
+// A part of a block: the pixels within the picture.
+typedef struct { int width, height; } Extent;
+
+INLINE Extent extent_of(const Tile *tile, int block) {
+  Extent e = {clamp(tile->width - block % TILE_BLOCKS * BLOCK_SIDE, 0, BLOCK_SIDE),
+              clamp(tile->height - block / TILE_BLOCKS * BLOCK_SIDE, 0, BLOCK_SIDE)};
+  return e;
 }
 
 // Finds the blocks in which all pixels have at most the transmittance STRAND_OPAQUE.
 static void find_closed(Tile *tile) {
   for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
-    if (tile->closed >> block & 1) continue;
-    const float *first = tile->pixel + 4 * (block / TILE_BLOCKS * BLOCK_SIDE * STRAND_TILE + block % TILE_BLOCKS * BLOCK_SIDE);
+    if (tile->closed[block / TILE_BLOCKS] >> block % TILE_BLOCKS & 1) continue;
+    Extent e = extent_of(tile, block);
     bool open = false;
-    for (int y = 0; y < BLOCK_SIDE && !open; ++y)
-      for (int x = 0; x < BLOCK_SIDE; ++x) open |= first[4 * (y * STRAND_TILE + x) + 3] > STRAND_OPAQUE;
-    if (!open) tile->closed |= 1ul << block;
+    for (int y = 0; y < e.height && !open; ++y) {
+      const float *row = row_of_block(tile, block, y);
+      for (int x = 0; x < e.width; ++x) open |= !IS_OPAQUE(row[4 * x + 3]);
+    }
+    if (!open) close(tile, block);
   }
 }
 
-// The pixels of a tile beyond the edges of the picture receive no fragments.
-static void clear(Tile *tile, int width, int height) {
-  for (int i = 0; i < TILE_PIXELS; ++i) {
-    bool seen = i % STRAND_TILE < width && i / STRAND_TILE < height;
-    vstore4((float4)(0.0f, 0.0f, 0.0f, seen ? 1.0f : 0.0f), i, tile->pixel);
+// Begins a tile. All pixels are clear: they have the colour 0 and the transmittance 1.
+static void begin(Tile *tile, int width, int height) {
+  tile->width = width;
+  tile->height = height;
+  for (int y = 0; y < TILE_BLOCKS; ++y) tile->closed[y] = 0;
+  tile->any_closed = 0;
+  for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
+    Extent e = extent_of(tile, block);
+    if (e.width == 0 || e.height == 0) close(tile, block);
   }
-  tile->closed = 0;
 }
 
 // Draws the strands of a tile. list, spot: the tile's list of strands, and their blocks; count: its length.
-static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film, TABLE(int) list, TABLE(ushort) spot, int count, float origin_x,
-                         float origin_y, Tile *tile, Queue *q) {
-  const ulong all = ~0ul >> (64 - TILE_BLOCKS * TILE_BLOCKS);
-  Strips strips;
+static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list, TABLE(ushort) spot, int count, float origin_x,
+                         float origin_y, Tile *tile, Fragments *f) {
+  Vertices vertices;
   int next = 0, until_check = 0;
-  while (next < count && tile->closed != all) {
+  while (next < count) {
     int strand[LANES] ALIGNED, taken = 0;
     for (; taken < LANES && next < count; ++next) {
       strand[taken] = list[next];
-      taken += tile->closed == 0 || (blocks_of_spot(spot[next]) & ~tile->closed) != 0;
+      taken += is_open(tile, spot[next]);
     }
     if (taken == 0) break;
     for (int i = taken; i < LANES; ++i) strand[i] = strand[0];
-    put_vertices(p, film, load_row(rows, fill_whole(strand)), origin_x, origin_y, &strips);
-    for (int i = 0; i < taken; i += 2) {
-      Segments segments;
-      segments_of(p, &strips, i, &segments);
-      draw_strand(&strips, i, &segments, 0, q, tile);
-      if (i + 1 < taken) draw_strand(&strips, i, &segments, VERTICES, q, tile);
-    }
-    if (++until_check == CHECK_EVERY) {
-      drain(q, tile);
+    if (next + LANES <= count) read_soon(rows, STRAND_ROW * load_whole(list + next, 0));
+    put_vertices(p, film, map, load_row(rows, fill_whole(strand)), origin_x, origin_y, &vertices);
+    draw_block(p, &vertices, taken, f, tile);
+    if (++until_check == CHECK_EVERY / LANES) {
       find_closed(tile);
+      if (is_finished(tile)) break;
       until_check = 0;
     }
   }
-  drain(q, tile);
 }
 
 // Stores a colour that no kernel of this frame reads. A non-temporal store does not first read the memory into the cache.
@@ -204,29 +235,68 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
 #define STORE(value, place) (*(place) = (value))
 #endif
 
+// Returns true if all pixels of a block are clear.
+static bool is_clear(const Tile *tile, int block) {
+  const float16 clear = (float16)(EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f);
+  for (int y = 0; y < BLOCK_SIDE; ++y) {
+    const float *row = row_of_block(tile, block, y);
+    int16 difference = (int16)(0);
+    for (int x = 0; x < BLOCK_SIDE; x += 4) difference |= *(const float16 *)(row + 4 * x) != clear;
+    int8 eight = difference.lo | difference.hi;
+    int4 four = eight.lo | eight.hi;
+    if ((four.x | four.y | four.z | four.w) != 0) return false;
+  }
+  return true;
+}
+
+// Writes a block to the picture, and clears its pixels. image: the first pixel of the tile.
+static void write_block(const DrawParams *p, Tile *tile, int block, __global STORED *image) {
+  Extent e = extent_of(tile, block);
+  int left = block % TILE_BLOCKS * BLOCK_SIDE, top = block / TILE_BLOCKS * BLOCK_SIDE;
+  for (int y = 0; y < BLOCK_SIDE; ++y) {
+    float *row = tile->pixel + 4 * ((top + y) * STRAND_TILE + left);
+    __global STORED *out = image + (size_t)(top + y) * p->width + left;
+    if (y < e.height)
+      for (int x = 0; x < e.width; ++x) {
+        STORED c = stored(p, vload4(x, row));
+        STORE(c, out + x);
+      }
+    for (int x = 0; x < BLOCK_SIDE; ++x) vstore4(EMPTY, x, row);
+  }
+}
+
 // Each work-item takes one tile after the other, so that tiles with many strands are distributed over the work-items.
-// taken: number of the next tile that no work-item has taken, initially 0. blank[i] is 1 if tile i of the picture has the
-// colour of the background everywhere; the kernel does not write such a tile again if it has no strands.
-__kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
-                           __global float4 *image, __global int *taken, __global int *blank) {
+// taken: number of the next tile that no work-item has taken, initially 0. blank: one word for each row of blocks of each tile.
+// Bit x is set if block x of the row has the colour of the background in the picture everywhere; the kernel does not write such
+// a block again if it has no fragments.
+__kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list,
+                           TABLE(ushort) spot, __global STORED *image, __global int *taken, __global ushort *blank) {
   Tile tile;
-  Queue queue;
-  queue.used = 0;
+  Fragments fragments;
+  fragments.used = 0;
+  bool cleared = false;
   for (int number = atomic_inc(taken); number < p.tiles_x * p.tiles_y; number = atomic_inc(taken)) {
     int first_x = number % p.tiles_x * STRAND_TILE, first_y = number / p.tiles_x * STRAND_TILE;
-    int width = min(STRAND_TILE, p.width - first_x), height = min(STRAND_TILE, p.height - first_y);
     int first = list_start[number], count = list_start[number + 1] - first;
-    if (count == 0 && blank[number]) continue;
-    blank[number] = count == 0;
-    clear(&tile, width, height);
-    draw_strands(&p, rows, film, list + first, spot + first, count, (float)first_x + 0.5f - 0.5f * (float)p.width,
-                 (float)first_y + 0.5f - 0.5f * (float)p.height, &tile, &queue);
-    float4 background = (float4)(p.background[0], p.background[1], p.background[2], -1.0f);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x) {
-        float4 d = vload4(y * STRAND_TILE + x, tile.pixel);
-        float4 c = fma((float4)(d.w), background, (float4)(d.x, d.y, d.z, 1.0f));
-        STORE(c, image + (size_t)(first_y + y) * p.width + first_x + x);
+    __global ushort *row = blank + number * TILE_BLOCKS;
+    uint all_blank = ALL_BLOCKS;
+    for (int y = 0; y < TILE_BLOCKS; ++y) all_blank &= row[y];
+    if (count == 0 && all_blank == ALL_BLOCKS) continue;
+    if (!cleared)
+      for (int i = 0; i < TILE_PIXELS; ++i) vstore4(EMPTY, i, tile.pixel);
+    cleared = true;
+    begin(&tile, min(STRAND_TILE, p.width - first_x), min(STRAND_TILE, p.height - first_y));
+    draw_strands(&p, rows, film, map, list + first, spot + first, count, (float)first_x + 0.5f - 0.5f * (float)p.width,
+                 (float)first_y + 0.5f - 0.5f * (float)p.height, &tile, &fragments);
+    for (int y = 0; y < TILE_BLOCKS; ++y) {
+      uint was_blank = row[y], is_blank = 0;
+      for (int x = 0; x < TILE_BLOCKS; ++x) {
+        int block = y * TILE_BLOCKS + x;
+        bool clear = is_clear(&tile, block);
+        if (!clear || !(was_blank >> x & 1)) write_block(&p, &tile, block, image + (size_t)first_y * p.width + first_x);
+        is_blank |= (uint)clear << x;
       }
+      row[y] = (ushort)is_blank;
+    }
   }
 }

@@ -214,14 +214,14 @@ TEST(SpringStage, AFrameWithoutItsNormalsIsRefused) {
 TEST(SpringStage, TheLaunchesOfEveryPhaseAreTimed) {
   for (const char* topology : {"sticks", "prisms"}) {
     Shells shells(pictures::device(), std::make_shared<FrameInput>(small_input(topology)));
-    const FrameTiming timing = shells.frame();
+    const cl::FrameTiming timing = shells.frame();
     if (timing.phase_event_ms.empty()) {
       EXPECT_FALSE(cl::check_timer(cl::Queue(pictures::device())).real)
           << topology << ": no time of a real timer";
       continue;
     }
     std::map<std::string, double> sum;
-    for (const KernelTime& kernel : timing.kernels) {
+    for (const cl::KernelTime& kernel : timing.kernels) {
       EXPECT_GT(kernel.ms, 0) << kernel.kernel;
       sum[kernel.phase] += kernel.ms;
     }

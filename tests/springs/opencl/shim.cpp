@@ -32,11 +32,14 @@ void Shim::push(const std::vector<glm::vec3>& force) {
 }
 
 void Shim::stand() {
-  memory_.tip.assign(4 * layout_.places(), 0);
+  for (std::vector<double>* rows : {&memory_.tip, &memory_.root, &memory_.reach})
+    rows->assign(4 * layout_.places(), 0);
   for (std::size_t place = 0; place < layout_.places(); ++place)
-    for (std::size_t c = 0; c < 3; ++c)
-      memory_.tip[4 * place + c] = memory_.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)] +
-                                   memory_.offset[column_of(place, 3, c)];
+    for (std::size_t c = 0; c < 3; ++c) {
+      memory_.root[4 * place + c] = memory_.sites[column_of(place, SITE_COLUMNS, SITE_ROOT + c)];
+      memory_.reach[4 * place + c] = memory_.offset[column_of(place, 3, c)];
+      memory_.tip[4 * place + c] = memory_.root[4 * place + c] + memory_.reach[4 * place + c];
+    }
 }
 
 void Shim::advance(int substeps, bool whole) {

@@ -20,9 +20,9 @@ struct Memory {
   std::vector<double> offset, speed;
   std::vector<int> diverged_at, first;
   /// Only shared prisms use these arrays. Each array has one row of four values per stick. `tip` has the
-  /// position of the top mass. `change` has the change of the top mass's velocity in the previous
-  /// step.
-  std::vector<double> tip, change;
+  /// position of the top mass, `root` the position of the stick's base, and `reach` the difference of these
+  /// positions. `change` has the change of the top mass's velocity in the previous step.
+  std::vector<double> tip, root, reach, change;
 };
 
 using BlockKernel = void (*)(TopologyParams, const Moment*, const double*, const double*, const double*,
@@ -64,7 +64,7 @@ class Shim {
   void set(const std::vector<glm::dvec3>& offsets, const std::vector<glm::dvec3>& speeds);
 
  private:
-  void stand();  // computes the position of each top mass: base of the stick plus `offset`
+  void stand();  // computes the rows of `tip`, `root` and `reach` from `sites` and `offset`
   std::vector<glm::dvec3> by_stick(const std::vector<double>& values, bool rows) const;
   std::size_t at(std::size_t stick, std::size_t c, bool rows) const;
   Dynamics dynamics_;

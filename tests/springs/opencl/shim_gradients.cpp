@@ -32,8 +32,8 @@ int gradients_substep(Memory& m, int substep, double residual) {
   };
   each([&] {
     kernels::gradients_set_up(m.params, chunks, 2 * substep + 2, m.moments.data(), m.sites.data(),
-                              m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(), m.tip.data(),
-                              m.offset.data(), m.speed.data(), m.change.data(), diagonal.data(),
+                              m.push.data(), l.start.data(), l.neighbour.data(), m.rest.data(), m.root.data(),
+                              m.reach.data(), m.speed.data(), m.change.data(), diagonal.data(),
                               inverse.data(), coupling.data(), r.data(), d.data(), sums.data());
   });
   int done = 0;
@@ -52,9 +52,8 @@ int gradients_substep(Memory& m, int substep, double residual) {
     });
   }
   each([&] {
-    kernels::gradients_move(m.params, chunks, m.params.first_step + substep, m.sites.data(), m.change.data(),
-                            m.offset.data(), m.speed.data(), m.tip.data(), m.diverged_at.data(),
-                            m.first.data());
+    kernels::gradients_move(m.params, chunks, m.params.first_step + substep, m.change.data(), m.offset.data(),
+                            m.speed.data(), m.reach.data(), m.diverged_at.data(), m.first.data());
   });
   return done;
 }
@@ -69,9 +68,9 @@ int gradients_whole(Memory& m, double residual) {
   in_double::work_item = 0;
   gradients_in_double::gradients_whole(
       params, 1000, residual, m.moments.data(), m.sites.data(), m.push.data(), l.start.data(),
-      l.neighbour.data(), m.rest.data(), m.tip.data(), m.offset.data(), m.speed.data(), m.change.data(),
-      diagonal.data(), inverse.data(), coupling.data(), r.data(), d.data(), product.data(), sums.data(),
-      m.diverged_at.data(), m.first.data(), solved.data());
+      l.neighbour.data(), m.rest.data(), m.root.data(), m.reach.data(), m.offset.data(), m.speed.data(),
+      m.change.data(), diagonal.data(), inverse.data(), coupling.data(), r.data(), d.data(), product.data(),
+      sums.data(), m.diverged_at.data(), m.first.data(), solved.data());
   return int(solved[0]);
 }
 

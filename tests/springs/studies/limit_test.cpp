@@ -52,6 +52,9 @@ TEST(LongestStep, DoesNotDependOnTheInterval) {
                 twice = longest_step(queue(), topology, d, 1.0 / 30),
                 late = longest_step(queue(), topology, d, 1);
     for (const Limit& other : {half, twice, late}) EXPECT_NEAR(other.step / usual.step, 1, 0.03) << kind;
+    std::printf(
+        "%s: %.2f ms; with half the interval %.2f ms, with twice the interval %.2f ms, with 1 s %.2f ms\n",
+        name(kind).data(), 1e3 * usual.step, 1e3 * half.step, 1e3 * twice.step, 1e3 * late.step);
     std::printf("%s: %.1f ms, longest stick %.2f, by the reference %.2f and with a 3%% longer step %.2f\n",
                 name(kind).data(), 1e3 * usual.step, usual.longest,
                 longest_by_the_reference(topology, d, usual.step),

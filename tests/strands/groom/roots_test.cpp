@@ -128,6 +128,37 @@ TEST(Roots, OfBothSidesOfAThinSheetDoNotRepelEachOther) {
             0.5 * std::sqrt(2 / std::sqrt(3.0) * 4 / 1000));
 }
 
+// The density falls from 1 at x = -1 to 1/8 at x = 1, and is 0 where y > 0. In units of the distance that the
+// density at the root gives, the distances to the nearest neighbours are those of blue noise.
+TEST(Roots, KeepTheDistancesOfTheDensityWithinAMask) {
+  const Mesh mesh = synthetic::grid(synthetic::square(2), 16, 16);
+  const auto density = [&](const Root& root) {
+    const glm::dvec3 p = position_of(mesh, root);
+    return p.y > 0 ? 0.0 : std::pow(8.0, -(p.x + 1) / 2);
+  };
+  std::vector<bool> bare;
+  for (std::uint32_t f = 0; f < mesh.triangle.size(); ++f)
+    bare.push_back(position_of(mesh, {f, {1.0f / 3, 1.0f / 3}}).y > 0);
+  const double total = 2 * (1 - 1.0 / 8) / std::log(8.0);  // integral of the density
+  for (const bool skip : {false, true}) {
+    const auto roots = scatter_roots(mesh, density, 4000, 6, skip ? bare : std::vector<bool>{});
+    for (const std::size_t count : {500u, 4000u}) {
+      const auto points = positions(mesh, roots, count);
+      const auto distances = nearest(points);
+      double least = 1e9, sum = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        ASSERT_LE(points[i].y, 0);
+        const double per_area = double(count) / total * density(roots[i]);
+        const double packed = std::sqrt(2 / std::sqrt(3.0) / per_area);
+        least = std::min(least, distances[i] / packed);
+        sum += distances[i] / packed;
+      }
+      EXPECT_GT(least, 0.45) << count;
+      EXPECT_GT(sum / double(count), 0.7) << count;
+    }
+  }
+}
+
 TEST(Roots, ADensityOfZeroIsAnError) {
   const Mesh mesh = synthetic::grid(synthetic::torus(), 8, 8);
   EXPECT_THROW(scatter_roots(

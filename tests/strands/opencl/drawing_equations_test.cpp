@@ -1,5 +1,6 @@
 // Compiles the kernels' functions for pictures of strands as C++ in double precision, and compares their
 // results with the reference and with the formulas of docs/strands.md, section Drawing.
+#define STRAND_SHADOW 2  // the kernels read the opacity map as SHADOW_EXPONENTIAL
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,7 +76,15 @@ DrawParams params() {
   p.ambient = 0.2f;
   p.exponent = 7.5f;
   p.skin_shadow = 0.6f;
-  p.frames = 2;
+  // X and Y of the root of the strand below give column 1.25 and row 0.5 of a map of 4 x 4 texels.
+  p.map_x[0] = 0.005f;
+  p.map_x[3] = 1;
+  p.map_y[1] = -0.002f;
+  p.map_y[3] = 0.3f;
+  p.map_z[2] = 0.5f;
+  p.map_z[3] = -1.2f;
+  p.map_size = 4;
+  p.per_shadow_length = 2.5f;
   return p;
 }
 
@@ -84,6 +93,11 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const std::array<std::int32_t, 16> film{0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040, 0x606030,
                                           0x704020, 0x802010, 0xff8080, 0xef7090, 0xdf60a0, 0xcf50b0,
                                           0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0};
+  std::array<float, 32> map{};
+  for (std::size_t i = 0; i < 16; ++i) {
+    map[2 * i] = 0.1f * float(i % 3);              // least depth
+    map[2 * i + 1] = 0.9f - 0.05f * float(i % 7);  // transmittance
+  }
   shim::Row r{};
   // X and Y are camera coordinates divided by `pixel`.
   const glm::dvec3 root(0.1, -0.2, 3), joint(0.15, -0.3, 2.9), tip(0.3, -0.35, 2.95);
@@ -102,7 +116,7 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const auto sine = [](glm::dvec3 a, glm::dvec3 b) { return glm::length(glm::cross(a, b)); };
   for (int k = 0; k <= 6; ++k) {
     const double t = k / 6.0;
-    const shim::Vertex v = shim::vertex_at(&p, film.data(), r, shim::towards_joint(&p, r), t);
+    const shim::Vertex v = shim::vertex_at(&p, film.data(), map.data(), r, shim::towards_joint(&p, r), t);
     const glm::dvec3 at = (1 - t) * (1 - t) * root + 2 * t * (1 - t) * joint + t * t * tip;
     EXPECT_NEAR(v.x, at.x / at.z / double(p.pixel), 1e-9);
     EXPECT_NEAR(v.y, at.y / at.z / double(p.pixel), 1e-9);
@@ -119,10 +133,23 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
                                             sine(tangent, light) * sine(tangent, from_eye));
     const double height = std::min(1.0, std::max(0.0, 2 * t * (1 - t) * 0.3 + t * t * 0.9));
     const double shadow = 1 - double(p.skin_shadow) * (1 - height);
+    const double shadow_depth = double(p.map_z[2]) * at.z + double(p.map_z[3]);
+    const double x = double(p.map_x[0]) * at.x / double(p.pixel) + double(p.map_x[3]);
+    const double y = double(p.map_y[1]) * at.y / double(p.pixel) + double(p.map_y[3]);
+    double key = 0;  // sum over the four texels around the vertex
+    for (int corner = 0; corner < 4; ++corner) {
+      const double left = std::floor(x), top = std::floor(y);
+      const auto texel = std::size_t((top + corner / 2) * 4 + left + corner % 2);
+      const double weight = (corner % 2 ? x - left : 1 - x + left) * (corner / 2 ? y - top : 1 - y + top);
+      const double s =
+          std::clamp((shadow_depth - double(map[2 * texel])) * double(p.per_shadow_length), 0.0, 1.0);
+      key += weight * std::pow(double(map[2 * texel + 1]), s);
+    }
     for (int c = 0; c < 3; ++c) {
-      const double lit = steady[c] + double(p.intensity) * (colour[c] * sine(tangent, light) +
-                                                            factor(1) / 128 * double(p.specular[c]) *
-                                                                std::pow(mirror, double(p.exponent)));
+      const double lit =
+          steady[c] + key * double(p.intensity) *
+                          (colour[c] * sine(tangent, light) +
+                           factor(1) / 128 * double(p.specular[c]) * std::pow(mirror, double(p.exponent)));
       EXPECT_NEAR(glm_of(v.colour)[c], shadow * factor(0) / 128 * lit, 1e-6) << k << ", colour " << c;
     }
   }

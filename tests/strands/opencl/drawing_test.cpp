@@ -105,6 +105,35 @@ TEST(StrandDrawing, AllLightsAgreeWithTheReference) {
     }
 }
 
+// Layers have ranks in another order than their numbers, and frames of their own.
+TEST(StrandDrawing, LayersHaveTheirRanksAndTheirFramesOfTheFilmStrip) {
+  DrawingScene scene = scene_of(200, 130);
+  scene.look = bright();
+  scene.look.layers = {{2, 3, 2}, {0, 0, 1}, {1, 1, 3}};
+  const Ball ball(800, 4);  // layer 3 has no entry: it has the rank 3 and all frames
+  for (const int lanes : {1, 16}) {
+    DrawerOptions options;
+    options.lanes = lanes;
+    expect_reference(scene, ball, options);
+  }
+  const Result first = draw_on_device(scene, ball);
+  const std::vector<int> ranks{2, 0, 1, 3};
+  for (const Entry& entry : first.order)
+    ASSERT_EQ(int(entry.key >> 24), ranks[ball.strands[entry.strand].layer]);
+  scene.look.layers[1].first_frame = 4;
+  EXPECT_NE(draw_on_device(scene, ball).picture.pixel, first.picture.pixel);
+}
+
+TEST(StrandDrawing, FramesOutsideOfTheFilmStripAreRefused) {
+  DrawingScene scene = scene_of(100, 100);
+  scene.look = bright();
+  for (const LayerLook wrong : {LayerLook{0, 5, 1}, LayerLook{0, 3, 3}, LayerLook{0, -1, 1},
+                                LayerLook{0, 0, 0}, LayerLook{256, 0, 1}}) {
+    scene.look.layers = {wrong};
+    EXPECT_THROW(draw_on_device(scene, Ball(10)), InputError);
+  }
+}
+
 TEST(StrandDrawing, StylesAgreeWithTheReference) {
   Ball ball(800);
   std::mt19937 random(5);

@@ -19,7 +19,7 @@ struct Ball {
   std::vector<KeyStrand> keys;
   std::vector<KeyedStrand> strands;
 
-  explicit Ball(std::size_t count, int ranks = 1) {
+  explicit Ball(std::size_t count, int layers = 1) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> unit(0, 1);
     const auto direction = [&] {
@@ -44,7 +44,7 @@ struct Ball {
       s.length = longest * (0.2f + 0.8f * unit(random));
       s.width = 0.002f + 0.02f * unit(random) * unit(random);
       for (std::uint8_t& c : s.colour) c = std::uint8_t(random() & 255);
-      s.rank = std::uint8_t(random() % unsigned(ranks));
+      s.layer = std::uint8_t(random() % unsigned(layers));
       strands.push_back(s);
     }
   }

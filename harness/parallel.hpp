@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <thread>
 
-namespace pelage::reference {
+namespace pelage {
 
 /// Calls work(i) once for every i below `count`, in no particular order. `work` must not throw.
 template <class Work>
@@ -30,4 +30,4 @@ void for_each_index(std::size_t count, std::size_t grain, const Work& work) {
   });
 }
 
-}  // namespace pelage::reference
+}  // namespace pelage

@@ -1,0 +1,136 @@
+#include "harness/compare/strands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/compare/pictures.hpp"
+#include "harness/compare/tolerances.hpp"
+#include "harness/parallel.hpp"
+#include "harness/prepare/random.hpp"
+#include "harness/springs/model/motion.hpp"
+#include "harness/strands/reference/chain.hpp"
+#include "harness/strands/reference/drawing.hpp"
+#include "harness/strands/reference/keyed.hpp"
+
+namespace pelage {
+namespace {
+
+using strands::Chain;
+using strands::ChainState;
+using strands::DrawnStrand;
+using strands::Entry;
+using strands::KeyStrand;
+using strands::StrandInput;
+namespace naive = strands::reference;
+
+constexpr std::size_t chains_compared = 2000, curves_compared = 20000;
+
+/// Returns `most` different indices below `count` in ascending order, or all of them if there are fewer.
+std::vector<std::size_t> sample(std::size_t count, std::size_t most, std::uint32_t seed) {
+  const Random random(seed, 81);
+  const std::size_t chosen = std::min(count, most);
+  std::vector<std::size_t> indices;
+  // One index of each of `chosen` ranges of equal length.
+  for (std::size_t i = 0; i < chosen; ++i) {
+    const std::size_t first = i * count / chosen, end = (i + 1) * count / chosen;
+    indices.push_back(first + std::size_t(random.uniform(i) * double(end - first)));
+  }
+  return indices;
+}
+
+/// Returns the greatest value of all but the greatest 0.1% of the values; infinite if a value is not a
+/// number.
+double p999(std::vector<double> values) {
+  if (std::any_of(values.begin(), values.end(), [](double v) { return !(v < 1e9); })) return 1e9;
+  std::sort(values.begin(), values.end());
+  return values[values.size() - 1 - values.size() / 1000];
+}
+
+/// Returns the greatest distance between a control point of the device and that of the reference, R.
+double worst_point(const DrawnStrand& a, const DrawnStrand& b) {
+  double worst = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    worst = std::max(worst, glm::distance(glm::dvec3(a.point[k]), glm::dvec3(b.point[k])));
+  return worst < 1e9 ? worst : 1e9;
+}
+
+}  // namespace
+
+std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& step, std::uint32_t seed) {
+  std::vector<double> direction, rate;
+  for (const std::size_t i : sample(step.before.size(), chains_compared, seed)) {
+    const Chain& chain = input.fur.chains[i];
+    const ChainState& found = step.after[i];
+    const naive::State exact =
+        naive::step(chain, input.dynamics, naive::in_double(step.before[i]), step.number);
+    direction.push_back(std::max(glm::distance(glm::dvec3(found.direction[0]), exact.u),
+                                 glm::distance(glm::dvec3(found.direction[1]), exact.w)));
+    const double fall = glm::length(glm::dvec3(input.dynamics.gravity)) / double(chain.length);
+    const double unit = std::sqrt(double(chain.stiffness_first) + fall + 1);
+    rate.push_back(std::max(glm::distance(glm::dvec3(found.rate[0]), exact.a),
+                            glm::distance(glm::dvec3(found.rate[1]), exact.b)) /
+                   unit);
+  }
+  return {{against_reference, "chain_direction_p99.9", p999(direction), tolerance::chain_direction, false},
+          {against_reference, "chain_rate_p99.9", p999(rate), tolerance::chain_rate, false}};
+}
+
+StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& frame, std::uint32_t seed) {
+  StrandCheck result;
+  double worst = 0;
+  for (const std::size_t i : sample(frame.curves.size(), curves_compared, seed))
+    worst = std::max(worst, worst_point(frame.curves[i], naive::between(frame.keys, input.fur.strands[i],
+                                                                        input.dynamics.first_segment)));
+  const double limit =
+      strands::has_styles(input.fur.strands) ? tolerance::styled_strand_point : tolerance::strand_point;
+  result.checks.push_back({against_reference, "strand_point", worst, limit, false});
+  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look.fraction);
+  const std::vector<Entry> order = naive::drawing_order(input.camera, input.range, drawn);
+  std::size_t different =
+      std::max(order.size(), frame.order.size()) - std::min(order.size(), frame.order.size());
+  for (std::size_t i = 0; i < std::min(order.size(), frame.order.size()); ++i)
+    different += !(order[i] == frame.order[i]);
+  result.checks.push_back({against_reference, "order_differences", double(different), 0, false});
+  result.agreement =
+      compare(frame.picture, naive::draw(input.camera, input.look, drawn, order, &result.fragments));
+  for (Check& check : picture_checks(against_reference, result.agreement))
+    result.checks.push_back(std::move(check));
+  return result;
+}
+
+std::vector<DrawnStrand> reference_curves(const StrandInput& input, const std::vector<KeyStrand>& keys) {
+  std::vector<DrawnStrand> curves(input.fur.strands.size());
+  for_each_index(curves.size(), 256, [&](std::size_t i) {
+    curves[i] = naive::between(keys, input.fur.strands[i], input.dynamics.first_segment);
+  });
+  return curves;
+}
+
+StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStrand>& keys) {
+  StrandFrame frame;
+  frame.keys = keys;
+  frame.curves = reference_curves(input, keys);
+  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look.fraction);
+  frame.order = naive::drawing_order(input.camera, input.range, drawn);
+  frame.picture = naive::draw(input.camera, input.look, drawn, frame.order);
+  return frame;
+}
+
+std::vector<KeyStrand> reference_keys(const StrandInput& input, int frames) {
+  const long steps = long(frames) * input.scene.dynamics.substeps;
+  const springs::Pose pose =
+      springs::pose_at(input.dynamics.motion, double(steps) * double(input.dynamics.step));
+  std::vector<KeyStrand> keys = input.fur.keys;
+  for_each_index(keys.size(), 64, [&](std::size_t i) {
+    naive::State state = naive::at_rest(input.fur.chains[i]);
+    for (long step = 0; step < steps; ++step)
+      state = naive::step(input.fur.chains[i], input.dynamics, state, step);
+    keys[i].first = glm::vec3(springs::turned(state.u, pose.axis, -pose.angle));
+    keys[i].second = glm::vec3(springs::turned(state.w, pose.axis, -pose.angle));
+  });
+  return keys;
+}
+
+}  // namespace pelage

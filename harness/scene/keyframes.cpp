@@ -1,0 +1,136 @@
+#include "harness/scene/keyframes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_check.hpp"
+#include "harness/scene/scene_keys.hpp"
+#include "harness/scene/scene_toml.hpp"
+
+namespace pelage {
+namespace {
+
+/// Returns the value at the fraction t (0 to below 1) of the time between two keyframes.
+KeyValue between(const KeyValue& a, const KeyValue& b, double t) {
+  const auto mix = [&](float from, float to) {
+    return static_cast<float>(double(from) + t * (double(to) - double(from)));
+  };
+  if (const auto* from = std::get_if<float>(&a)) return mix(*from, std::get<float>(b));
+  if (const auto* from = std::get_if<glm::vec3>(&a)) {
+    const auto& to = std::get<glm::vec3>(b);
+    return glm::vec3(mix(from->x, to.x), mix(from->y, to.y), mix(from->z, to.z));
+  }
+  return a;
+}
+
+KeyValue value_at(const std::vector<Keyframe>& frames, double seconds) {
+  const auto next = std::upper_bound(frames.begin(), frames.end(), seconds,
+                                     [](double time, const Keyframe& frame) { return time < frame.time; });
+  if (next == frames.begin()) return frames.front().value;
+  const Keyframe& last = next[-1];
+  if (next == frames.end()) return last.value;
+  return between(last.value, next->value, (seconds - last.time) / (next->time - last.time));
+}
+
+const Key* find(const std::vector<Key>& keys, const std::string& name) {
+  const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+  return key == keys.end() ? nullptr : &*key;
+}
+
+void check_track(const KeyTrack& track, const std::vector<Key>& keys, const std::string& source) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: keyframes.\"{}\": {}", source, track.key, what));
+  };
+  const Key* key = find(keys, track.key);
+  if (!key) refuse("no such key; `pelage scene` prints all keys");
+  if (!may_have_keyframes(*key)) refuse("this key cannot change over time");
+  if (track.frames.empty() || track.frames.size() > most_keyframes)
+    refuse(fmt::format("has {} keyframes; give 1 to {}", track.frames.size(), most_keyframes));
+  for (std::size_t i = 0; i < track.frames.size(); ++i) {
+    const Keyframe& frame = track.frames[i];
+    if (!(frame.time >= 0 && frame.time <= most_keyframe_time))
+      refuse(fmt::format("the time {} s is out of range; give 0 to {} s", frame.time, most_keyframe_time));
+    if (i > 0 && !(frame.time > track.frames[i - 1].time))
+      refuse(fmt::format("the time {} s is not after {} s; give ascending times", frame.time,
+                         track.frames[i - 1].time));
+    if (frame.value.index() != key_value(*key).index())
+      refuse(fmt::format("a value has a wrong type; give {}", describe_range(*key)));
+  }
+}
+
+}  // namespace
+
+Scene scene_at(const Scene& scene, double seconds) {
+  if (!std::isfinite(seconds)) throw InputError(fmt::format("keyframes: the time {} is not finite", seconds));
+  Scene result = scene;
+  result.keyframes = {};
+  if (scene.keyframes.tracks.empty()) return result;
+  const std::vector<Key> keys = scene_keys(result);
+  for (const KeyTrack& track : scene.keyframes.tracks) {
+    const Key* key = find(keys, track.key);
+    if (!key || track.frames.empty())
+      throw InputError(fmt::format("keyframes.\"{}\": no such key, or no keyframe", track.key));
+    set_key(*key, value_at(track.frames, seconds));
+  }
+  check_scene(result, fmt::format("keyframes at {} s", seconds));
+  return result;
+}
+
+bool may_have_keyframes(const Key& key) {
+  return key.name != "model" && !key.name.starts_with("mesh.");
+}
+
+KeyValue key_value(const Key& key) {
+  return std::visit(
+      [&](const auto* slot) -> KeyValue {
+        using T = std::remove_cvref_t<decltype(*slot)>;
+        if constexpr (std::is_constructible_v<KeyValue, std::in_place_type_t<T>, const T&>)
+          return KeyValue(std::in_place_type<T>, *slot);
+        else
+          throw InputError(fmt::format("{}: this key cannot change over time", key.name));
+      },
+      key.slot);
+}
+
+void set_key(const Key& key, const KeyValue& value) {
+  std::visit(
+      [&](auto* slot) {
+        using T = std::remove_reference_t<decltype(*slot)>;
+        if constexpr (std::is_constructible_v<KeyValue, std::in_place_type_t<T>, const T&>) {
+          if (const T* given = std::get_if<T>(&value)) {
+            *slot = *given;
+            return;
+          }
+        }
+        throw InputError(fmt::format("keyframes.\"{}\": a value has a wrong type; give {}", key.name,
+                                     describe_range(key)));
+      },
+      key.slot);
+}
+
+void check_keyframes(const Scene& scene, const std::string& source) {
+  if (scene.keyframes.tracks.empty()) return;
+  Scene copy = scene;
+  const std::vector<Key> keys = scene_keys(copy);
+  std::set<double> times;
+  std::set<std::string> names;
+  for (const KeyTrack& track : scene.keyframes.tracks) {
+    check_track(track, keys, source);
+    if (!names.insert(track.key).second)
+      throw InputError(fmt::format("{}: keyframes.\"{}\": occurs twice", source, track.key));
+    for (const Keyframe& frame : track.frames) times.insert(frame.time);
+  }
+  for (const double time : times) {
+    try {
+      scene_at(scene, time);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", source, error.what()));
+    }
+  }
+}
+
+}  // namespace pelage

@@ -1,0 +1,62 @@
+// Scene keys that change over time.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace pelage {
+
+struct Scene;
+struct Key;
+
+/// The value of a scene key.
+using KeyValue = std::variant<float, int, std::uint32_t, bool, std::string, std::filesystem::path, glm::vec3>;
+
+struct Keyframe {
+  double time = 0;  ///< s, 0 to 3600
+  KeyValue value;
+  bool operator==(const Keyframe&) const = default;
+};
+
+/// The values of one scene key over time, in ascending order of time.
+struct KeyTrack {
+  std::string key;  ///< dotted name, for instance "strands.fraction"
+  std::vector<Keyframe> frames;
+  bool operator==(const KeyTrack&) const = default;
+};
+
+/// The table [keyframes] of a scene file. Each line gives the values of a key at some times (s), for instance
+/// "strands.fraction" = [[0.0, 1.0], [5.0, 0.1]].
+struct Keyframes {
+  std::vector<KeyTrack> tracks;  ///< at most one per key
+  bool operator==(const Keyframes&) const = default;
+};
+
+/// Greatest permitted number of keyframes of one key, and greatest permitted time of a keyframe, s.
+inline constexpr std::size_t most_keyframes = 1000;
+inline constexpr double most_keyframe_time = 3600;
+
+/// Returns the scene at the time `seconds`, without keyframes. Numbers (except whole numbers) and vectors are
+/// interpolated linearly between two keyframes. Whole numbers, strings, paths and truth values have the value
+/// of the last keyframe that is reached. Before the first keyframe, a key has the value of the first
+/// keyframe, and after the last keyframe that of the last one. Throws InputError if the scene at this time is
+/// not valid, for instance because an interpolated direction is zero.
+Scene scene_at(const Scene& scene, double seconds);
+
+/// True if the key may have keyframes. The model and the options of its preparation may not.
+bool may_have_keyframes(const Key& key);
+
+/// Returns the key's value. The key is one of scene_keys().
+KeyValue key_value(const Key& key);
+
+/// Assigns the value to the key. Throws InputError if the value has another type than the key.
+void set_key(const Key& key, const KeyValue& value);
+
+/// Throws InputError if a track is not valid, or if the scene is not valid at the time of a keyframe. Error
+/// texts begin with `source`.
+void check_keyframes(const Scene& scene, const std::string& source);
+
+}  // namespace pelage

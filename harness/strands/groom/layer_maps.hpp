@@ -1,0 +1,75 @@
+// The maps of a fur layer: pictures in UV space that vary the layer's values over the surface.
+#pragma once
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/mesh/mesh.hpp"
+#include "harness/prepare/picture_map.hpp"
+#include "harness/scene/strands_scene.hpp"
+#include "harness/strands/groom/roots.hpp"
+
+namespace pelage::strands {
+
+/// A picture as a function of the UV, with one value per pixel.
+class LumaMap {
+ public:
+  /// A map that is 1 everywhere.
+  LumaMap() = default;
+  /// The luma (Rec. 601) of the picture's pixels. An empty path gives a map that is 1 everywhere. Throws
+  /// InputError with the name of the scene key if the picture cannot be read.
+  LumaMap(const std::filesystem::path& path, const std::string& key);
+
+  bool constant() const { return luma_.empty(); }
+  double most() const;  ///< the largest value of a pixel
+  /// Returns the value at `uv`, by bilinear interpolation as in PictureMap::at(). If all pixels have the same
+  /// value, the result is exactly this value.
+  double at(glm::dvec2 uv) const;
+  /// Returns 2 v - 1 for the value v at `uv`; 1 if there is no picture.
+  double sign_at(glm::dvec2 uv) const { return constant() ? 1 : 2 * at(uv) - 1; }
+  /// Returns false only if the map is below `least` in the whole rectangle of UV space.
+  bool reaches(glm::dvec2 low, glm::dvec2 high, float least) const;
+
+ private:
+  int width_ = 0, height_ = 0;
+  std::vector<float> luma_;  ///< rows from the top; empty: a map that is 1 everywhere
+};
+
+/// All maps of a fur layer except the film strip.
+struct LayerMaps {
+  /// Reads the pictures of the layer. `name` is the layer's name in messages, for instance
+  /// "strands.layer[1]".
+  LayerMaps(const StrandLayerScene& layer, const std::string& name);
+
+  /// Returns the layer's relative density of strands at a root, 0 to 1: the value of the density map divided
+  /// by the map's largest value. It is 0 outside of the layer's region and of its mask, and where length or
+  /// width are 0.
+  double density(const Mesh& mesh, const Root& root) const;
+  /// Returns for each triangle whether the density is 0 on the whole triangle. A triangle of density 0 may
+  /// have the value false.
+  std::vector<bool> bare(const Mesh& mesh) const;
+  /// Throws InputError if the layer has no place for strands. The message names the scene key, and the
+  /// picture if it is the reason.
+  void require_place(const Mesh& mesh) const;
+
+  StrandLayerScene layer;
+  std::string name;
+  LumaMap mask, density_map, length, width, stiffness, curvature, twist;
+  std::optional<PictureMap> comb;
+
+ private:
+  double most_density_;
+
+  /// A condition for strands at a point: the scene key that it comes from, and the picture if there is one.
+  struct Condition {
+    std::string key;
+    std::filesystem::path file;
+    std::function<double(const Mesh&, const Root&)> density;
+    std::function<bool(const Mesh&, std::uint32_t face)> possible;
+  };
+  std::vector<Condition> conditions() const;
+};
+
+}  // namespace pelage::strands

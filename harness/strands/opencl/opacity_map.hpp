@@ -1,0 +1,52 @@
+// The opacity map of the key light on an OpenCL device. docs/strands.md, section Shadow, defines the map.
+#pragma once
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/strands/drawing/light_view.hpp"
+#include "harness/strands/opencl/tile_lists.hpp"
+
+namespace pelage::strands {
+
+/// The buffers of a picture that its opacity map also uses.
+struct PictureBuffers {
+  const cl::Buffer<float>&constants, &keys;
+  const cl::Buffer<std::int32_t>&layers, &film;
+};
+
+class OpacityMap {
+ public:
+  /// `group`, `tile`: see TileLists::draw(). `lanes`: strands that a work-item computes at a time. `options`:
+  /// build options of the kernels without LANES and STRAND_TILE. params.chunks and runs must be set, and
+  /// `padded` is the number of strands, rounded up to a multiple of 16.
+  OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view, bool group, int lanes,
+             const std::string& options, std::size_t padded);
+
+  /// Enqueues the kernels that draw the map, all in the phase `shadow`. `params` describes the picture.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+               const PictureBuffers& buffers, cl::PhaseEvents* events);
+
+  /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), and transmittance 1 - A.
+  const cl::Buffer<glm::vec2>& texels() const { return texels_; }
+  std::vector<const cl::Program*> programs() const;
+
+ private:
+  bool group_;
+  int lanes_, tile_;
+  cl::Program key_program_, draw_program_;
+  cl::Kernel make_keys_, draw_;
+  TileLists lists_;
+  cl::Buffer<float> rows_, curves_;
+  cl::Buffer<std::uint64_t> blocks_;
+  cl::Buffer<cl::Pair> pairs_;
+  cl::Buffer<std::int32_t> live_, total_;
+  cl::Buffer<glm::vec2> texels_, no_map_;
+  int strands_ = -1;  ///< the number in total_
+};
+
+/// Sets the rows of `params` with which a kernel finds a point of the picture in the opacity map.
+void set_map_rows(DrawParams& params, const Camera& camera, const Look& look);
+
+}  // namespace pelage::strands

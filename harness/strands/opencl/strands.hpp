@@ -1,0 +1,63 @@
+// The pipeline that draws fur as single strands on an OpenCL device. Every frame has the phases simulate,
+// keys, sort, bin and raster.
+#pragma once
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "harness/cl/frame_timing.hpp"
+#include "harness/picture/picture.hpp"
+#include "harness/strands/chain/chain.hpp"
+#include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/opencl/drawer.hpp"
+#include "harness/strands/scene/strand_input.hpp"
+
+namespace pelage::strands {
+
+/// Value of the key `pipeline` of an experiment's variant that selects this pipeline.
+inline constexpr std::string_view strands_pipeline = "strands";
+
+/// Returns the way to draw that has the name `name` (harness/cl/mapping_names.hpp), or the device's default
+/// if `name` is empty. Throws InputError for other names.
+Drawing drawing_named(const std::string& name);
+
+/// A scene on an OpenCL device. frame() advances the chains by scene.dynamics.substeps substeps and draws one
+/// picture.
+class Strands {
+ public:
+  /// Throws InputError or DeviceError.
+  Strands(const cl::Device& device, std::shared_ptr<const StrandInput> input,
+          const DrawerOptions& options = {});
+  ~Strands();
+  Strands(Strands&&) noexcept;
+  Strands& operator=(Strands&&) noexcept;
+
+  cl::FrameTiming frame();  ///< simulates, draws and times one frame
+  /// Draws and times one picture of the present chains, without a simulation. The time does not contain the
+  /// conversion of the chains to key strands.
+  cl::FrameTiming still();
+  void advance(int frames);      ///< simulates `frames` frames without drawing
+  Picture read() const;          ///< copies the picture of the last frame to the host
+  int frames_simulated() const;  ///< number of frames simulated since the fur was at rest
+  /// Returns the states of the chains, in the order of the key strands.
+  std::vector<ChainState> states() const;
+  /// Simulates one substep. Returns its index, which is the number of substeps before it.
+  long substep();
+  /// Returns the key strands of the last picture.
+  std::vector<KeyStrand> keys() const;
+  /// Returns all strands as the kernels computed them for the last picture. The function overwrites the list
+  /// that order() returns until the next frame.
+  std::vector<DrawnStrand> curves();
+  /// Returns the list of the strands that the last picture shows, from front to back.
+  std::vector<Entry> order() const;
+  double build_ms() const;  ///< build time of all kernels, ms
+  std::vector<const cl::Program*> programs() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace pelage::strands

@@ -1,0 +1,61 @@
+#include "harness/strands/opencl/tile_lists.hpp"
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "harness/error.hpp"
+
+namespace pelage::strands {
+
+TileLists::TileLists(const cl::Queue& queue, const DrawParams& params, const std::string& options)
+    : program_(queue.device(), "strands/draw/bins.cl", options),
+      count_(program_, "strand_bin_count"),
+      sum_(program_, "strand_bin_sum"),
+      start_(program_, "strand_bin_start"),
+      fill_(program_, "strand_bin_fill") {
+  const cl::Device& device = queue.device();
+  const std::size_t tiles = std::size_t(params.tiles_x) * std::size_t(params.tiles_y);
+  chunk_count_ = cl::Buffer<std::int32_t>(device, tiles * std::size_t(params.chunks));
+  length_ = cl::Buffer<std::int32_t>(device, tiles);
+  list_start_ = cl::Buffer<std::int32_t>(device, tiles + 1);
+  taken_ = cl::Buffer<std::int32_t>(device, 1);
+  const std::vector<std::uint16_t> unknown(tiles * 16, 0);  // one number for each row of blocks
+  blank_ = cl::Buffer<std::uint16_t>(queue, std::span<const std::uint16_t>(unknown));
+}
+
+void TileLists::enqueue(const cl::Queue& queue, const DrawParams& params,
+                        const cl::Buffer<std::int32_t>& total, const cl::Buffer<std::uint64_t>& blocks,
+                        const cl::Buffer<cl::Pair>& pairs, const char* phase, cl::PhaseEvents* events) {
+  const auto keep = [&](cl::Event event) {
+    if (events) events->emplace_back(phase, std::move(event));
+  };
+  const auto chunks = std::size_t(params.chunks);
+  count_.with(params, total, blocks, pairs, chunk_count_);
+  keep(count_.enqueue(queue, chunks, 1));
+  sum_.with(params, chunk_count_, length_);
+  keep(sum_.enqueue(queue, length_.size()));
+  start_.with(params, length_, list_start_, taken_);
+  keep(start_.enqueue(queue, 1));
+  std::array<std::int32_t, 1> sum{};
+  list_start_.read(queue, sum, length_.size());
+  if (sum[0] == std::numeric_limits<std::int32_t>::max())
+    throw DeviceError(
+        "the strand lists of the tiles would have 2^31 entries or more: use a smaller picture or fewer "
+        "strands");
+  listed_ = std::size_t(sum[0]);
+  if (list_.size() < listed_) {
+    list_ = {};  // frees the memory before the larger buffers are allocated
+    spot_ = {};
+    list_ = cl::Buffer<std::int32_t>(queue.device(), listed_ + listed_ / 4);
+    spot_ = cl::Buffer<std::uint16_t>(queue.device(), listed_ + listed_ / 4);
+  }
+  if (listed_ == 0 && list_.size() == 0) {
+    list_ = cl::Buffer<std::int32_t>(queue.device(), 1);
+    spot_ = cl::Buffer<std::uint16_t>(queue.device(), 1);
+  }
+  fill_.with(params, total, blocks, pairs, list_start_, chunk_count_, list_, spot_);
+  keep(fill_.enqueue(queue, chunks, 1));
+}
+
+}  // namespace pelage::strands

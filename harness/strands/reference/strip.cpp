@@ -1,0 +1,55 @@
+#include "harness/strands/reference/strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace pelage::strands::reference {
+namespace {
+
+// A segment is not drawn if it is shorter, in pixels.
+constexpr double shortest_segment = 1.0 / 1024;
+
+/// Visits the fragments of the segment from `a` to `b`. `e` is its direction. The lines through a and b that
+/// are orthogonal to `mitre_a` and `mitre_b` separate it from its neighbours.
+void segment(const Vertex& a, const Vertex& b, glm::dvec2 e, double length, glm::dvec2 mitre_a,
+             glm::dvec2 mitre_b, int width, int height, const Visit& visit) {
+  const double reach = std::max(a.half, b.half) + 0.5;  // a mitre extends no further beyond the end
+  const glm::dvec2 low = glm::min(a.place, b.place) - 2 * reach,
+                   high = glm::max(a.place, b.place) + 2 * reach;
+  const auto clamped = [](double value, int limit) { return int(std::clamp(value, 0.0, double(limit))); };
+  for (int y = clamped(std::floor(low.y), height); y < clamped(std::ceil(high.y), height); ++y) {
+    for (int x = clamped(std::floor(low.x), width); x < clamped(std::ceil(high.x), width); ++x) {
+      const glm::dvec2 p(x + 0.5, y + 0.5), from = p - a.place;
+      if (glm::dot(from, mitre_a) < 0 || glm::dot(p - b.place, mitre_b) >= 0) continue;
+      const double along = glm::dot(from, e), across = from.x * e.y - from.y * e.x;
+      if (along < -reach || along > length + reach) continue;
+      const double s = std::clamp(along / length, 0.0, 1.0);
+      const double half = a.half + s * (b.half - a.half);
+      const double coverage = std::min(across + half, 0.5) - std::max(across - half, -0.5);
+      if (coverage <= 0) continue;
+      visit(x, y, coverage * (a.alpha + s * (b.alpha - a.alpha)), a.colour + s * (b.colour - a.colour));
+    }
+  }
+}
+
+}  // namespace
+
+void each_fragment(const std::vector<Vertex>& vertices, int width, int height, const Visit& visit) {
+  std::vector<glm::dvec2> direction;  // of each segment; 0 for a segment that is not drawn
+  std::vector<double> length;
+  for (std::size_t k = 0; k + 1 < vertices.size(); ++k) {
+    const glm::dvec2 step = vertices[k + 1].place - vertices[k].place;
+    length.push_back(glm::length(step));
+    direction.push_back(length.back() < shortest_segment ? glm::dvec2(0) : step / length.back());
+  }
+  for (std::size_t k = 0; k < direction.size(); ++k) {
+    if (direction[k] == glm::dvec2(0)) continue;
+    const glm::dvec2 before = k > 0 ? direction[k - 1] : glm::dvec2(0);
+    const glm::dvec2 behind = k + 1 < direction.size() ? direction[k + 1] : glm::dvec2(0);
+    segment(vertices[k], vertices[k + 1], direction[k], length[k], direction[k] + before,
+            direction[k] + behind, width, height, visit);
+  }
+}
+
+}  // namespace pelage::strands::reference

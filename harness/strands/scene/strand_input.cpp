@@ -1,0 +1,113 @@
+#include "harness/strands/scene/strand_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "harness/error.hpp"
+#include "harness/prepare/camera.hpp"
+#include "harness/prepare/texture_cache.hpp"
+#include "harness/strands/drawing/detail.hpp"
+#include "harness/strands/groom/fur_cache.hpp"
+
+namespace pelage::strands {
+namespace {
+
+/// Lengths of the strands, R.
+struct Lengths {
+  float longest = 0, mean = 0;
+};
+
+Lengths lengths_of(const Fur& fur) {
+  float longest = 0;
+  double sum = 0;
+  for (const KeyedStrand& s : fur.strands) {
+    longest = std::max(longest, s.length);
+    sum += double(s.length);
+  }
+  return {longest, float(sum / double(fur.strands.size()))};
+}
+
+Shadow shadow_named(const std::string& name) {
+  return name == "none" ? Shadow::none : name == "linear" ? Shadow::linear : Shadow::exponential;
+}
+
+}  // namespace
+
+Look look_of(const Scene& scene) {
+  const StrandsScene& strands = scene.strands;
+  const ShadingScene& shading = scene.shading;
+  Look look;
+  look.segments = strands.segments;
+  look.fraction = strands.fraction;
+  look.taper = strands.taper;
+  look.opacity = strands.opacity;
+  look.light = shading.lights.front().direction;
+  look.intensity = shading.lights.front().intensity;
+  look.ambient = shading.ambient;
+  look.specular = shading.specular;
+  look.exponent = std::max(1.0f, shading.exponent);
+  for (std::size_t i = 1; i < shading.lights.size(); ++i)
+    look.fills.push_back({shading.lights[i].direction, glm::vec3(shading.lights[i].intensity)});
+  for (const StrandFillScene& fill : strands.fills) look.fills.push_back({fill.direction, fill.colour});
+  look.bands = strands.bands;
+  look.rim = strands.rim;
+  look.rim_exponent = strands.rim_exponent;
+  look.skin_shadow = strands.skin_shadow;
+  look.skin_shadow_height = strands.skin_shadow_height;
+  look.background = scene.image.background;
+  return look;
+}
+
+ChainDynamics chain_dynamics(const Scene& scene) {
+  const DynamicsScene& d = scene.dynamics;
+  const ChainScene& chain = scene.strands.chain;
+  ChainDynamics dynamics;
+  dynamics.step = d.step;
+  dynamics.first_segment = chain.first_segment;
+  dynamics.tip_mass = chain.tip_mass;
+  dynamics.drag = chain.drag;
+  dynamics.damping_first = chain.damping;
+  dynamics.damping_second = chain.damping_joint;
+  dynamics.gravity = d.gravity;
+  const float drag = d.mass * chain.drag;
+  dynamics.wind = {d.wind.direction, drag > 0 ? d.wind.strength / drag : 0, d.wind.gust, d.wind.frequency,
+                   d.wind.wavelength};
+  const MotionScene& m = d.motion;
+  dynamics.motion = {m.velocity, m.shake, m.shake_frequency, m.axis, m.spin, m.swing, m.swing_frequency};
+  return dynamics;
+}
+
+std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
+  if (!mesh || mesh->triangle.empty())
+    throw InputError("mesh: no triangles; give a mesh with at least one triangle");
+  auto input = std::make_shared<StrandInput>();
+  input->scene = scene;
+  input->fur = kept_fur(*mesh, scene.strands, kept_coat(*mesh, scene.coat));
+  input->dynamics = chain_dynamics(scene);
+  const ChainScene& chain = scene.strands.chain;
+  if (chain.collision == "body") input->dynamics.body = kept_distance_field(mesh, chain.body_cells);
+  input->look = look_of(scene);
+  input->look.film = input->fur.film;
+  const auto [length, mean_length] = lengths_of(input->fur);
+  input->look.shadow = {shadow_named(scene.strands.shadow), scene.strands.shadow_size, mean_length,
+                        1 + length};
+  std::vector<glm::vec3> extent(mesh->position.begin(), mesh->position.end());
+  for (const KeyStrand& key : input->fur.keys) extent.push_back(key.root + length * key.rest);
+  input->camera = make_camera(scene.camera, scene.image, extent, 0);
+  input->look.layers = input->fur.layers;
+  std::vector<float> biases;
+  std::vector<int> offsets;
+  for (const StrandLayerScene& layer : scene.strands.layers) {
+    biases.push_back(layer.order_bias);
+    offsets.push_back(layer.order_offset);
+  }
+  const std::vector<std::uint8_t> ranks = layer_ranks(input->fur.bounds, input->camera, biases, offsets);
+  for (std::size_t i = 0; i < ranks.size(); ++i) input->look.layers[i].rank = ranks[i];
+  input->range = depth_range(input->camera, 1 + length);
+  if (scene.strands.subdivision == "screen")
+    input->look.segments = segments_on_screen(input->camera, input->range, length, scene.strands.segments);
+  input->mesh = std::move(mesh);
+  return input;
+}
+
+}  // namespace pelage::strands

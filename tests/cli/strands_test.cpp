@@ -1,0 +1,62 @@
+// Tests the commands with pictures of strands: render, run and report.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/picture/image_io.hpp"
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* small =
+    "--model torus --size 240x180 --set dynamics.topology=chains --set dynamics.gravity=[0,-4,0] --set "
+    "'strands.layer=[{count=5000,length=0.15}]' ";
+
+TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
+  const Folder folder;
+  for (const std::string pipeline : {"strands", "strands-reference"}) {
+    const Outcome outcome = pelage(folder, "render " + std::string(small) + "--pipeline " + pipeline +
+                                               " -o " + pipeline + ".exr --dump " + pipeline + ".h5");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(fs::exists(folder.path() / (pipeline + ".h5")));
+  }
+  const Agreement found = compare(read_picture(folder.path() / "strands.exr"),
+                                  read_picture(folder.path() / "strands-reference.exr"));
+  EXPECT_GT(found.pixels, 5000u);
+  EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";
+}
+
+TEST(Strands, ChainsAreNoMotionOfShells) {
+  const Folder folder;
+  for (const std::string pipeline : {"shells", "reference"}) {
+    const Outcome outcome =
+        pelage(folder, "render --model torus --set dynamics.topology=chains -o a.png --pipeline " + pipeline);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("dynamics.topology"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(Strands, AnExperimentTimesThemAlone) {
+  const Folder folder;
+  folder.write("mine.toml",
+               "name = \"mine\"\n[axes]\nmodel = [\"torus\"]\ncount = [\"few\", \"more\"]\nvariant = "
+               "[\"strands\"]\n[scene]\nimage.width = 320\nimage.height = 240\ndynamics.topology = "
+               "\"chains\"\n[count.few]\nstrands.layer = [{ count = 3000 }]\n[count.more]\nstrands.layer = "
+               "[{ count = 9000 }]\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
+               "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
+  const Outcome run = pelage(folder, "run mine.toml -o rows");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Outcome csv = pelage(folder, "export rows --csv -");
+  ASSERT_EQ(csv.code, 0) << csv.err;
+  for (const char* phase : {"simulate", "keys", "sort", "bin", "raster", "frame"})
+    EXPECT_NE(csv.out.find(phase), std::string::npos) << phase;
+  const Outcome report = pelage(folder, "report rows -o report");
+  EXPECT_EQ(report.code, 0) << report.err;
+}
+
+}  // namespace
+}  // namespace pelage::cli

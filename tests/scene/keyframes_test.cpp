@@ -1,0 +1,195 @@
+// Tests keys that change over time: reading, errors, interpolation, writing and hashing.
+#include "harness/scene/keyframes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "harness/error.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "tests/support/files.hpp"
+
+namespace pelage {
+namespace {
+
+struct Bad {
+  const char* text;      ///< a scene file
+  const char* expected;  ///< text that the error message must contain
+};
+
+const Bad files[] = {
+    {"[keyframes]\n\"strands.fractoin\" = [[0, 1]]",
+     "s.toml:2: keyframes.\"strands.fractoin\": no such key; did you mean strands.fraction?"},
+    {"[keyframes]\n\"model\" = [[0, \"torus\"]]", "s.toml:2: keyframes.\"model\": this key cannot change"},
+    {"[keyframes]\n\n\"mesh.up\" = [[0, \"z\"]]", "s.toml:3: keyframes.\"mesh.up\": this key cannot change"},
+    {"[keyframes]\n\"shading.light\" = [[0, 1]]", "s.toml:2: keyframes.\"shading.light\": no such key"},
+    {"keyframes = 3", "s.toml:1: keyframes: is a whole number; give a TOML table [keyframes]"},
+    {"[keyframes]\n\"strands.fraction\" = 0.5",
+     "s.toml:2: keyframes.\"strands.fraction\": is a number; give pairs [time in s, value], where the value "
+     "is "
+     "0.001 to 1"},
+    {"[keyframes]\n\"strands.fraction\" = []", "has 0 keyframes; give 1 to 1000"},
+    {"[keyframes]\n\"strands.fraction\" = [0, 1]",
+     "keyframes.\"strands.fraction\"[1]: is a whole number; give pairs"},
+    {"[keyframes]\n\"strands.fraction\" = [[0, 1, 2]]", "[1]: has 3 entries; give pairs"},
+    {"[keyframes]\n\"strands.fraction\" = [\n  [0, 1],\n  [\"1 s\", 1]\n]",
+     "s.toml:4: keyframes.\"strands.fraction\"[2]: its time is a string; give pairs"},
+    {"[keyframes]\n\"strands.fraction\" = [\n  [0, 1],\n  [1, 2]\n]",
+     "s.toml:4: keyframes.\"strands.fraction\"[2]: 2 is out of range; give 0.001 to 1"},
+    {"[keyframes]\n\"strands.fraction\" = [[0, \"one\"]]", "[1]: is a string; give 0.001 to 1"},
+    {"[keyframes]\n\"strands.segments\" = [[0, 2.5]]", "[1]: is a number; give 1 to 7"},
+    {"[keyframes]\n\"camera.framed\" = [[0, 1]]", "[1]: is a whole number; give true or false"},
+    {"[keyframes]\n\"strands.shadow\" = [[0, \"soft\"]]", "[1]: \"soft\" is not known"},
+    {"[keyframes]\n\"camera.direction\" = [[0, [1, 0]]]", "[1]: has 2 entries; give a direction"},
+    {"[keyframes]\n\"camera.direction\" = [[0, [0, 0, 0]]]", "[1]: points nowhere"},
+    {"[keyframes]\n\"strands.fraction\" = [[1, 1], [1, 0.5]]",
+     "[2]: the time 1 s is not after 1 s; give ascending times"},
+    {"[keyframes]\n\"strands.fraction\" = [[2, 1], [1, 0.5]]", "[2]: the time 1 s is not after 2 s"},
+    {"[keyframes]\n\"strands.fraction\" = [[-1, 1]]", "[1]: the time -1 s is out of range; give 0 to 3600 s"},
+    {"[keyframes]\n\"strands.fraction\" = [[nan, 1]]", "[1]: the time nan s is out of range"},
+    {"[keyframes]\n\"camera.up\" = [[0, [0, 1, 0]], [2, [1.3, 1.15, 2.35]]]",
+     "s.toml: keyframes at 2 s: camera.up: is parallel to the view"},
+};
+
+TEST(Keyframes, BadLinesAreErrorsWithFileLineAndKey) {
+  for (const Bad& bad : files) {
+    try {
+      parse_scene(bad.text, "s.toml");
+      ADD_FAILURE() << "no error: " << bad.text;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(bad.expected), std::string::npos)
+          << error.what() << "\n  expected: " << bad.expected;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+}
+
+const char* const lively = R"(
+[strands]
+fraction = 0.25
+
+[keyframes]
+"strands.fraction" = [[1.0, 1.0], [5, 0.2]]
+"camera.direction" = [[0, [1, 0, 2]], [2, [2, 0, 1]], [3, [2, 4, 1]]]
+"strands.segments" = [[0, 2], [1, 6], [2.5, 3]]
+"strands.shadow" = [[0, "none"], [1.5, "exp"]]
+camera.framed = [[0, true], [1, false]]
+"coat.image" = [[0, ""], [4, "fur.png"]]
+"coat.seed" = [[0, 4294967295]]
+)";
+
+TEST(Keyframes, AreInterpolated) {
+  const Scene scene = parse_scene(lively, "s.toml", "/folder");
+  EXPECT_EQ(scene.keyframes.tracks.size(), 7u);
+  EXPECT_EQ(scene.strands.fraction, 0.25f) << "scene_at() alone uses the keyframes";
+  for (const auto& [time, fraction] :
+       std::vector<std::pair<double, double>>{{0, 1}, {1, 1}, {2, 0.8}, {4, 0.4}, {5, 0.2}, {900, 0.2}})
+    EXPECT_NEAR(scene_at(scene, time).strands.fraction, fraction, 1e-7) << time;
+  EXPECT_EQ(scene_at(scene, 5).strands.fraction, 0.2f);
+  const auto direction = [&](double time) { return scene_at(scene, time).camera.direction; };
+  EXPECT_EQ(direction(-3), glm::vec3(1, 0, 2));
+  EXPECT_LT(glm::distance(direction(0.5), glm::vec3(1.25f, 0, 1.75f)), 1e-6f);
+  EXPECT_EQ(direction(2), glm::vec3(2, 0, 1));
+  EXPECT_LT(glm::distance(direction(2.75), glm::vec3(2, 3, 1)), 1e-6f);
+  EXPECT_EQ(direction(3.5), glm::vec3(2, 4, 1));
+}
+
+TEST(Keyframes, WholeNumbersTextsAndTruthValuesChangeInSteps) {
+  const Scene scene = parse_scene(lively, "s.toml", "/folder");
+  for (const auto& [time, segments] :
+       std::vector<std::pair<double, int>>{{0, 2}, {0.999, 2}, {1, 6}, {2.499, 6}, {2.5, 3}, {9, 3}})
+    EXPECT_EQ(scene_at(scene, time).strands.segments, segments) << time;
+  EXPECT_EQ(scene_at(scene, 1.4).strands.shadow, "none");
+  EXPECT_EQ(scene_at(scene, 1.5).strands.shadow, "exp");
+  EXPECT_TRUE(scene_at(scene, 0.9).camera.framed);
+  EXPECT_FALSE(scene_at(scene, 1).camera.framed);
+  EXPECT_EQ(scene_at(scene, 3.9).coat.image, "");
+  EXPECT_EQ(scene_at(scene, 4).coat.image, "/folder/fur.png") << "relative to the scene file";
+  EXPECT_EQ(scene_at(scene, 7).coat.seed, 4294967295u);
+}
+
+TEST(Keyframes, TheSceneAtATimeHasNoKeyframes) {
+  const Scene scene = parse_scene(lively, "s.toml", "/folder");
+  const Scene then = scene_at(scene, 2);
+  EXPECT_TRUE(then.keyframes.tracks.empty());
+  EXPECT_EQ(write_scene(scene_at(then, 4)), write_scene(then));
+  EXPECT_EQ(write_scene(scene_at(Scene{}, 1)), write_scene(Scene{}));
+  EXPECT_THROW(scene_at(scene, std::nan("")), InputError);
+}
+
+TEST(Keyframes, AnInvalidSceneBetweenTwoKeyframesIsAnError) {
+  const Scene scene =
+      parse_scene("[keyframes]\n\"camera.direction\" = [[0, [1, 0, 0]], [2, [-1, 0, 0]]]", "s.toml");
+  EXPECT_NO_THROW(scene_at(scene, 0.5));
+  try {
+    scene_at(scene, 1);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("keyframes at 1 s: camera.direction: points nowhere"), 0u)
+        << error.what();
+  }
+}
+
+TEST(Keyframes, SurviveWritingAndReading) {
+  const Scene scene = parse_scene(lively, "s.toml", "/folder");
+  const Scene again = parse_scene(write_scene(scene), "written");
+  EXPECT_EQ(again.keyframes, scene.keyframes) << write_scene(scene);
+  EXPECT_EQ(write_scene(again), write_scene(scene));
+  // Later tables replace the track of a key in the base scene, and keep the other tracks.
+  const Scene more = parse_scene("[keyframes]\n\"strands.fraction\" = [[0, 0.5]]", "more", ".", scene);
+  EXPECT_EQ(more.keyframes.tracks.size(), 7u);
+  EXPECT_EQ(scene_at(more, 3).strands.fraction, 0.5f);
+  EXPECT_EQ(scene_at(more, 9).strands.segments, 3);
+}
+
+TEST(Keyframes, AreInTheHashOfTheScene) {
+  const auto hash = [](const std::string& line) {
+    return scene_hash(parse_scene("[keyframes]\n" + line, "s.toml"));
+  };
+  const std::string first = hash("\"strands.fraction\" = [[0, 1], [2, 0.5]]");
+  EXPECT_NE(first, scene_hash(Scene{}));
+  EXPECT_NE(first, hash("\"strands.fraction\" = [[0, 1], [3, 0.5]]"));
+  EXPECT_NE(first, hash("\"strands.fraction\" = [[0, 1], [2, 0.6]]"));
+  EXPECT_NE(first, hash("\"strands.opacity\" = [[0, 1], [2, 0.5]]"));
+  EXPECT_EQ(first, hash("\"strands.fraction\" = [[0.0, 1.0], [2.0, 0.5]]"));
+  const test::Folder folder;
+  test::write_text(folder.path / "a.png", "1");
+  const auto hash_of_file = [&] {
+    return hash("\"coat.image\" = [[0, \"" + (folder.path / "a.png").string() + "\"]]");
+  };
+  const std::string before = hash_of_file();
+  test::write_text(folder.path / "a.png", "2");
+  EXPECT_NE(hash_of_file(), before) << "the content of the file counts";
+}
+
+TEST(Keyframes, SetDoesNotChangeThem) {
+  Scene scene = parse_scene(lively, "s.toml", "/folder");
+  apply_set(scene, "strands.fraction=0.7");
+  EXPECT_EQ(scene.strands.fraction, 0.7f);
+  EXPECT_EQ(scene_at(scene, 5).strands.fraction, 0.2f);
+  EXPECT_THROW(apply_set(scene, "keyframes=[]"), InputError);
+}
+
+TEST(Keyframes, TracksOfAProgramAreChecked) {
+  const auto refused = [](const KeyTrack& track) {
+    Scene scene;
+    scene.keyframes.tracks = {track, {"strands.taper", {{0, 0.5f}}}};
+    try {
+      check_scene(scene, "test");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(refused({"strands.fraction", {{0, 0.5f}, {1, 0.7f}}}), "no error");
+  EXPECT_NE(refused({"strands.fraction", {{0, 5}}}).find("wrong type"), std::string::npos);
+  EXPECT_NE(refused({"strands.fraction", {{0, 5.0f}}}).find("out of range"), std::string::npos);
+  EXPECT_NE(refused({"strands.fraction", {{1, 0.5f}, {0, 0.5f}}}).find("ascending"), std::string::npos);
+  EXPECT_NE(refused({"strands.fraction", {}}).find("0 keyframes"), std::string::npos);
+  EXPECT_NE(refused({"strands.taper", {{0, 0.5f}}}).find("occurs twice"), std::string::npos);
+  EXPECT_NE(refused({"mesh.up", {{0, std::string("z")}}}).find("cannot change"), std::string::npos);
+  EXPECT_NE(refused({"fraction", {{0, 0.5f}}}).find("no such key"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage
