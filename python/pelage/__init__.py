@@ -72,6 +72,8 @@ def _by_sample(row, phase, clock):
 def read(place, *more, phase="frame", clock="wall", samples=False):
     """Returns the rows of results in folders (at any depth) or journals (*.jsonl) as a pandas data frame.
 
+    Several places are several arguments or a list: read("a", "b") or read(["a", "b"]).
+
     The data frame has one line per row of results. A row holds the results of one case in one process. A case is one
     combination of the parameters that an experiment varies (its axes). A case that failed has a row too. The columns
     have the same names as in the output of `pelage export`:
@@ -103,7 +105,8 @@ def read(place, *more, phase="frame", clock="wall", samples=False):
 
     if clock not in ("wall", "event", "cpu"):
         raise ValueError(f"clock is '{clock}'; give wall, event or cpu")
-    rows = read_rows((place, *more))
+    places = [one for given in (place, *more) for one in (given if isinstance(given, (list, tuple)) else [given])]
+    rows = read_rows(places)
     phases = {name for row in rows for name in row["samples"]}
     if phases and phase not in phases:
         raise ValueError(f"no row has the phase '{phase}'; the phases are {', '.join(sorted(phases))}")

@@ -74,6 +74,13 @@ class Reader(unittest.TestCase):
         with self.assertRaisesRegex(pelage.ResultsError, pattern):
             pelage.read(*places)
 
+    def test_several_places_are_arguments_or_a_list(self):
+        first = self.journal(line(row()))
+        second = self.journal(line(row(case="torus-16-calm")), "own/b.jsonl")
+        for places in ([first, second], (str(first), str(second))):
+            self.assertEqual(len(pelage.read(places)), 2)
+            self.assertEqual(len(pelage.read(*places)), 2)
+
     def test_a_row_is_a_line_of_the_frame(self):
         self.journal(line(row()) + line(failed(case="torus-16-calm", axes={"layers": 16, "mood": "calm"})))
         frame = pelage.read(self.folder)
