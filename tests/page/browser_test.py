@@ -84,12 +84,25 @@ def rows():
                                       "view": {"x": "layers", "series": ["variant"], "panels": ["model"]}}}
 
 
+def narrow_rows():
+    """Yields rows whose times, 48 to 57 ms, lie between two numbers of the series 1, 2, 5, 10, 20, 50, 100, and for which
+    the experiment requires logarithmic axes."""
+    for row in rows():
+        if row["axes"]["model"] == "torus" and row["variant"] == "plain":
+            first = 48 + 2 * [9, 16, 100].index(row["axes"]["layers"])
+            yield {**row, "experiment": "zz-narrow", "samples": {"frame": {"event_ms": [], "wall_ms": [
+                first + 0.7 * i for i in range(8)]}}, "provenance": {**row["provenance"], "title": "narrow", "view": {
+                    "x": "layers", "x_scale": "log", "y_scale": "log"}}}
+
+
 def write_report(folder):
-    """Writes a report of three experiments: the experiment of rows(), with pictures of two variants, and two recorded
-    experiments of the folder results/. Returns the path of the report's page."""
+    """Writes a report of four experiments: the experiment of rows(), with pictures of two variants, that of narrow_rows(),
+    and two recorded experiments of the folder results/. Returns the path of the report's page."""
     own = folder / "results" / "own"
     own.mkdir(parents=True)
     (own / "a.jsonl").write_text("".join(map(line, rows())))
+    (folder / "results" / "zz-narrow").mkdir()
+    (folder / "results" / "zz-narrow" / "a.jsonl").write_text("".join(map(line, narrow_rows())))
     for shade, variant in ((40, "plain"), (220, "curly")):
         for layers in (9, 16):
             png(own / "images" / f"torus-{layers}-{variant}.png", 320, 200, shade)
@@ -165,6 +178,18 @@ class Page(unittest.TestCase):
         self.run_script("arguments[0].scrollIntoView({block: 'center', behavior: 'instant'})", figure)
         self.wait(lambda: self.run_script("return !!arguments[0].charts", figure), "the chart is drawn")
         return figure
+
+    def test_every_axis_of_numbers_has_two_ticks(self):
+        kinds = set()
+        for index in range(len(self.every("figure.chart"))):
+            axes = self.run_script(
+                "return arguments[0].charts.flatMap(c => ['x', 'y'].map(k => [c.scales[k].type, c.scales[k].min, "
+                "c.scales[k].max, c.scales[k].ticks.map(t => t.value)]))", self.chart(index))
+            for kind, least, most, ticks in axes:
+                kinds.add(kind)
+                if kind == "logarithmic":
+                    self.assertGreaterEqual(sum(least <= tick <= most for tick in ticks), 2, (least, most, ticks))
+        self.assertIn("logarithmic", kinds)
 
     def test_hostile_names_are_text(self):
         self.assertEqual(self.browser.title, "pelage: results")

@@ -7,11 +7,14 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "harness/error.hpp"
 #include "harness/report/csv.hpp"
 #include "harness/report/plot.hpp"
+#include "harness/report/plot_spec.hpp"
 #include "tests/report/rows.hpp"
 #include "tests/support/files.hpp"
 
@@ -128,6 +131,34 @@ TEST(Report, APlotThatFailsIsANote) {
   EXPECT_NE(draw_plot(folder.path / "none.py", "x", "y").find("matplotlib is not installed"),
             std::string::npos);
   EXPECT_NE(draw_plot(folder.path / "odd.py", "x", "y").find("ValueError: odd"), std::string::npos);
+}
+
+/// Returns the numbers that label the ticks of a plot of the times 48, 52 and 56 ms of three models.
+std::set<std::string> tick_labels(const std::string& scale) {
+  const Folder folder;
+  std::ofstream(folder.path / "t.csv") << "model,median_ms\na,48\nb,52\nc,56\n";
+  PlotSpec plot;
+  plot.x = "model";
+  plot.y = "median_ms";
+  plot.y_scale = scale;
+  plot.x_scale = "linear";
+  std::ofstream(folder.path / "t.json") << json_of(plot);
+  EXPECT_EQ(draw_plot(plot_program("plot"), folder.path / "t.csv", folder.path / "t"), "");
+  const std::string svg = text_of(folder.path / "t.svg");
+  static const std::regex label(">([0-9.]+)</text>");
+  std::set<std::string> labels;
+  for (std::sregex_iterator found(svg.begin(), svg.end(), label), end; found != end; ++found)
+    labels.insert((*found)[1]);
+  return labels;
+}
+
+// On an axis from 48 to 56, a difference of 8% would look like the whole height of the plot.
+TEST(Plot, ALinearAxisBeginsAtZero) {
+  EXPECT_TRUE(tick_labels("linear").contains("0")) << testing::PrintToString(tick_labels("linear"));
+}
+
+TEST(Plot, ALogarithmicAxisHasTwoLabels) {
+  EXPECT_GE(tick_labels("log").size(), 2U) << testing::PrintToString(tick_labels("log"));
 }
 
 TEST(Report, APlaceThatCannotBeWritten) {

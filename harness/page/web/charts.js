@@ -90,10 +90,23 @@ const charts = (() => {
     };
   }
 
-  /** Ticks of a logarithmic scale: 1, 2 and 5 of each decade, or only 1 if there are many decades. */
+  /** Returns about four evenly spaced numbers from least to most: multiples of 1, 2 or 5 times a power of ten. */
+  function even(least, most) {
+    const rough = (most - least) / 4, power = 10 ** Math.floor(Math.log10(rough));
+    const step = power * [1, 2, 5, 10].find(factor => factor * power >= rough);
+    const first = Math.ceil(least / step), count = Math.floor(most / step) - first + 1;
+    return Array.from({length: count}, (_, i) => Number(((first + i) * step).toPrecision(12)));
+  }
+
+  /**
+   * Ticks of a logarithmic scale: 1, 2 and 5 of each decade, or only 1 if there are many decades. If fewer than two of
+   * these numbers lie on the scale, the ticks are evenly spaced numbers.
+   */
   const decades = {afterBuildTicks: axis => {
     const kept = axis.max / axis.min > 3000 ? /^1e/ : /^[125]e/;
-    axis.ticks = axis.ticks.filter(tick => kept.test(Number(tick.value.toPrecision(6)).toExponential()));
+    const ticks = axis.ticks.filter(tick => tick.value >= axis.min && tick.value <= axis.max
+      && kept.test(Number(tick.value.toPrecision(6)).toExponential()));
+    axis.ticks = ticks.length > 1 ? ticks : even(axis.min, axis.max).map(value => ({value}));
   }};
 
   function scaleX(spec, panel) {

@@ -167,14 +167,27 @@ def decorate(axis, title, categories, values, d):
         axis.spines[side].set_visible(False)
 
 
+def from_zero(axis, rows, d):
+    """Starts a linear vertical axis at 0 if no number is negative, so that differences do not look larger than they are."""
+    columns = [c for c in (d["y"], d["low"], d["high"]) if c]
+    values = [number(r[c]) for r in rows for c in columns if number(r[c]) is not None]
+    if d["y_scale"] == "linear" and values and min(values) >= 0:
+        axis.set_ylim(bottom=0)
+
+
 def plain_ticks(axis):
-    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades."""
+    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades.
+
+    An axis on which fewer than two of the numbers 1, 2, 5, 10, 20, ... lie gets evenly spaced labels.
+    """
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
             continue
         steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
-        ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
+        places = [step * 10.0 ** e for e in range(-12, 13) for step in steps]
+        few = sum(limits[0] <= place <= limits[1] for place in places) < 2
+        ticks.set_major_locator(matplotlib.ticker.MaxNLocator(4) if few else matplotlib.ticker.LogLocator(subs=steps))
         ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
         ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
@@ -206,6 +219,7 @@ def main(table, outputs):
         for label, handle in draw_panel(axis, mine, series, categories, keys, d).items():
             handles.setdefault(label, handle)
         decorate(axis, keys.text(d["panels"], values), categories, numbers, d)
+    from_zero(axes[0][0], rows, d)
     plain_ticks(axes[0][0])
     for i, row in enumerate(axes):
         row[0].set_ylabel(d["y_label"])
