@@ -165,6 +165,7 @@ Judged judge_on(const ClaimFile& file, const Claim& claim, const Machine& machin
 Judged without_rows(const Claim& claim) {
   Judged judged;
   judged.claim = claim;
+  judged.no_rows = claim.untestable.empty();
   judged.reason = !claim.untestable.empty() ? claim.untestable
                                             : fmt::format("there are no rows of the experiment {}",
                                                           fmt::join(claim.experiments, " or "));

@@ -17,6 +17,7 @@ struct Judged {
   Claim claim;
   std::string device, host;  ///< "" if there are no rows
   Verdict verdict = Verdict::untestable;
+  bool no_rows = false;         ///< true if no row belongs to an experiment of the claim
   std::string reason;           ///< why the verdict is undecided or untestable
   std::optional<double> value;  ///< the effect; for Combine::every the effect of the decisive part
   Interval interval;            ///< confidence interval of `value`

@@ -120,6 +120,21 @@ std::string details_of(const Judged& one) {
   return text;
 }
 
+/// Returns the claims as text. If `all` is false, leaves out the claims about experiments that have no rows.
+std::string list_of(const std::vector<Judged>& judged, bool all) {
+  std::string text, machine;
+  for (const Judged& one : judged) {
+    if (one.no_rows && !all) continue;
+    const std::string own =
+        one.device.empty() ? "" : fmt::format("{}{}{}", one.device, one.host.empty() ? "" : " on ", one.host);
+    if (!own.empty() && own != machine) text += fmt::format("Device {}\n", machine = own);
+    text += fmt::format("{:10} {}  ({}; {})\n    {}\n", to_text(one.verdict), one.claim.id,
+                        kind_of(one.claim), source_of(one.claim), one.claim.statement);
+    text += details_of(one);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string effect_text(const Judged& judged) {
@@ -131,15 +146,22 @@ std::string effect_text(const Judged& judged) {
 }
 
 std::string text_of(const std::vector<Judged>& judged) {
-  std::string text, machine;
-  for (const Judged& one : judged) {
-    const std::string own =
-        one.device.empty() ? "" : fmt::format("{}{}{}", one.device, one.host.empty() ? "" : " on ", one.host);
-    if (!own.empty() && own != machine) text += fmt::format("Device {}\n", machine = own);
-    text += fmt::format("{:10} {}  ({}; {})\n    {}\n", to_text(one.verdict), one.claim.id,
-                        kind_of(one.claim), source_of(one.claim), one.claim.statement);
-    text += details_of(one);
-  }
+  return list_of(judged, true) + counts_of(judged);
+}
+
+std::string short_text_of(const std::vector<Judged>& judged) {
+  std::set<std::string> experiments;
+  std::size_t missing = 0;
+  for (const Judged& one : judged)
+    if (one.no_rows) {
+      ++missing;
+      experiments.insert(fmt::format("{}", fmt::join(one.claim.experiments, " or ")));
+    }
+  std::string text = list_of(judged, false);
+  if (missing > 0)
+    text += fmt::format("{} of these experiments, which have no rows here: {}; --all lists {}\n",
+                        missing == 1 ? "1 claim needs rows" : fmt::format("{} claims need rows", missing),
+                        fmt::join(experiments, ", "), missing == 1 ? "it" : "them");
   return text + counts_of(judged);
 }
 

@@ -11,6 +11,10 @@ namespace pelage::claims {
 /// Returns all claims as text for a terminal. The last line contains the number of claims with each verdict.
 std::string text_of(const std::vector<Judged>& judged);
 
+/// Returns text_of() without the claims about experiments that have no rows. Instead of these claims, the
+/// line before the counts contains their number and the names of their experiments.
+std::string short_text_of(const std::vector<Judged>& judged);
+
 /// Returns a table whose first line contains the names of the columns. Numbers are unrounded. `pelage claims`
 /// and `pelage report` write this table as CSV.
 std::vector<std::vector<std::string>> table_of(const std::vector<Judged>& judged);

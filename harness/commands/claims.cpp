@@ -19,7 +19,7 @@ namespace {
 struct ClaimsOptions {
   std::vector<std::string> results;
   std::string file, csv;
-  bool json = false, markdown = false;
+  bool json = false, markdown = false, all = false;
 };
 
 std::string csv_of(const std::vector<claims::Judged>& judged) {
@@ -47,7 +47,9 @@ int print_claims(const ClaimsOptions& options) {
   if (options.json)
     fmt::print("{}\n", claims::json_of(judged).dump(2));
   else
-    fmt::print("{}", options.markdown ? claims::markdown_of(judged) : claims::text_of(judged));
+    fmt::print("{}", options.markdown ? claims::markdown_of(judged)
+                     : options.all    ? claims::text_of(judged)
+                                      : claims::short_text_of(judged));
   return 0;
 }
 
@@ -65,6 +67,8 @@ void add_claims(CLI::App& app, Chosen& chosen) {
   command->add_option("--csv", options->csv, "Also write the claims as CSV; - prints only the CSV")
       ->type_name("FILE");
   auto* json = command->add_flag("--json", options->json, "Print JSON");
+  command->add_flag("--all", options->all,
+                    "Also print each claim about experiments that are not among the results");
   command->add_flag("--markdown", options->markdown, "Print a table for a Markdown document")->excludes(json);
   command->callback([options, &chosen] { chosen = [options] { return print_claims(*options); }; });
 }

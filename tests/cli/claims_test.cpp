@@ -31,7 +31,7 @@ double cpu_seconds() {
 TEST(Claims, OfThePapersAreJudgedByTheRecordings) {
   const Folder folder;
   const double before = cpu_seconds();
-  const Outcome text = pelage(folder, "claims " + results + " --csv claims.csv");
+  const Outcome text = pelage(folder, "claims " + results + " --all --csv claims.csv");
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_EQ(text.err, "");
   // The command must judge all recorded results of the repository in less than 5 s of CPU time. The test uses
@@ -70,8 +70,27 @@ TEST(Claims, OfTheUserNeedNoProgram) {
   folder.write("my.toml", between(document, "```toml", "```\n\n| key"));
   const Outcome none = pelage(folder, "claims " + results + " --claims my.toml");
   EXPECT_EQ(none.code, 0) << none.err;
-  EXPECT_NE(none.out.find("untestable: there are no rows of the experiment my-experiment"), std::string::npos)
-      << none.out;
+  EXPECT_EQ(
+      none.out,
+      "1 claim needs rows of these experiments, which have no rows here: my-experiment; --all lists it\n"
+      "1 claims: 0 holds, 0 fails, 0 undecided, 1 untestable\n");
+  const Outcome all = pelage(folder, "claims " + results + " --claims my.toml --all");
+  EXPECT_NE(all.out.find("untestable: there are no rows of the experiment my-experiment"), std::string::npos)
+      << all.out;
+}
+
+// With the rows of one experiment, the claims about all other experiments are one line.
+TEST(Claims, WithoutRowsAreOneLine) {
+  const Folder folder;
+  const std::string one = "claims " + results.substr(0, results.size() - 1) + "/layers'";
+  const Outcome text = pelage(folder, one), all = pelage(folder, one + " --all");
+  EXPECT_EQ(text.out.find("there are no rows of the experiment"), std::string::npos) << text.out;
+  EXPECT_NE(all.out.find("there are no rows of the experiment"), std::string::npos);
+  EXPECT_NE(text.out.find(" claims need rows of these experiments, which have no rows here: "),
+            std::string::npos)
+      << text.out;
+  const auto counts = [](const std::string& out) { return out.substr(out.rfind('\n', out.size() - 2)); };
+  EXPECT_EQ(counts(text.out), counts(all.out));
 }
 
 TEST(Claims, WrongInputGivesOneLineAndCode2) {
