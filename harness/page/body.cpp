@@ -207,10 +207,17 @@ std::string summary_of(const std::vector<Report>& reports) {
     for (const Cell& c : report.cells) ok += c.status == Status::ok;
     for (const claims::Judged& one : report.claims) ++verdicts[std::size_t(one.verdict)];
   }
-  std::string text = fmt::format(
-      "{} cases. {} of them are ok: their timed frame agreed with the double-precision reference. The other "
-      "cases have no times.",
-      cells, ok);
+  std::string text =
+      ok == cells
+          ? fmt::format(
+                "{} cases. All of them are ok: their results agreed with the double-precision reference.",
+                cells)
+          : fmt::format(
+                "{} cases. {} of them are ok: their results agreed with the double-precision reference. "
+                "{}",
+                cells, ok,
+                cells - ok == 1 ? "The other case has no time."
+                                : fmt::format("The other {} cases have no times.", cells - ok));
   std::string claims;
   for (std::size_t v = 0; v < verdicts.size(); ++v)
     if (verdicts[v] > 0)

@@ -127,6 +127,19 @@ TEST(Page, CellsLeadToRows) {
   EXPECT_FALSE(data["parts"][0]["files"]["silva2010-table1.csv"].get<std::string>().empty());
 }
 
+/// The summary names cases without times only if there are such cases.
+TEST(Page, TheSummaryCountsTheCasesWithoutTimes) {
+  const Folder folder;
+  std::vector<FoundRow> rows = test::table1_rows();
+  const std::string all = page_of(write_reports(rows, folder.path, no_note), {});
+  EXPECT_NE(all.find("32 cases. All of them are ok"), std::string::npos);
+  EXPECT_EQ(all.find("have no times"), std::string::npos);
+  rows[0].row.status = Status::error;
+  const std::string some = page_of(write_reports(rows, folder.path, no_note), {});
+  EXPECT_NE(some.find("32 cases. 31 of them are ok"), std::string::npos);
+  EXPECT_NE(some.find("The other case has no time."), std::string::npos);
+}
+
 /// The test adds rows of the same cases, which were measured with another mesh. One page must show the two
 /// groups of rows as two sets of results.
 TEST(Page, OnePageHasAllSets) {
