@@ -34,6 +34,17 @@ std::string place_of(const Cell& cell) {
   return place;
 }
 
+/// Returns the number of missing cases as text, such as "7 of 8" or "3 of 8 in shard 1/4; 1 more ended with
+/// an error". If this number is unknown, returns text_of() of the gap.
+std::string missing_text(const Gap& gap) {
+  if (!gap.expected || *gap.expected < gap.done + gap.failed) return text_of(gap);
+  std::string text = fmt::format("{} of {}", *gap.expected - gap.done - gap.failed, *gap.expected);
+  if (gap.count > 1) text += fmt::format(" in shard {}/{}", gap.index, gap.count);
+  if (gap.whole_run) text += " in the whole run";
+  if (gap.failed > 0) text += fmt::format("; {} more ended with an error", gap.failed);
+  return text;
+}
+
 }  // namespace
 
 std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& journals,
@@ -42,7 +53,7 @@ std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& jou
   for (const RunState& state : run_states(journals, rows))
     for (const Gap& gap : state.gaps)
       list.push_back(
-          {state.experiment, "", state.where, fmt::format("cases without a row: {}", text_of(gap))});
+          {state.experiment, "", state.where, fmt::format("cases without a row: {}", missing_text(gap))});
   return list;
 }
 

@@ -58,7 +58,7 @@ TEST(LeftOut, NamesRunsWithCasesThatHaveNoRow) {
   ASSERT_EQ(list.size(), 1U);
   EXPECT_EQ(list[0].experiment, "silva2010-table1");
   EXPECT_EQ(list[0].where, "test_device@h");
-  EXPECT_EQ(list[0].reason, "cases without a row: run: 32 of 40 cases");
+  EXPECT_EQ(list[0].reason, "cases without a row: 8 of 40");
 }
 
 TEST(LeftOut, IsATableInEveryFormat) {
