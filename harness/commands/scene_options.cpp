@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "harness/data_folder.hpp"
 #include "harness/error.hpp"
+#include "harness/experiment/example_scenes.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/soup.hpp"
 #include "harness/prepare/scene_mesh.hpp"
@@ -39,26 +39,12 @@ void set_size(Scene& scene, const std::string& size) {
 
 /// Returns the path of the scene file. If `name_or_file` is not an existing file and contains no '/', it is
 /// the name of an example scene, with or without ".toml". Throws InputError if `name_or_file` has the
-/// extension of a mesh file. Also throws InputError if there is no example with this name; the message then
-/// lists all examples.
+/// extension of a mesh file, or if there is no example with this name.
 fs::path scene_file(const std::string& name_or_file) {
   if (has_mesh_ending(name_or_file))
     throw InputError(fmt::format(
         "{0}: is a mesh file; give a scene and the mesh, for instance wet-curls --model {0}", name_or_file));
-  std::error_code error;
-  if (fs::exists(name_or_file, error) || error || name_or_file.find('/') != std::string::npos)
-    return name_or_file;
-  const fs::path folder = data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR).back() / "examples";
-  std::vector<std::string> known;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const fs::path& file = entry.path();
-    if (file.extension() != ".toml") continue;
-    if (file.stem() == name_or_file || file.filename() == name_or_file) return file;
-    known.push_back(file.stem().string());
-  }
-  std::sort(known.begin(), known.end());
-  throw InputError(fmt::format("{}: there is no such scene file, and no such example in {}/ (examples: {})",
-                               name_or_file, folder.string(), fmt::join(known, ", ")));
+  return file_or_example("", name_or_file);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "harness/error.hpp"
 #include "harness/experiment/axes.hpp"
+#include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
 #include "harness/experiment/view_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -263,10 +264,9 @@ void read_scene_table(const fs::path& file, const toml::table& table, Experiment
   if (!node) return;
   const auto name = node->value_exact<std::string>();
   if (!name || name->empty())
-    refuse(file, node, "scene.file must be the path of a scene file, relative to the folder of this file");
-  into.scene_file = (file.parent_path() / *name).lexically_normal();
+    refuse(file, node, "scene.file must be the path of a scene file, or the name of an example");
   try {
-    into.base = read_scene(into.scene_file);
+    into.base = read_scene(into.scene_file = file_or_example(file.parent_path(), *name));
   } catch (const InputError& error) {
     refuse(file, node, fmt::format("scene.file: {}", error.what()));
   }

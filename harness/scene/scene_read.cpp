@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/scene/scene_check.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -55,22 +56,6 @@ std::string_view kind(const toml::node& node) {
   }
 }
 
-/// Returns the Levenshtein distance between two words.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
@@ -95,7 +80,8 @@ std::string unknown(std::string_view wanted, const std::vector<Key>& keys,
     for (const std::string_view name : names) {
       // The first edit distance is that of the full names. The second edit distance is that of the parts
       // after the last dot, because users may write a key in a wrong TOML table or in no table.
-      const std::size_t here = std::min(distance(wanted, name), distance(leaf(wanted), leaf(name)) + 1);
+      const std::size_t here =
+          std::min(edit_distance(wanted, name), edit_distance(leaf(wanted), leaf(name)) + 1);
       if (here < least) least = here, best = name;
     }
   }
@@ -295,6 +281,12 @@ Scene parse_scene(std::string_view text, const std::string& name, const fs::path
   try {
     check_toml_text(text, name);
     toml::table table = toml::parse(text, name);
+    for (const char* key : {"axes", "preset"})
+      if (const toml::node* node = table.get(key); node && node->is_table())
+        throw InputError(
+            fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
+                        "an experiment",
+                        name, node->source().begin.line, key, name));
     if (const toml::node* keyframes = table.get("keyframes")) {
       read_keyframes(Source{name, folder}, *keyframes, "", scene);
       table.erase("keyframes");
