@@ -94,6 +94,7 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
     row.reason = reason;
   };
   try {
+    if (plan.settings) row.provenance["settings"] = plan.settings(which);
     if (plan.identity) row.identity = plan.identity(which);
     const auto from = std::chrono::steady_clock::now();
     const std::unique_ptr<Subject> subject = make(which);

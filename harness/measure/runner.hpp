@@ -18,6 +18,9 @@ struct RunPlan {
   /// Returns the identity of a case without the parts that the subject's describe() adds. May throw
   /// InputError. If this function is empty, a row gets only the parts that describe() adds.
   std::function<Identity(const Case&)> identity;
+  /// Returns the entry `settings` of the provenance of a case: the scene keys that differ from their
+  /// defaults. May throw InputError. If this function is empty, the row has no such entry.
+  std::function<nlohmann::ordered_json(const Case&)> settings;
   /// Time limit of the run in seconds. No case starts after this limit. The timed frames of a case take at
   /// most the remaining time of the run divided by the number of remaining cases, including this case.
   double budget_s = std::numeric_limits<double>::infinity();

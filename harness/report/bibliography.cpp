@@ -69,13 +69,49 @@ std::string bibliography_of(const std::vector<FoundRow>& rows) {
   return text;
 }
 
+namespace {
+
+/// Returns the scene keys of the rows that differ from their defaults (entry `settings` of the provenance):
+/// first the keys with equal values in all rows, then the other keys of each case. Returns "" for rows of
+/// earlier versions.
+std::string settings_of(const std::vector<const FoundRow*>& rows) {
+  std::map<std::string, std::map<std::string, std::string>> cases;  // name of the case -> key -> value
+  for (const FoundRow* found : rows) {
+    const auto settings = found->row.provenance.find("settings");
+    if (settings == found->row.provenance.end() || !settings->is_object()) continue;
+    std::string name = found->row.case_name;
+    for (const auto& [key, value] : found->row.overrides) name += fmt::format("; {}={}", key, value);
+    for (const auto& [key, value] : settings->items())
+      cases[name][key] = value.is_string() ? value.get<std::string>() : value.dump();
+  }
+  if (cases.empty()) return {};
+  std::map<std::string, std::string> shared = cases.begin()->second;
+  for (const auto& [name, keys] : cases)
+    std::erase_if(shared, [&, &own = keys](const auto& entry) {
+      const auto found = own.find(entry.first);
+      return found == own.end() || found->second != entry.second;
+    });
+  std::string text = "  scene keys of all cases that differ from the defaults:\n";
+  for (const auto& [key, value] : shared) text += fmt::format("    {} = {}\n", key, value);
+  for (const auto& [name, keys] : cases) {
+    std::string own;
+    for (const auto& [key, value] : keys)
+      if (!shared.contains(key)) own += fmt::format("{}{} = {}", own.empty() ? "" : "; ", key, value);
+    text += fmt::format("  case {}: {}\n", name, own.empty() ? "no other keys" : own);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string provenance_of(const std::vector<FoundRow>& rows) {
   // The values of these fields can differ between the rows of one run. provenance_of() describes whole runs,
   // so it omits these fields. The recorded rows contain them.
   static const std::set<std::string> of_a_row{
-      "utc",        "started_s",  "cpu_mhz",         "cpu_mhz_after", "load",          "prepare_s",
-      "sampling_s", "load_after", "other_cpu_share", "check_s",       "kernel_hash",   "converged",
-      "mesh_hash",  "scene_hash", "check_seed",      "bad_input",     "mesh_warnings", "picture_hash"};
+      "utc",         "started_s",     "cpu_mhz",      "cpu_mhz_after",   "load",
+      "prepare_s",   "sampling_s",    "load_after",   "other_cpu_share", "check_s",
+      "kernel_hash", "converged",     "mesh_hash",    "scene_hash",      "check_seed",
+      "bad_input",   "mesh_warnings", "picture_hash", "settings"};
   std::map<std::pair<std::string, std::string>, std::vector<const FoundRow*>> runs;
   for (const FoundRow& found : rows)
     runs[{found.row.run_id, found.journal.filename().string()}].push_back(&found);
@@ -98,7 +134,7 @@ std::string provenance_of(const std::vector<FoundRow>& rows) {
       for (const std::string& value : set) text += fmt::format(" {}{}", value, set.size() > 1 ? ";" : "");
       text += "\n";
     }
-    text += "\n";
+    text += settings_of(members) + "\n";
   }
   return text;
 }

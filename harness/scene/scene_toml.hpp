@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "harness/scene/scene.hpp"
 
@@ -37,6 +39,11 @@ void check_scene(const Scene& scene, const std::string& source = "scene");
 /// Returns a scene as TOML text with all keys. A comment beside each key gives its meaning, unit, range and
 /// default. parse_scene() returns a bitwise identical scene from this text.
 std::string write_scene(const Scene& scene);
+
+/// Returns the keys whose values differ from the defaults, with their values as TOML. Lists and keyframes are
+/// entries, too. A path is reduced to the name of its file. A value of more than 2000 bytes is replaced by
+/// its length.
+std::vector<std::pair<std::string, std::string>> changed_keys(const Scene& scene);
 
 /// Returns a hash of all keys, values and keyframes of a scene as 16 hexadecimal digits. The hash is the same
 /// on every machine. If a value is a path, the content of the file is hashed instead of the path.

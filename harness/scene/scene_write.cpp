@@ -112,6 +112,15 @@ void for_keyframes(const KeyTrack& track, const Use& use) {
   }
 }
 
+/// Returns the keyframes of a key as a TOML array of pairs [time in s, value].
+std::string pairs_text(const KeyTrack& track) {
+  std::string pairs;
+  for_keyframes(track, [&](const Key& key, double time) {
+    pairs += fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", number(time), value_text(key));
+  });
+  return fmt::format("[{}]", pairs);
+}
+
 std::string write_keyframes(const Keyframes& keyframes) {
   const std::string meaning =
       "values of keys over time, as pairs [time in s, value]; numbers and vectors are interpolated linearly, "
@@ -122,13 +131,8 @@ std::string write_keyframes(const Keyframes& keyframes) {
         "#   \"strands.fraction\" = [[0.0, 1.0], [5.0, 0.1]]\n",
         meaning);
   std::string out = fmt::format("\n[keyframes] # {}\n", meaning);
-  for (const KeyTrack& track : keyframes.tracks) {
-    std::string pairs;
-    for_keyframes(track, [&](const Key& key, double time) {
-      pairs += fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", number(time), value_text(key));
-    });
-    out += fmt::format("{} = [{}]\n", quoted(track.key), pairs);
-  }
+  for (const KeyTrack& track : keyframes.tracks)
+    out += fmt::format("{} = {}\n", quoted(track.key), pairs_text(track));
   return out;
 }
 
@@ -161,6 +165,33 @@ std::string hashed_value(const Key& key) {
   return value_text(key);
 }
 
+/// Returns the value as TOML. If the value is a path, returns only the name of the file, because a row of
+/// results must not contain the folders of the machine.
+std::string shown_value(const Key& key) {
+  if (const auto* path = std::get_if<std::filesystem::path*>(&key.slot))
+    return quoted((*path)->filename().string());
+  if (key.name == "model")
+    if (const std::string& model = *std::get<std::string*>(key.slot); is_model_file(model))
+      return quoted(std::filesystem::path(model).filename().string());
+  return value_text(key);
+}
+
+/// Returns the list as a TOML array of inline tables.
+std::string inline_list(const KeyList& list) {
+  std::string out;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    std::string entry;
+    for (const Key& key : list.keys(i))
+      if (!value_text(key).empty())
+        entry += fmt::format("{}{} = {}", entry.empty() ? "" : ", ", key.name, shown_value(key));
+    out += fmt::format("{}{{ {} }}", out.empty() ? "" : ", ", entry);
+  }
+  return fmt::format("[{}]", out);
+}
+
+/// Longest value in the result of changed_keys(), in bytes. A list of droplets can be much longer.
+constexpr std::size_t longest_changed_value = 2000;
+
 }  // namespace
 
 std::string write_scene(const Scene& scene) {
@@ -189,6 +220,25 @@ std::string write_scene(const Scene& scene) {
         out += lists[n].size() > 0 ? write_list(lists[n]) : describe_list(standard_lists[n]);
   }
   return out + write_keyframes(scene.keyframes);
+}
+
+std::vector<std::pair<std::string, std::string>> changed_keys(const Scene& scene) {
+  Scene values = scene, defaults;
+  const std::vector<Key> keys = scene_keys(values), standards = scene_keys(defaults);
+  const std::vector<KeyList> lists = scene_lists(values), standard_lists = scene_lists(defaults);
+  std::vector<std::pair<std::string, std::string>> changed;
+  const auto add = [&](std::string_view name, std::string value, const std::string& standard) {
+    if (value == standard) return;
+    if (value.size() > longest_changed_value) value = fmt::format("{} characters", value.size());
+    changed.emplace_back(name, std::move(value));
+  };
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    add(keys[i].name, shown_value(keys[i]), shown_value(standards[i]));
+  for (std::size_t i = 0; i < lists.size(); ++i)
+    add(lists[i].name, inline_list(lists[i]), inline_list(standard_lists[i]));
+  for (const KeyTrack& track : scene.keyframes.tracks)
+    add(fmt::format("keyframes.{}", quoted(track.key)), pairs_text(track), "");
+  return changed;
 }
 
 std::string scene_hash(const Scene& scene) {
