@@ -5,6 +5,8 @@
 
 #include "harness/claims/print.hpp"
 #include "harness/commands/report.hpp"
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/page/page.hpp"
 #include "harness/report/left_out.hpp"
@@ -15,8 +17,22 @@ namespace {
 
 struct ReportOptions {
   std::vector<std::string> results;
-  std::string output;
+  std::string output, view;
 };
+
+/// Replaces the view (table [report] of the experiment file) in the rows of an experiment by the view in
+/// `file`. Throws InputError if no row belongs to the experiment in `file`.
+void use_view(std::vector<FoundRow>& rows, const std::string& file) {
+  const Experiment experiment = read_experiment(experiment_file(file));
+  bool any = false;
+  for (FoundRow& found : rows) {
+    if (found.row.experiment != experiment.name) continue;
+    found.row.provenance["view"] = to_json(experiment.view);
+    any = true;
+  }
+  if (!any)
+    throw InputError(fmt::format("--view {}: no row belongs to the experiment {}", file, experiment.name));
+}
 
 /// Prints the testable claims and their verdicts, and the number of the untestable claims.
 void print_claims(std::vector<claims::Judged> claims) {
@@ -43,6 +59,7 @@ int report(const ReportOptions& options) {
   Results results = read_all_results(options.results);
   for (LeftOut& one : missing_cases(journals_of(options.results), results.rows))
     results.left_out.push_back(std::move(one));
+  if (!options.view.empty()) use_view(results.rows, options.view);
   const std::vector<Model> known = models();
   const auto footnote = [&known](const std::string& name) {
     for (const Model& model : known)
@@ -68,6 +85,11 @@ void add_report(CLI::App& app, Chosen& chosen) {
       ->required()
       ->type_name("RESULTS");
   command->add_option("-o,--output", options->output, "Folder of the report")->required()->type_name("DIR");
+  command
+      ->add_option(
+          "--view", options->view,
+          "Experiment file whose table [report] replaces the one that the rows of this experiment recorded")
+      ->type_name("FILE");
   command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
 

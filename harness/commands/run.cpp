@@ -15,6 +15,7 @@
 #include "harness/commands/run_options.hpp"
 #include "harness/error.hpp"
 #include "harness/experiment/balance.hpp"
+#include "harness/journal/equal_pictures.hpp"
 #include "harness/journal/provenance.hpp"
 #include "harness/journal/results_folder.hpp"
 #include "harness/measure/cpu_use.hpp"
@@ -23,6 +24,8 @@
 #include "harness/measure/runner.hpp"
 #include "harness/measure/statistics.hpp"
 #include "harness/prepare/scene_mesh.hpp"
+#include "harness/report/view_check.hpp"
+#include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/subjects/case_identity.hpp"
 #include "harness/subjects/pipelines.hpp"
@@ -80,6 +83,8 @@ Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64
   if (sweep.cases.empty())
     throw InputError(fmt::format("{}: --filter '{}': no case has a name that matches", sweep.experiment.name,
                                  options.filter));
+  for (const std::string& warning : view_warnings(sweep.experiment.view, sweep.cases.front().axes))
+    fmt::print(stderr, "pelage: warning: {}: {}\n", sweep.experiment.file.string(), warning);
   take_shard(sweep, options);
   sweep.cases = shuffled(std::move(sweep.cases), seed);
   if (options.tuning != "defaults")
@@ -220,6 +225,11 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   Progress progress(plan.cases.size());
   const auto note = [&](const std::string& text) { progress.note("  " + text); };
   const auto context = make_context(device, sweep.experiment, tuning, note);
+  plan.settings = [&](const Case& which) {
+    auto settings = nlohmann::ordered_json::object();
+    for (const auto& [key, value] : changed_keys(scene_of(sweep.experiment, which))) settings[key] = value;
+    return settings;
+  };
   plan.identity = [&](const Case& which) { return case_identity(*context, which, plan.limits); };
 
   const std::string shard = options.shard.empty() ? ""
@@ -237,6 +247,13 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   progress.skip(std::size_t(std::count_if(plan.cases.begin(), plan.cases.end(), [&](const Case& c) {
     return journal.holds(planned_key(plan, c));
   })));
+  std::vector<CasePicture> pictures;
+  const auto keep_picture = [&pictures](const Row& row) {
+    if (row.status == Status::ok)
+      pictures.push_back(
+          {row.case_name, fmt::format("{} {}", row.variant, fmt::join(row.overrides, " ")), row.image_hash});
+  };
+  for (const Row& row : journal.rows()) keep_picture(row);
   RunListener listener;
   const QuietMachine quiet = quiet_machine_from_text(options.quiet_machine);
   listener.may_start = [&](const Case& which) {
@@ -248,13 +265,17 @@ RunSummary run_sweep(const RunOptions& options, const Sweep& sweep, const cl::De
   };
   listener.starting = [&](std::size_t, const Case& which) { progress.start(which.name); };
   listener.finished = [&](std::size_t, const Row& row) {
+    keep_picture(row);
     if (row.status != Status::ok && isatty(STDERR_FILENO))
       progress.note(fmt::format("{}: {}", row.case_name, told(row)));
     if (const std::string warning = load_warning(row); !warning.empty())
       progress.note("pelage: warning: " + warning);
     progress.finish(told(row));
   };
-  return run_cases(plan, subjects_of(context), journal, listener);
+  const RunSummary summary = run_cases(plan, subjects_of(context), journal, listener);
+  if (const std::string equal = equal_pictures(pictures); !equal.empty())
+    progress.note(fmt::format("pelage: {}: {}", sweep.experiment.name, equal));
+  return summary;
 }
 
 int run_here(const RunOptions& options, const fs::path& folder) {

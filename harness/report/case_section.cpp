@@ -107,6 +107,46 @@ Section of_cases(std::vector<Cell> cells, const View& view) {
   return section;
 }
 
+/// Returns a remark with the number of time steps per frame (metric substeps) of each variant: "Time steps
+/// per frame: rk4 4, explicit-euler 16." Returns "" if there is only one variant, if all variants take the
+/// same number of steps, or if the number also depends on other axes.
+std::string steps_remark(const std::vector<Cell>& cells) {
+  std::map<std::string, std::set<double>> steps;  // variant -> numbers
+  std::set<double> all;
+  for (const Cell& c : cells)
+    if (const auto found = c.metrics.find("substeps"); found != c.metrics.end()) {
+      steps[c.variant].insert(found->second.value);
+      all.insert(found->second.value);
+    }
+  if (all.size() < 2) return {};
+  std::string text;
+  for (const auto& [variant, numbers] : steps) {
+    if (numbers.size() > 1) return {};
+    text += fmt::format("{}{} {:g}", text.empty() ? "" : ", ", variant, *numbers.begin());
+  }
+  return fmt::format("Time steps per frame: {}.", text);
+}
+
+/// Returns the remarks that explain the numbers in the cells of the cross table.
+std::vector<std::string> value_remarks(const std::vector<std::string>& values) {
+  const auto shows = [&](const char* name) {
+    return std::find(values.begin(), values.end(), name) != values.end();
+  };
+  std::vector<std::string> remarks;
+  if (shows("median_ms"))
+    remarks.emplace_back("Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
+  if (shows("fps"))
+    remarks.emplace_back(
+        "Frames per second: 1000 divided by the median wall time of a warm frame in ms, and its 95% "
+        "interval.");
+  if (std::any_of(values.begin(), values.end(), [](const auto& name) { return name.ends_with("_ratio"); }))
+    remarks.emplace_back(
+        "NAME_ratio: time of the baseline NAME divided by our time in the same rounds, and its 95% interval. "
+        "Above "
+        "1, ours is faster.");
+  return remarks;
+}
+
 }  // namespace
 
 std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::string& stem,
@@ -126,10 +166,9 @@ std::vector<Section> case_sections(const std::vector<Cell>& cells, const std::st
   table.stem = stem;
   for (const std::string& name : table.layout.values) show_interval(table, name);
   add_footnotes(table, sources.note);
-  if (std::find(table.layout.values.begin(), table.layout.values.end(), "median_ms") !=
-      table.layout.values.end())
-    table.remarks.insert(table.remarks.begin(),
-                         "Frame time: median of the wall times of warm frames, in ms, and its 95% interval.");
+  std::vector<std::string> explained = value_remarks(table.layout.values);
+  table.remarks.insert(table.remarks.begin(), explained.begin(), explained.end());
+  if (std::string steps = steps_remark(cells); !steps.empty()) table.remarks.push_back(std::move(steps));
   for (std::string& remark : mark_remarks(cells)) table.remarks.push_back(std::move(remark));
   if (std::string drift = drift_remark(cells); !drift.empty()) table.remarks.push_back(std::move(drift));
   section.plots = plots_of(table, cells, view, *sources.notes);

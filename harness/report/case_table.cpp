@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "harness/experiment/experiment.hpp"
+#include "harness/journal/equal_pictures.hpp"
 #include "harness/measure/cpu_use.hpp"
 #include "harness/scene/scene_keys.hpp"
 
@@ -310,7 +311,8 @@ std::string name_of(const Cell& cell) {
   for (const auto& [axis, value] : axes) {
     if (axis == "variant" || (axis == "reading" && value == "default")) continue;
     text += text.empty() ? "" : ", ";
-    text += axis == "layers" ? value + " layers" : value;
+    // A word such as "sticks" names itself, but a number needs the name of its axis.
+    text += number_of(value) ? with_value(axis_column(axis), value) : value;
   }
   return text.empty() ? cell.case_name : text;
 }
@@ -325,6 +327,14 @@ std::string drift_remark(const std::vector<Cell>& cells) {
   names.resize(shown);
   return fmt::format("Times drift during the run: {}{}.", fmt::join(names, ", "),
                      others > 0 ? fmt::format(" and {} other cases", others) : "");
+}
+
+std::string equal_pictures_remark(const std::vector<Cell>& cells) {
+  std::vector<CasePicture> pictures;
+  for (const Cell& c : cells)
+    if (timed(c))
+      pictures.push_back({name_of(c), c.variant, fmt::format("{}", fmt::join(c.pixel_hashes, " "))});
+  return equal_pictures(pictures);
 }
 
 }  // namespace pelage

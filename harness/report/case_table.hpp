@@ -57,8 +57,9 @@ std::map<std::string, double> triangles_by_model(const std::vector<Cell>& cells)
 /// then by the values of the axes (model first, layers and size last), then by the variant.
 void sort_cells(std::vector<Cell>& cells);
 
-/// Returns the values of the cell's axes as text, for example "torus, 16 layers, 800x600". The text does not
-/// contain the variant, and it contains the value of the axis "reading" only if this value is not "default".
+/// Returns the values of the cell's axes as text, for example "torus, curl.radius 0.02, 16 layers, 800x600".
+/// A number has the name of its axis. The text does not contain the variant, and it contains the value of the
+/// axis "reading" only if this value is not "default".
 std::string name_of(const Cell& cell);
 
 /// Returns the marks of the cell's times: "*" if the median did not converge, "!" if other processes
@@ -71,5 +72,9 @@ std::vector<std::string> mark_remarks(const std::vector<Cell>& cells);
 /// Returns a remark that names up to five cases whose times drift (drifts()), and the change of each time:
 /// "Times drift during the run: torus, 16 layers, 800x600 (+3.2%)." Returns "" if there is no such case.
 std::string drift_remark(const std::vector<Cell>& cells);
+
+/// Returns a remark that names cases of one variant whose pictures have equal pixels (equal_pictures()).
+/// Returns "" if there are no such cases.
+std::string equal_pictures_remark(const std::vector<Cell>& cells);
 
 }  // namespace pelage

@@ -60,6 +60,7 @@ void add(Cell& cell, const Row& row) {
   }
   cell.contended = cell.contended || !load_warning(row).empty();
   if (const std::string hash = text(row, "picture_hash"); !hash.empty()) cell.picture_hashes.insert(hash);
+  if (!row.image_hash.empty()) cell.pixel_hashes.insert(row.image_hash);
   std::vector<double> times = frame_ms(row);
   if (times.empty()) return;
   cell.converged = cell.converged && is_precise(row);

@@ -43,6 +43,7 @@ struct Cell {
   std::vector<std::size_t> rows;  ///< indices of the combined rows in the argument of cells_of()
   /// Hashes of the picture files, from the rows. Empty for rows of earlier versions.
   std::set<std::string> picture_hashes;
+  std::set<std::string> pixel_hashes;  ///< hashes of the pixels of the timed pictures; empty without pictures
   /// Value of the axis "reading"; "default" if the cell has no such axis. The axis selects a set of scene
   /// settings, for example one interpretation of a paper's text.
   std::string reading() const;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "harness/journal/provenance.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/report/case_table.hpp"
 
 namespace pelage {
@@ -67,6 +68,14 @@ std::string scale_of(const Table& table, const std::string& column) {
   return least > 0 && most >= 20 * least ? "log" : "linear";
 }
 
+/// Returns " (did you mean NAME?)" with the column whose name resembles `name`, or "" if there is none.
+std::string suggestion(const Table& table, const std::string& name) {
+  std::vector<std::string> columns;
+  for (const Column& column : table.columns) columns.push_back(column.name);
+  const std::string near = nearest_name(name, columns);
+  return near.empty() ? "" : fmt::format(" (did you mean {}?)", near);
+}
+
 /// Returns those of `names` that are columns of the table. Adds a note for every other name.
 Names known(const Table& table, const Names& names, const char* key, std::vector<std::string>& notes) {
   Names result;
@@ -74,8 +83,11 @@ Names known(const Table& table, const Names& names, const char* key, std::vector
     if (column_of(table, name) >= 0)
       result.push_back(name);
     else
-      notes.push_back(fmt::format("{}: {} names \"{}\", but tables/{}.csv has no such column", table.subtitle,
-                                  key, name, table.stem));
+      notes.push_back(
+          fmt::format("{}: {} names \"{}\", but tables/{}.csv has no such column{}; correct the table "
+                      "[report] of the experiment "
+                      "file and give the file with --view",
+                      table.subtitle, key, name, table.stem, suggestion(table, name)));
   return result;
 }
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <tuple>
 
 #include "harness/error.hpp"
 #include "harness/journal/provenance.hpp"
+#include "harness/report/case_table.hpp"
 
 namespace pelage {
 namespace {
@@ -65,9 +67,12 @@ std::vector<Section> sections_of(const std::vector<Cell>& cells, const Sources& 
   std::map<std::tuple<std::string, std::string, std::string, std::string>, std::vector<Cell>> groups;
   for (const Cell& c : cells) groups[{c.experiment, c.device, c.host, changes_of(c)}].push_back(c);
   std::vector<Section> sections;
-  for (const auto& [key, group] : groups)
-    for (Section& section : of_group(group, stem_of(group.front(), sources), sources))
-      sections.push_back(std::move(section));
+  for (const auto& [key, group] : groups) {
+    std::vector<Section> own = of_group(group, stem_of(group.front(), sources), sources);
+    if (std::string equal = equal_pictures_remark(group); !equal.empty())
+      own.front().table.remarks.push_back(std::move(equal));
+    std::move(own.begin(), own.end(), std::back_inserter(sections));
+  }
   separate(sections);
   return sections;
 }

@@ -61,6 +61,99 @@ TEST_F(Results, ResumeRefusesAnEditedSceneFile) {
   EXPECT_NE(edited.err.find("measured something else: scene was "), std::string::npos) << edited.err;
 }
 
+// Without random droplets, no other key of the wetness changes a pixel.
+TEST_F(Results, EqualPicturesAreNamedByRunAndReport) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\nstate = [\"dry\", \"soaked\", \"long\"]");
+  folder.write("own.toml",
+               text + "[state.soaked]\nwetness.wetness = 0.8\n[state.long]\ncurl.radius = 0.02\n");
+  const Outcome run = pelage(folder, "run own.toml -o wet");
+  const std::string sentence = "The settings in which these cases differ change no pixel.";
+  EXPECT_NE(run.err.find("pelage: own: Equal pictures: (torus_24x12-4-"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find(sentence), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("(torus_24x12-4-long"), std::string::npos) << run.err;
+  const Outcome report = pelage(folder, "report wet -o page");
+  EXPECT_NE(
+      report.out.find("Equal pictures: (torus-24x12, dry, 4 layers, 320x240) and (torus-24x12, soaked, 4 "
+                      "layers, 320x240). " +
+                      sentence),
+      std::string::npos)
+      << report.out;
+}
+
+// The rows say what was measured, without the experiment file.
+TEST_F(Results, RowsAndReportsContainTheSceneKeys) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("layers = [4, 8]"), 15, "layers = [4]\nstate = [\"dry\", \"soaked\"]");
+  folder.write("own.toml", text + "[state.soaked]\nwetness.random = 40\nwetness.wetness = 0.8\n");
+  ASSERT_EQ(pelage(folder, "run own.toml -o wet").code, 0);
+  std::filesystem::remove(folder.path() / "own.toml");
+  ASSERT_EQ(pelage(folder, "report wet -o page").code, 0);
+  const std::string provenance = folder.read("page/provenance.txt");
+  EXPECT_NE(provenance.find("    fur.texture = 64\n"), std::string::npos) << provenance;
+  EXPECT_NE(provenance.find("case torus_24x12-4-dry-320x240: no other keys\n"), std::string::npos)
+      << provenance;
+  EXPECT_NE(
+      provenance.find("case torus_24x12-4-soaked-320x240: wetness.random = 40; wetness.wetness = 0.8\n"),
+      std::string::npos)
+      << provenance;
+  EXPECT_NE(folder.read("page/index.html").find("wetness.random = 40; wetness.wetness = 0.8"),
+            std::string::npos);
+}
+
+// A wrong name in [report] is reported before the run, and a report can use the corrected file.
+TEST_F(Results, AMisspeltColumnIsNamedBeforeTheRunAndMendedAfterIt) {
+  folder.write("own.toml", experiment("0.1") + "[report]\ny = \"medan_ms\"\n");
+  const std::string warning =
+      "own.toml: report.y names the column medan_ms, which is neither an axis nor a time of the table; did "
+      "you mean "
+      "median_ms?\n";
+  EXPECT_NE(pelage(folder, "run own.toml --dry-run").err.find(warning), std::string::npos);
+  const Outcome run = pelage(folder, "run own.toml -o second");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.err.find(warning), std::string::npos) << run.err;
+  const Outcome wrong = pelage(folder, "report second -o page");
+  EXPECT_NE(
+      wrong.err.find("(did you mean median_ms?); correct the table [report] of the experiment file and give "
+                     "the file with --view"),
+      std::string::npos)
+      << wrong.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "page/plots/own-frame-time.json"));
+  folder.write("own.toml", experiment("0.1") + "[report]\ny = \"median_ms\"\n");
+  const Outcome mended = pelage(folder, "report second -o page --view own.toml");
+  EXPECT_EQ(mended.code, 0) << mended.err;
+  EXPECT_EQ(mended.err.find("no such column"), std::string::npos) << mended.err;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "page/plots/own-frame-time.json"));
+  const Outcome other = pelage(folder, "report second -o page --view layers");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("--view layers: no row belongs to the experiment layers"), std::string::npos)
+      << other.err;
+}
+
+TEST_F(Results, AnExperimentMayNameAnExampleScene) {
+  std::string text = experiment("0.1");
+  text.replace(text.find("fur.length"), 0, "file = \"wet-curls\"\n");
+  folder.write("own.toml", text);
+  const Outcome plan = pelage(folder, "run own.toml --dry-run");
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  text.replace(text.find("wet-curls"), 9, "wet-curlz");
+  folder.write("own.toml", text);
+  const Outcome missing = pelage(folder, "run own.toml --dry-run");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("wet-curlz: there is no such scene file, and no such example in"),
+            std::string::npos)
+      << missing.err;
+}
+
+TEST_F(Results, AnExperimentIsNoScene) {
+  const Outcome render = pelage(folder, "render own.toml -o x.png");
+  EXPECT_EQ(render.code, 2);
+  EXPECT_EQ(render.err,
+            "pelage: own.toml:2: [axes] is a table of an experiment file, not of a scene; `pelage run "
+            "own.toml` runs "
+            "an experiment\n");
+}
+
 TEST_F(Results, ATooSmallPictureIsExplained) {
   const Outcome small = pelage(folder, "run own.toml --axis size=64x48 -o small");
   EXPECT_EQ(small.code, 1);

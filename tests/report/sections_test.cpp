@@ -51,32 +51,7 @@ std::size_t line_with(const Table& table, const std::vector<std::pair<const char
   return 0;
 }
 
-/// Returns one row for each combination of the axes' values. The median of the first row is 10 ms, that of
-/// the second row is 20 ms, and so on.
-std::vector<FoundRow> own_rows(const std::vector<Axis>& axes) {
-  std::vector<FoundRow> rows(1);
-  for (const Axis& axis : axes) {
-    std::vector<FoundRow> more;
-    for (const FoundRow& row : rows)
-      for (const std::string& v : axis.values) {
-        more.push_back(row);
-        more.back().row.axes[axis.key] = v;
-        more.back().row.case_name += "-" + v;
-      }
-    rows = more;
-  }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    Row& row = rows[i].row;
-    row.run_id = "run";
-    row.experiment = "own";
-    row.variant = row.axes.contains("variant") ? row.axes["variant"] : "shells/tile";
-    row.device = "test device";
-    row.samples["frame"].wall_ms.assign(11, 10.0 * double(i + 1));
-    row.provenance = {{"host", "h"}, {"converged", true}};
-    rows[i].journal = "results/own/test_device@h.jsonl";
-  }
-  return rows;
-}
+using test::own_rows;
 
 TEST(PaperSection, HasThePapersShape) {
   const auto all = sections(test::table1_rows());
