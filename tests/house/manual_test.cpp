@@ -94,3 +94,26 @@ TEST(Manual, APlantedDifferenceIsSeen) {
       "\"\\fIDIR\\fR\"\nfolder\n.SS pelage list\nno options\n.SH ENVIRONMENT\n.TP\n--nor-this\n";
   EXPECT_EQ(text_of(from_page(text)), "list: \nrun: output preset\n");
 }
+
+// --help prints the permitted values of an argument as {a,b,c}. The page must name each of them in the
+// section of the command.
+TEST(Manual, NamesThePermittedValuesOfCheckAndRender) {
+  std::ifstream stream(PELAGE_SOURCE_DIR "/docs/pelage.1");
+  std::string page{std::istreambuf_iterator<char>(stream), {}};
+  page = std::regex_replace(page, std::regex("\\\\f[A-Z]"), "");
+  page = std::regex_replace(page, std::regex("\\\\-"), "-");
+  static const std::regex list("\\{([^}]+)\\}"), word("[^,]+");
+  for (const std::string command : {"check", "render"}) {
+    const std::size_t start = page.find("\n.SS pelage " + command);
+    const std::string section = page.substr(start, page.find("\n.SS", start + 1) - start);
+    const std::string help = output_of(command + " --help");
+    std::size_t values = 0;
+    for (std::sregex_iterator found(help.begin(), help.end(), list), end; found != end; ++found) {
+      const std::string all = (*found)[1];
+      for (std::sregex_iterator value(all.begin(), all.end(), word); value != end; ++value, ++values)
+        EXPECT_TRUE(std::regex_search(section, std::regex("(^|[^a-z-])" + value->str() + "($|[^a-z-])")))
+            << command << ": " << value->str();
+    }
+    EXPECT_GE(values, 6U) << help;
+  }
+}
