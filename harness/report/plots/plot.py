@@ -178,16 +178,14 @@ def from_zero(axis, rows, d):
 def plain_ticks(axis):
     """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades.
 
-    An axis on which fewer than two of the numbers 1, 2, 5, 10, 20, ... lie gets evenly spaced labels.
+    If an axis contains fewer than two of these numbers, matplotlib's LogLocator labels evenly spaced numbers instead.
     """
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
             continue
         steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
-        places = [step * 10.0 ** e for e in range(-12, 13) for step in steps]
-        few = sum(limits[0] <= place <= limits[1] for place in places) < 2
-        ticks.set_major_locator(matplotlib.ticker.MaxNLocator(4) if few else matplotlib.ticker.LogLocator(subs=steps))
+        ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
         ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
         ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
