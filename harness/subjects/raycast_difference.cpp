@@ -58,37 +58,7 @@ double mean_difference(const Picture& a, const Picture& b) {
 }
 
 Truth ray_cast(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
-  const auto input = strands::prepare_strands(scene, mesh);
-  const std::vector<strands::DrawnStrand> all_curves = reference_curves(*input, input->fur.keys);
-  std::vector<strands::DrawnStrand> curves;
-  std::vector<std::uint32_t> number;
-  for (const strands::Entry& entry :
-       strands::reference::drawing_order(input->camera, input->range, all_curves)) {
-    curves.push_back(all_curves[entry.strand]);
-    number.push_back(entry.strand);
-  }
-  const strands::Look& look = input->look;
-  strands::RaycastScene cast;
-  cast.camera = input->camera;
-  cast.background = look.background;
-  cast.taper = look.taper;
-  cast.strand_paint = [&](std::uint32_t strand, float t) -> strands::Paint {
-    const strands::DrawnStrand& drawn = curves[strand];
-    return {glm::vec3(
-                strands::reference::unshadowed_colour(input->camera, look, drawn, number[strand], double(t))),
-            float(strands::reference::alpha_of(look, drawn, number[strand], double(t)))};
-  };
-  std::vector<glm::dvec3> skin_colour;
-  if (input->skin) {
-    skin_colour = strands::reference::skin_colours(look, *input->skin, nullptr);
-    cast.skin = mesh;
-    cast.skin_paint = [&](std::uint32_t triangle, glm::vec2 weight) -> strands::Paint {
-      const glm::uvec3 t = mesh->triangle[triangle];
-      const double s = double(weight.x), u = double(weight.y);
-      return {glm::vec3((1 - s - u) * skin_colour[t.x] + s * skin_colour[t.y] + u * skin_colour[t.z]), 1};
-    };
-  }
-  const strands::RaycastResult result = strands::raycast(cast, curves, rays);
+  const strands::RaycastResult result = raycast_strands(*strands::prepare_strands(scene, mesh));
   const double all = double(fur_pixels(result.picture)) * rays.samples * rays.samples;
   return {result.picture, all > 0 ? double(result.hits) / all : 0};
 }
@@ -127,6 +97,39 @@ class RaycastDifference : public Subject {
 };
 
 }  // namespace
+
+strands::RaycastResult raycast_strands(const strands::StrandInput& input) {
+  const std::vector<strands::DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
+  std::vector<strands::DrawnStrand> curves;
+  std::vector<std::uint32_t> number;
+  for (const strands::Entry& entry :
+       strands::reference::drawing_order(input.camera, input.range, all_curves)) {
+    curves.push_back(all_curves[entry.strand]);
+    number.push_back(entry.strand);
+  }
+  const strands::Look& look = input.look;
+  strands::RaycastScene cast;
+  cast.camera = input.camera;
+  cast.background = look.background;
+  cast.taper = look.taper;
+  cast.strand_paint = [&](std::uint32_t strand, float t) -> strands::Paint {
+    const strands::DrawnStrand& drawn = curves[strand];
+    return {glm::vec3(
+                strands::reference::unshadowed_colour(input.camera, look, drawn, number[strand], double(t))),
+            float(strands::reference::alpha_of(look, drawn, number[strand], double(t)))};
+  };
+  std::vector<glm::dvec3> skin_colour;
+  if (input.skin) {
+    skin_colour = strands::reference::skin_colours(look, *input.skin, nullptr);
+    cast.skin = input.mesh;
+    cast.skin_paint = [&](std::uint32_t triangle, glm::vec2 weight) -> strands::Paint {
+      const glm::uvec3 t = input.mesh->triangle[triangle];
+      const double s = double(weight.x), u = double(weight.y);
+      return {glm::vec3((1 - s - u) * skin_colour[t.x] + s * skin_colour[t.y] + u * skin_colour[t.z]), 1};
+    };
+  }
+  return strands::raycast(cast, curves, rays);
+}
 
 std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& which,
                                          std::unique_ptr<Subject> drawn) {

@@ -199,7 +199,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
     map_.emplace(queue, params_, light_view(scene.look), group_, lanes_, kernel_options(), padded);
-  if (scene.skin) skin_.emplace(queue, params_, *scene.skin, kernel_options());
+  if (scene.skin) skin_.emplace(queue, params_, *scene.skin, lanes_, kernel_options());
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
 }
 

@@ -13,9 +13,10 @@ namespace pelage::strands {
 
 class SkinDrawer {
  public:
-  /// `params.width` and `params.height` must be set. `options`: build options of the kernels, without LANES
-  /// and STRAND_TILE. Throws InputError if the surface has no triangles.
-  SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin,
+  /// `params.width` and `params.height` must be set. `lanes`: number of vertices, triangles or pixels that a
+  /// work-item computes at a time, 1 or 16. `options`: build options of the kernels, without LANES and
+  /// STRAND_TILE. Throws InputError if the surface has no triangles.
+  SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
              const std::string& options);
 
   /// Enqueues the kernels that draw the skin, all in the phase `skin`. `map`: the texels of the opacity map.
@@ -27,7 +28,7 @@ class SkinDrawer {
   const cl::Program& program() const { return program_; }
 
  private:
-  int vertices_, triangles_;
+  int vertices_, triangles_, pixel_count_, lanes_;
   cl::Program program_;
   cl::Kernel make_vertices_, clear_, find_depth_, find_owner_, colour_pixels_;
   cl::Buffer<float> position_, normal_, colour_, vertex_;
