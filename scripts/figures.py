@@ -14,7 +14,7 @@ import re
 import sys
 
 import springs_sentences
-from recorded_tables import ROOT, by, ends, mean, table
+from recorded_tables import ROOT, by, ends, mean, median, table
 
 NUMBER = r"-?[0-9][0-9.,]*[0-9]|[0-9]"
 LARGE = ("bunny", "elephant", "lion")  # the models of Table 1 with the most triangles
@@ -89,7 +89,30 @@ def trials():
     return {"wrong": wrong, "equal": equal, "slower": len(verdicts[("slower", "slower")]), "more": more}
 
 
+VARIANTS = {"shells-16": "16 layers", "shells-64": "64 layers", "strands": "strands", "strands-quarter": "a quarter of the strands"}
+
+
+def same_coat(variant):
+    rows = {row["distance"]: row for row in table("strands/shells-vs-strands.csv") if row["variant"] == variant}
+    columns = {"ms": "median_ms", "overdraw": "overdraw", "psnr": "raycast_coarse_psnr"}
+    return {f"{name}_{distance}": f"{rows[distance][column]:.1f}" for name, column in columns.items() for distance in rows}
+
+
+def same_coat_simulation():
+    rows = table("strands/shells-vs-strands.csv")
+    chains = [row for row in rows if row["variant"] == "strands"]
+    layers = [row for row in rows if row["variant"].startswith("shells")]
+    share = ends((100 * row["simulate_ms"] / row["median_ms"] for row in chains), ".1f")
+    return {"chain": f"{median(row['simulate_ns_per_segment'] for row in chains):.1f}",
+            "layer": f"{median(row['simulate_ns_per_segment'] for row in layers):.1f}", **share}
+
+
 SENTENCES = [
+    *(("docs/strands.md", f"| {label} | {{ms_near}}, {{ms_middle}}, {{ms_far}} | {{overdraw_near}}, {{overdraw_middle}}, {{overdraw_far}} | "
+       "{psnr_near}, {psnr_middle}, {psnr_far} |", lambda variant=variant: same_coat(variant)) for variant, label in VARIANTS.items()),
+    ("docs/strands.md", "A simulated segment takes {chain} ns with two-segment chains and {layer} ns with the one-segment hairs of the "
+     "layers (median over the rows), so the better simulation costs more, but {least}% to {most}% of a frame of strands.",
+     same_coat_simulation),
     ("docs/results.md", "the test called {wrong} of {equal} pairs of equal sides different, and {slower} of {more} sides with 5% "
      "more work slower.", trials),
     ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}. The lowest ratio is "

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
-# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/scaling, docs/roofline, the table of
+# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/scaling, docs/strands, docs/roofline, the table of
 # README.md, the verdicts in docs/claims.md and the figures in the documents (scripts/figures.py). The machine must run
 # nothing else. The script takes about two hours on two cores.
 #
@@ -50,6 +50,7 @@ record substeps topology-solvers --axis dynamics.substeps=16 --filter \
   '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 record springs banisch2006-{work-precision,longest-step,energy,mesh-size,lean}
 record studies topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling}
+record strands shells-vs-strands demoreuille2011-{lod,scaling}
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
 record rivals rivals
 record rivals-tori rivals --preset tori
@@ -61,6 +62,8 @@ cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
 scripts/record_report.sh docs/rivals "$runs"/{rivals,rivals-tori,rival-options}
+scripts/record_report.sh docs/strands "$runs/strands"
+scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 cp "$runs"/roofline/roofline.{csv,svg,pdf} docs/roofline/
 scripts/claims_table.py "$PELAGE"

@@ -184,26 +184,12 @@ toml::table parsed(const fs::path& file) {
   }
 }
 
-}  // namespace
-
-ClaimFile read_claims(const fs::path& file) {
-  const toml::table source = parsed(file);
-  ClaimFile result;
-  result.file = file;
-  for (const auto& [key, node] : source)
-    if (key != "claim" && key != "process_spread" && key != "separate_processes")
-      throw InputError(
-          fmt::format("{}:{}: unknown key {} (known: [[claim]], process_spread, "
-                      "separate_processes)",
-                      file.string(), node.source().begin.line, key.str()));
-  Table settings(file, source, "settings");
-  result.process_spread = settings.number("process_spread", result.process_spread, 0, 1);
-  result.separate_processes = int(settings.number("separate_processes", result.separate_processes, 1, 1000));
+void read_list(const fs::path& file, const toml::table& source, ClaimFile& result,
+               std::set<std::string>& ids) {
   const toml::array* list = source["claim"].as_array();
   if (!list || list->empty())
     throw InputError(
         fmt::format("{}: there is no [[claim]]; docs/claims.md describes the format", file.string()));
-  std::set<std::string> ids;
   for (const toml::node& node : *list) {
     if (!node.is_table())
       throw InputError(
@@ -212,6 +198,40 @@ ClaimFile read_claims(const fs::path& file) {
     if (!ids.insert(result.claims.back().id).second)
       throw InputError(fmt::format("{}:{}: two claims have the id {}", file.string(),
                                    node.source().begin.line, result.claims.back().id));
+  }
+}
+
+void check_keys(const fs::path& file, const toml::table& source, const std::vector<std::string>& known) {
+  for (const auto& [key, node] : source)
+    if (key != "claim" && std::find(known.begin(), known.end(), key.str()) == known.end())
+      throw InputError(
+          fmt::format("{}:{}: unknown key {} (known: {})", file.string(), node.source().begin.line, key.str(),
+                      fmt::join(known.empty() ? std::vector<std::string>{"[[claim]]"} : known, ", ")));
+}
+
+}  // namespace
+
+ClaimFile read_claims(const fs::path& file) {
+  const toml::table source = parsed(file);
+  ClaimFile result;
+  result.file = file;
+  check_keys(file, source, {"[[claim]]", "include", "process_spread", "separate_processes"});
+  Table settings(file, source, "settings");
+  result.process_spread = settings.number("process_spread", result.process_spread, 0, 1);
+  result.separate_processes = int(settings.number("separate_processes", result.separate_processes, 1, 1000));
+  std::set<std::string> ids;
+  read_list(file, source, result, ids);
+  if (!source.contains("include")) return result;
+  const toml::node& include = *source.get("include");
+  const toml::array* names = include.as_array();
+  if (!names || !names->is_homogeneous<std::string>())
+    throw InputError(fmt::format("{}:{}: include must be a list of files, such as [\"more.toml\"]",
+                                 file.string(), include.source().begin.line));
+  for (const toml::node& name : *names) {
+    const fs::path other = file.parent_path() / *name.value<std::string>();
+    const toml::table more = parsed(other);
+    check_keys(other, more, {});
+    read_list(other, more, result, ids);
   }
   return result;
 }

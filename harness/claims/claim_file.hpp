@@ -6,7 +6,7 @@
 
 namespace pelage::claims {
 
-/// Reads a file of claims. If the file has an error, throws InputError, whose message names the file, the
+/// Reads a file of claims and the files that its key `include` names. If a file has an error, throws InputError, whose message names the file, the
 /// line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 

@@ -14,6 +14,7 @@
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/strands/opencl/strands.hpp"
+#include "harness/subjects/raycast_difference.hpp"
 
 namespace pelage {
 namespace {
@@ -104,12 +105,23 @@ DrawPicture open_strands_reference(const RendererOptions&) {
   };
 }
 
+DrawPicture open_strands_raycast(const RendererOptions&) {
+  return [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+    const auto input = strands::prepare_strands(scene, mesh);
+    StrandFrame frame{
+        input->fur.keys, reference_curves(*input, input->fur.keys), {}, raycast_strands(*input).picture};
+    return drawn(input, std::move(frame), "strands-raycast", 0);
+  };
+}
+
 constexpr Renderer table[] = {
     {"shells", "OpenCL", false, false, open_shells},
     {"reference", "naive implementation in double precision on the host", true, false, open_reference},
     {"strands", "single strands instead of layers, on OpenCL (docs/strands.md)", false, false, open_strands},
     {"strands-reference", "naive implementation of strands in double precision on the host", false, false,
      open_strands_reference},
+    {"strands-raycast", "strands at rest as cones, ray-cast, without shadows of strands", false, false,
+     open_strands_raycast},
     {"opengl", "the pipeline of Silva et al. (2010) in OpenGL, with one pass per layer", false, true,
      open_opengl},
 };

@@ -93,8 +93,8 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
   for (std::size_t i = 0; i < std::min(order.size(), frame.order.size()); ++i)
     different += !(order[i] == frame.order[i]);
   result.checks.push_back({against_reference, "order_differences", double(different), 0, false});
-  result.agreement =
-      compare(frame.picture, naive::draw(input.camera, input.look, drawn, order, &result.fragments));
+  result.agreement = compare(frame.picture, naive::draw(input.camera, input.look, drawn, order,
+                                                        input.skin.get(), &result.fragments));
   for (Check& check : picture_checks(against_reference, result.agreement))
     result.checks.push_back(std::move(check));
   return result;
@@ -114,7 +114,7 @@ StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStr
   frame.curves = reference_curves(input, keys);
   const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look.fraction);
   frame.order = naive::drawing_order(input.camera, input.range, drawn);
-  frame.picture = naive::draw(input.camera, input.look, drawn, frame.order);
+  frame.picture = naive::draw(input.camera, input.look, drawn, frame.order, input.skin.get());
   return frame;
 }
 

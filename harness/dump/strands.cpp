@@ -98,6 +98,14 @@ void write_look(Hdf5File& file, const StrandInput& input) {
              "frames of the film strip: luminance and gloss (128 means 1), opacity (255 means 1)");
 }
 
+void write_skin(Hdf5File& file, const SkinSurface& skin) {
+  const std::size_t count = skin.position.size();
+  file.write("skin/normal", {count, 3}, dump::flat<float>(skin.normal), "1",
+             "normal of the skin at each vertex");
+  file.write("skin/colour", {count, 3}, dump::flat<float>(skin.colour), "1",
+             "colour of the skin at each vertex, gamma-encoded RGB");
+}
+
 }  // namespace
 
 void dump_strands(const std::filesystem::path& path, const StrandInput& input, const StrandFrame& frame,
@@ -112,11 +120,13 @@ void dump_strands(const std::filesystem::path& path, const StrandInput& input, c
     write_strands(file, input.fur.strands);
     write_curves(file, frame);
     write_look(file, input);
+    if (input.skin) write_skin(file, *input.skin);
     dump::write_camera(file, input.camera);
     const Picture& image = frame.picture;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
                dump::flat<float>(image.pixel), "1",
-               "RGBA in gamma space, top row first; alpha is the coverage of the strands");
+               "RGBA in gamma space, top row first; alpha is 1 on the skin and the coverage of the strands "
+               "elsewhere");
     file.close();
   });
 }

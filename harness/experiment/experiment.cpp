@@ -168,7 +168,7 @@ std::vector<fs::path> experiment_files() {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::directory_iterator(folder))
       if (entry.path().extension() == ".toml" && entry.path().filename() != "models.toml" &&
-          entry.path().filename() != "claims.toml")
+          !entry.path().filename().string().starts_with("claims"))
         result.push_back(entry.path());
     break;
   }

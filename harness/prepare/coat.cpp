@@ -112,4 +112,21 @@ CoatTexture make_coat(const Mesh& mesh, const CoatScene& coat) {
   return coat.image.empty() ? painted(mesh, coat) : from_picture(coat.image);
 }
 
+glm::dvec3 coat_colour(const CoatTexture& coat, glm::dvec2 uv) {
+  const double px = uv.x * coat.size - 0.5, py = uv.y * coat.size - 0.5;
+  const auto wrapped = [&](double place) {
+    const int i = int(std::floor(place)) % coat.size;
+    return std::size_t(i < 0 ? i + coat.size : i);
+  };
+  const auto texel = [&](std::size_t x, std::size_t y) {
+    const auto& t = coat.texel[y * std::size_t(coat.size) + x];
+    return glm::dvec3(t[0], t[1], t[2]);
+  };
+  const std::size_t x0 = wrapped(px), x1 = wrapped(px + 1), y0 = wrapped(py), y1 = wrapped(py + 1);
+  const double u = px - std::floor(px), v = py - std::floor(py);
+  const glm::dvec3 low = texel(x0, y0) + u * (texel(x1, y0) - texel(x0, y0));
+  const glm::dvec3 high = texel(x0, y1) + u * (texel(x1, y1) - texel(x0, y1));
+  return (low + v * (high - low)) / 255.0;
+}
+
 }  // namespace pelage

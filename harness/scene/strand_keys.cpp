@@ -13,6 +13,7 @@ constexpr double most_seed = 4294967295.0;
 std::vector<Key> strand_keys(StrandsScene& s) {
   ChainScene& chain = s.chain;
   return {
+      {.name = "strands.skin", .slot = &s.skin, .help = "true: the mesh is drawn below the strands with the coat's colour, and hides the strands behind it; false: only strands"},
       {"strands.segments", &s.segments, "", 1, 7, "greatest number of straight segments that a drawn strand is divided into"},
       {.name = "strands.subdivision", .slot = &s.subdivision, .help = "number of segments of a drawn strand: \"fixed\" is strands.segments; \"screen\" is as many as the length of the strands on the screen needs, at most strands.segments", .choices = {"fixed", "screen"}},
       {"strands.fraction", &s.fraction, "", 0.001, 1, "part of the strands that is drawn; below 1, the drawn strands are wider, so that the fur covers the same area"},

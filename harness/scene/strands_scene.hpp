@@ -70,6 +70,7 @@ struct ChainScene {
 };
 
 struct StrandsScene {
+  bool skin = true;  ///< true: the mesh is drawn below the strands and hides those behind it
   int segments = 6;  ///< greatest number of straight segments of a drawn strand
   /// Number of segments of a drawn strand: "fixed" (`segments`) | "screen" (as many as the length of the
   /// strands on the screen needs, at most `segments`).

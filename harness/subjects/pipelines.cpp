@@ -31,6 +31,10 @@ constexpr Pipeline table[] = {
      [](SubjectContext& context, const Case& which) {
        return against_raycast(context, which, make_strand_frames(context, which));
      }},
+    {"shells+raycast",
+     [](SubjectContext& context, const Case& which) {
+       return against_raycast(context, which, make_shells(context, which));
+     }},
     {"springs", springs::make_solver},
     {"springs+rivals", springs::make_solver_against_baselines},
     {"springs-error", springs::make_solver_error},

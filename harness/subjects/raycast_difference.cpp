@@ -8,11 +8,13 @@
 #include "harness/scene/scene_toml.hpp"
 #include "harness/strands/raycast/raycast.hpp"
 #include "harness/strands/reference/drawing.hpp"
+#include "harness/strands/reference/skin.hpp"
 
 namespace pelage {
 namespace {
 
 constexpr strands::RaycastOptions rays{.cones = 12, .samples = 4};
+constexpr int coarse = 8;  // pixels per side of the squares whose means are compared
 
 /// The ray-cast picture of the strands that a picture of all strands shows.
 struct Truth {
@@ -30,6 +32,19 @@ std::size_t fur_pixels(const Picture& picture) {
   return count;
 }
 
+/// Returns the picture of the means of squares of `side` x `side` pixels. Squares that are not entirely
+/// inside the picture are left out.
+Picture block_means(const Picture& picture, int side) {
+  Picture means{picture.width / side, picture.height / side, {}};
+  for (int y = 0; y < means.height; ++y)
+    for (int x = 0; x < means.width; ++x) {
+      glm::vec4 sum(0);
+      for (int i = 0; i < side * side; ++i) sum += picture.at(x * side + i % side, y * side + i / side);
+      means.pixel.push_back(sum / float(side * side));
+    }
+  return means;
+}
+
 /// Returns the mean of the luma of `a` minus that of `b`, over the pixels that have fur in one of them.
 double mean_difference(const Picture& a, const Picture& b) {
   double sum = 0;
@@ -43,27 +58,7 @@ double mean_difference(const Picture& a, const Picture& b) {
 }
 
 Truth ray_cast(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
-  const auto input = strands::prepare_strands(scene, mesh);
-  const std::vector<strands::DrawnStrand> all_curves = reference_curves(*input, input->fur.keys);
-  std::vector<strands::DrawnStrand> curves;
-  std::vector<std::uint32_t> number;
-  for (const strands::Entry& entry :
-       strands::reference::drawing_order(input->camera, input->range, all_curves)) {
-    curves.push_back(all_curves[entry.strand]);
-    number.push_back(entry.strand);
-  }
-  const strands::Look& look = input->look;
-  strands::RaycastScene cast;
-  cast.camera = input->camera;
-  cast.background = look.background;
-  cast.taper = look.taper;
-  cast.strand_paint = [&](std::uint32_t strand, float t) -> strands::Paint {
-    const strands::DrawnStrand& drawn = curves[strand];
-    return {glm::vec3(
-                strands::reference::unshadowed_colour(input->camera, look, drawn, number[strand], double(t))),
-            float(strands::reference::alpha_of(look, drawn, number[strand], double(t)))};
-  };
-  const strands::RaycastResult result = strands::raycast(cast, curves, rays);
+  const strands::RaycastResult result = raycast_strands(*strands::prepare_strands(scene, mesh));
   const double all = double(fur_pixels(result.picture)) * rays.samples * rays.samples;
   return {result.picture, all > 0 ? double(result.hits) / all : 0};
 }
@@ -79,6 +74,7 @@ class RaycastDifference : public Subject {
     std::vector<Check> checks = inner_->check(timed);
     const Truth truth = make_truth_();
     psnr_ = compare(timed, truth.picture).psnr;
+    coarse_psnr_ = compare(block_means(timed, coarse), block_means(truth.picture, coarse)).psnr;
     mean_ = mean_difference(timed, truth.picture);
     hits_ = truth.hits_per_ray;
     pixels_ = double(fur_pixels(timed));
@@ -87,6 +83,7 @@ class RaycastDifference : public Subject {
   void describe(Row& row) override {
     inner_->describe(row);
     row.metrics["raycast_psnr"] = {psnr_, "dB"};
+    row.metrics["raycast_coarse_psnr"] = {coarse_psnr_, "dB"};
     row.metrics["raycast_mean"] = {mean_, "1"};
     row.metrics["raycast_overdraw"] = {hits_, "strands"};
     if (row.metrics.contains("covered_fragments") && pixels_ > 0)
@@ -96,20 +93,54 @@ class RaycastDifference : public Subject {
  private:
   std::unique_ptr<Subject> inner_;
   std::function<Truth()> make_truth_;
-  double psnr_ = 0, mean_ = 0, hits_ = 0, pixels_ = 0;
+  double psnr_ = 0, coarse_psnr_ = 0, mean_ = 0, hits_ = 0, pixels_ = 0;
 };
 
 }  // namespace
 
+strands::RaycastResult raycast_strands(const strands::StrandInput& input) {
+  const std::vector<strands::DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
+  std::vector<strands::DrawnStrand> curves;
+  std::vector<std::uint32_t> number;
+  for (const strands::Entry& entry :
+       strands::reference::drawing_order(input.camera, input.range, all_curves)) {
+    curves.push_back(all_curves[entry.strand]);
+    number.push_back(entry.strand);
+  }
+  const strands::Look& look = input.look;
+  strands::RaycastScene cast;
+  cast.camera = input.camera;
+  cast.background = look.background;
+  cast.taper = look.taper;
+  cast.strand_paint = [&](std::uint32_t strand, float t) -> strands::Paint {
+    const strands::DrawnStrand& drawn = curves[strand];
+    return {glm::vec3(
+                strands::reference::unshadowed_colour(input.camera, look, drawn, number[strand], double(t))),
+            float(strands::reference::alpha_of(look, drawn, number[strand], double(t)))};
+  };
+  std::vector<glm::dvec3> skin_colour;
+  if (input.skin) {
+    skin_colour = strands::reference::skin_colours(look, *input.skin, nullptr);
+    cast.skin = input.mesh;
+    cast.skin_paint = [&](std::uint32_t triangle, glm::vec2 weight) -> strands::Paint {
+      const glm::uvec3 t = input.mesh->triangle[triangle];
+      const double s = double(weight.x), u = double(weight.y);
+      return {glm::vec3((1 - s - u) * skin_colour[t.x] + s * skin_colour[t.y] + u * skin_colour[t.z]), 1};
+    };
+  }
+  return strands::raycast(cast, curves, rays);
+}
+
 std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& which,
-                                         std::unique_ptr<Subject> strands) {
+                                         std::unique_ptr<Subject> drawn) {
   Scene scene = scene_of(context.experiment, which);
   scene.strands.fraction = 1;  // the ray-cast picture shows all strands
   scene.strands.shadow = "none";
+  scene.fur = {};  // strands use no key of the fur of layers
   const auto mesh = context.mesh_of(scene);
-  // Cases that differ only in the fraction share the ray-cast picture.
+  // Cases that differ only in the fraction or in the layers share the ray-cast picture.
   const std::string key = "raycast " + scene_hash(scene) + mesh->hash;
-  return std::make_unique<RaycastDifference>(std::move(strands), [&context, scene, mesh, key] {
+  return std::make_unique<RaycastDifference>(std::move(drawn), [&context, scene, mesh, key] {
     std::any& kept = context.shared[key];
     if (!kept.has_value()) kept = ray_cast(scene, mesh);
     return std::any_cast<Truth>(kept);

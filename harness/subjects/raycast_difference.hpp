@@ -1,17 +1,28 @@
-// Compares the timed picture of strands with a ray-cast picture of the same strands.
+// Compares a timed picture of fur with a ray-cast picture of the scene's strands.
 #pragma once
 #include "harness/measure/subject.hpp"
+#include "harness/strands/raycast/raycast.hpp"
+#include "harness/strands/scene/strand_input.hpp"
 
 namespace pelage {
 
-/// Returns a subject that draws the frames of `strands`, a subject of the case's strands. Its row has four
-/// more metrics. They compare the timed picture with a ray-cast picture of the strands at rest as cones
-/// (harness/strands/raycast). The ray-cast picture has no shadow map. It contains the strands that a picture
-/// of all strands shows, which do not include those that face away from the camera. `raycast_psnr` is the
-/// PSNR in dB. `raycast_mean` is the mean over the fur pixels of the timed picture's luma minus the ray-cast
-/// picture's luma. `raycast_overdraw` is the mean number of strands that a ray of a fur pixel enters.
-/// `overdraw` is the mean number of fragments per fur pixel of the timed picture.
+/// Ray-casts the strands at rest that a picture of all strands shows, as cones, above the skin if the input
+/// has one. The light of the picture is that of the strands, without the opacity map. Uses all cores.
+strands::RaycastResult raycast_strands(const strands::StrandInput& input);
+
+/// Returns a subject that draws the frames of `drawn`, a subject of the case's fur as strands or as layers.
+/// Its row has five more metrics. They compare the timed picture with a ray-cast picture of the scene's
+/// strands at rest as cones (harness/strands/raycast), above the skin if the scene's strands have one. The
+/// ray-cast picture has no shadow map. It contains the strands that a picture of all strands shows, which do
+/// not include those that face away from the camera.
+/// - `raycast_psnr` is the PSNR in dB.
+/// - `raycast_coarse_psnr` is the PSNR of the means of squares of 8 x 8 pixels. It compares the colour, the
+///   shape and the coverage of two coats whose single hairs have different places.
+/// - `raycast_mean` is the mean over the fur pixels of the timed picture's luma minus the ray-cast picture's
+///   luma.
+/// - `raycast_overdraw` is the mean number of strands that a ray of a fur pixel enters.
+/// - `overdraw` is the mean number of fragments per fur pixel of the timed picture.
 std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& which,
-                                         std::unique_ptr<Subject> strands);
+                                         std::unique_ptr<Subject> drawn);
 
 }  // namespace pelage

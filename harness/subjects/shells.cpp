@@ -23,6 +23,7 @@
 #include "harness/springs/model/scene.hpp"
 #include "harness/springs/opencl/mass_springs.hpp"
 #include "harness/subjects/agreement_metrics.hpp"
+#include "harness/subjects/simulation_times.hpp"
 
 namespace pelage {
 namespace {
@@ -41,7 +42,10 @@ class ShellsSubject : public Subject {
   FrameSample frame() override {
     cl::FrameTiming timing;
     const Cost whole = cost_of([&] { bounded([&] { timing = shells_.frame(); }); });
-    return {.wall_ms = timing.wall_ms, .phase_event_ms = timing.phase_event_ms, .cpu_ms = whole.cpu_ms};
+    FrameSample sample{
+        .wall_ms = timing.wall_ms, .phase_event_ms = timing.phase_event_ms, .cpu_ms = whole.cpu_ms};
+    simulated_.add(sample);
+    return sample;
   }
   Picture read() override { return shells_.read(); }
   std::vector<Check> check(const Picture& timed) override {
@@ -76,6 +80,7 @@ class ShellsSubject : public Subject {
       row.metrics["masses"] = {double(topology.mass.size()), "masses"};
       row.metrics["springs"] = {double(topology.spring.size()), "springs"};
     }
+    if (input_->scene.dynamics.topology == "silva") simulated_.describe(row, input_->mesh->triangle.size());
     add_agreement(row, agreement_);
     // These metrics also help to find the cause of a failed check.
     row.metrics["windows_psnr"] = {sample_.psnr, "dB"};
@@ -105,6 +110,7 @@ class ShellsSubject : public Subject {
   std::uint32_t seed_;
   Agreement agreement_, sample_;
   std::uint64_t peak_ = 0;
+  SimulationTimes simulated_;
   Shells shells_;
   std::vector<glm::vec3> before_;  ///< tips of the sticks before the first timed frame, in mesh radii
 };

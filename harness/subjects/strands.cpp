@@ -13,6 +13,7 @@
 #include "harness/strands/opengl/ribbon_options.hpp"
 #include "harness/subjects/agreement_metrics.hpp"
 #include "harness/subjects/opengl.hpp"
+#include "harness/subjects/simulation_times.hpp"
 
 namespace pelage {
 namespace {
@@ -36,6 +37,7 @@ class StrandsSubject : public Subject {
       sample.phase_event_ms = timing.phase_event_ms;
     });
     sample.cpu_ms = cost.cpu_ms;
+    simulated_.add(sample);
     return sample;
   }
   Picture read() override { return strands_.read(); }
@@ -66,6 +68,7 @@ class StrandsSubject : public Subject {
     row.metrics["model_height"] = {model_height(strands_.read()), "1"};
     if (peak_ > 0) row.metrics["peak_memory"] = {double(peak_), "bytes"};
     row.metrics["frames_simulated"] = {double(strands_.frames_simulated()), "frames"};
+    simulated_.describe(row, 2 * input_->fur.keys.size());
     add_agreement(row, agreement_);
     add_programs(row.identity, strands_.programs());
     row.provenance["kernel_hash"] = cl::hash_of(strands_.programs());
@@ -82,6 +85,7 @@ class StrandsSubject : public Subject {
   std::size_t drawn_ = 0;
   std::uint64_t fragments_ = 0;
   std::uint64_t peak_ = 0;
+  SimulationTimes simulated_;
   strands::Strands strands_;
   ChainStep step_;  ///< the time step before the first timed frame
 };
@@ -125,11 +129,12 @@ class RibbonsSubject : public Subject {
 /// Throws Unsupported if the OpenGL baseline cannot draw the scene.
 void need_key_light_only(const strands::StrandInput& input) {
   const StrandsScene& s = input.scene.strands;
-  if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none")
+  if (!input.look.fills.empty() || s.rim != glm::vec3(0) || s.skin_shadow != 0 || s.shadow != "none" ||
+      s.skin)
     throw Unsupported(
         "the OpenGL baseline draws strands with a key light and ambient light only: give one "
         "[[shading.light]], and set strands.skin_shadow = 0, strands.rim = [0, 0, 0], strands.shadow = "
-        "\"none\"");
+        "\"none\", strands.skin = false");
 }
 
 std::unique_ptr<StrandsSubject> strands_subject(SubjectContext& context, const Case& which,

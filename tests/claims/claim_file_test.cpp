@@ -109,11 +109,45 @@ TEST(ClaimFiles, ReadEveryRelation) {
   EXPECT_TRUE(region("\"increasing\"").contains(0.1));
 }
 
+TEST(ClaimFiles, IncludeOtherFiles) {
+  const pelage::test::Folder folder;
+  const auto write = [&](const char* name, const std::string& text) {
+    pelage::test::write_text(folder.path / name, text);
+  };
+  const std::string one = "[[claim]]\nid = \"one\"\nstatement = \"s\"\nuntestable = \"r\"\n";
+  write("main.toml", "process_spread = 0.2\ninclude = [\"more.toml\"]\n" + one);
+  write("more.toml", R"([[claim]]
+id = "two"
+statement = "s"
+rows = { experiment = "e" }
+effect = { name = "level" }
+relation = { at_most = 1 }
+)");
+  const ClaimFile file = read_claims(folder.path / "main.toml");
+  ASSERT_EQ(file.claims.size(), 2u);
+  EXPECT_EQ(file.claims[1].id, "two");
+  EXPECT_EQ(file.claims[1].process_spread, 0.2);
+  const auto error = [&](const std::string& more) -> std::string {
+    write("more.toml", more);
+    try {
+      read_claims(folder.path / "main.toml");
+    } catch (const InputError& e) {
+      const std::string what = e.what();
+      return what.substr(what.rfind('/') + 1);
+    }
+    return "";
+  };
+  EXPECT_EQ(error(one), "more.toml:1: two claims have the id one");
+  EXPECT_EQ(error("include = []\n" + one), "more.toml:1: unknown key include (known: [[claim]])");
+  write("main.toml", "include = \"more.toml\"\n" + one);
+  EXPECT_EQ(error(""), "main.toml:1: include must be a list of files, such as [\"more.toml\"]");
+}
+
 TEST(ClaimFiles, RefuseWrongKeysAndSayWhatIsRight) {
   const std::string level = "name = \"level\"", limit = "{ at_most = 1 }";
   EXPECT_EQ(message(claim_text(level, limit)), "");
   EXPECT_EQ(message("x = 1\n"),
-            "claims.toml:1: unknown key x (known: [[claim]], process_spread, separate_processes)");
+            "claims.toml:1: unknown key x (known: [[claim]], include, process_spread, separate_processes)");
   EXPECT_EQ(message(""), "claims.toml: there is no [[claim]]; docs/claims.md describes the format");
   EXPECT_EQ(message("[[claim]]\nid = 3\n"), "claims.toml:2: claim: id must be a string");
   EXPECT_EQ(message("[[claim]]\nstatement = \"s\"\n"), "claims.toml:1: claim: id = \"...\" is missing");

@@ -59,6 +59,7 @@ TEST(StrandsDump, HoldsWhatTheDocumentSaysAndNothingElse) {
                                                    {"F", input->look.fills.size()},
                                                    {"B", input->look.layers.size()},
                                                    {"M", input->look.film.size()},
+                                                   {"V", input->mesh->position.size()},
                                                    {"height", 40},
                                                    {"width", 60}};
   for (const auto& [name, found] : file) {

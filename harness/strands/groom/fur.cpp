@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/strands/groom/film.hpp"
 #include "harness/strands/groom/key_strands.hpp"
@@ -31,25 +32,6 @@ std::uint8_t byte_of(double value) {
 /// Layers with equal seeds have different roots.
 std::uint32_t seed_of(const StrandLayerScene& layer, std::size_t number) {
   return layer.seed + std::uint32_t(number) * 0x9e3779b9u;
-}
-
-/// Returns the coat's colour at `uv`, each component 0 to 1. The value is interpolated linearly between the
-/// centres of the texels. The texture repeats.
-glm::dvec3 colour_at(const CoatTexture& coat, glm::dvec2 uv) {
-  const double px = uv.x * coat.size - 0.5, py = uv.y * coat.size - 0.5;
-  const auto wrapped = [&](double place) {
-    const int i = int(std::floor(place)) % coat.size;
-    return std::size_t(i < 0 ? i + coat.size : i);
-  };
-  const auto texel = [&](std::size_t x, std::size_t y) {
-    const auto& t = coat.texel[y * std::size_t(coat.size) + x];
-    return glm::dvec3(t[0], t[1], t[2]);
-  };
-  const std::size_t x0 = wrapped(px), x1 = wrapped(px + 1), y0 = wrapped(py), y1 = wrapped(py + 1);
-  const double u = px - std::floor(px), v = py - std::floor(py);
-  const glm::dvec3 low = texel(x0, y0) + u * (texel(x1, y0) - texel(x0, y0));
-  const glm::dvec3 high = texel(x0, y1) + u * (texel(x1, y1) - texel(x0, y1));
-  return (low + v * (high - low)) / 255.0;
 }
 
 /// The random values of a strand. They depend only on the layer's seed and on the strand's number in the
@@ -85,7 +67,7 @@ class Strands {
     s.twist = float(twist);
     s.curvature = float(std::clamp(curvature, -180.0, 180.0));
     const glm::dvec3 colour =
-        colour_at(coat_, uv) * glm::dvec3(layer.colour) * around(1, layer.colour_spread, colours_);
+        coat_colour(coat_, uv) * glm::dvec3(layer.colour) * around(1, layer.colour_spread, colours_);
     for (int c = 0; c < 3; ++c) s.colour[std::size_t(c)] = byte_of(colour[c]);
     return s;
   }

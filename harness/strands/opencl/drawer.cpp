@@ -171,7 +171,8 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       params_(params_of(scene, tile_, chunks_of(queue.device(), options.chunks))),
       key_program_(queue.device(), "strands/draw/keys.cl", with(kernel_options(), lanes_, tile_)),
       draw_program_(queue.device(), group_ ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-                    with(kernel_options(), group_ ? 1 : 16, tile_)),
+                    with(fmt::format("{} -D STRAND_SKIN={}", kernel_options(), int(scene.skin != nullptr)),
+                         group_ ? 1 : 16, tile_)),
       make_keys_(key_program_, "strand_keys"),
       draw_(draw_program_, group_ ? "strand_group" : "strand_tiles"),
       lists_(queue, params_, with(kernel_options(), 1, tile_)),
@@ -195,8 +196,10 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params_.capacity) * std::size_t(params_.runs));
   live_ = cl::Buffer<std::int32_t>(device, std::size_t(params_.runs));
   no_map_ = cl::Buffer<glm::vec2>(device, 1);
+  no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
     map_.emplace(queue, params_, light_view(scene.look), group_, lanes_, kernel_options(), padded);
+  if (scene.skin) skin_.emplace(queue, params_, *scene.skin, lanes_, kernel_options());
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
 }
 
@@ -222,8 +225,9 @@ void Drawer::set_view(const DrawingScene& scene) {
                                  camera.width, camera.height, old.width, old.height));
   if (film_table(scene.look) != film_table(scene_.look) ||
       options_of(scene.look, strands_) != kernel_options() ||
-      scene.look.shadow.size != scene_.look.shadow.size)
-    throw InputError("view: another film strip, other kinds of light or another shadow need a new drawer");
+      scene.look.shadow.size != scene_.look.shadow.size || scene.skin != scene_.skin)
+    throw InputError(
+        "view: another film strip, other kinds of light, another shadow or another skin need a new drawer");
   DrawParams p = params_of(scene, tile_, params_.chunks);
   p.runs = params_.runs;
   p.capacity = params_.capacity;
@@ -256,6 +260,7 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
     write_layers(queue);
     map_->enqueue(queue, params_, light_view(scene_.look), {constants_, keys_, layer_table_, film_}, events);
   }
+  if (skin_) skin_->enqueue(queue, params_, map_ ? map_->texels() : no_map_, events);
   enqueue_keys(queue, events);
   std::vector<cl::Event> sorted;
   sort_.sort(queue, pairs_, live_, std::size_t(params_.capacity), key_bits_, &sorted);
@@ -263,7 +268,7 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
     for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
   lists_.enqueue(queue, params_, sort_.total(), blocks_, pairs_, "bin", events);
   cl::Event event = lists_.draw(queue, draw_, group_, tile_, params_, rows_, film_,
-                                map_ ? map_->texels() : no_map_, image_);
+                                map_ ? map_->texels() : no_map_, skin_ ? skin_->pixels() : no_skin_, image_);
   if (events) events->emplace_back("raster", std::move(event));
 }
 
@@ -316,6 +321,7 @@ std::vector<const cl::Program*> Drawer::programs() const {
   std::vector<const cl::Program*> all{&key_program_, &sort_.program(), &lists_.program(), &draw_program_};
   if (map_)
     for (const cl::Program* program : map_->programs()) all.push_back(program);
+  if (skin_) all.push_back(&skin_->program());
   return all;
 }
 

@@ -1,6 +1,7 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
 #include <glm/vec2.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
 #include "harness/strands/opencl/opacity_map.hpp"
+#include "harness/strands/opencl/skin_drawer.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
 
 namespace pelage::strands {
@@ -19,8 +21,9 @@ namespace pelage::strands {
 struct DrawingScene {
   Camera camera;
   Look look;
-  DepthRange range;            ///< see depth_range()
-  float first_segment = 0.5f;  ///< length of the first segment, in lengths of the strand
+  DepthRange range;                         ///< see depth_range()
+  float first_segment = 0.5f;               ///< length of the first segment, in lengths of the strand
+  std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
 };
 
 /// How the work-items of a device draw a picture. `item`: a work-item draws a tile, for CPUs. `group`: a
@@ -52,8 +55,9 @@ class Drawer {
   void set_view(const DrawingScene& scene);
 
   /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster, and before them those of
-  /// the opacity map, if the look has one, in the phase shadow. Waits for the total length of the tiles'
-  /// lists. Throws DeviceError if it is 2^31 or more.
+  /// the opacity map, if the look has one, in the phase shadow, and those of the skin, if there is one, in
+  /// the phase skin. Waits for the total length of the tiles' lists. Throws DeviceError if it is 2^31 or
+  /// more.
   void enqueue(const cl::Queue& queue, cl::PhaseEvents* events);
 
   Picture read(const cl::Queue& queue) const;
@@ -89,11 +93,13 @@ class Drawer {
   cl::Kernel make_keys_, draw_;
   TileLists lists_;
   std::optional<OpacityMap> map_;
+  std::optional<SkinDrawer> skin_;
   cl::Buffer<float> constants_, keys_, rows_, curves_;
   cl::Buffer<std::uint64_t> blocks_;
   cl::Buffer<cl::Pair> pairs_;
   cl::Buffer<std::int32_t> film_, layer_table_, live_;
-  cl::Buffer<glm::vec2> no_map_;  ///< the kernels' argument if the look has no shadow
+  cl::Buffer<glm::vec2> no_map_;   ///< the kernels' argument if the look has no shadow
+  cl::Buffer<glm::vec4> no_skin_;  ///< the kernels' argument if the picture has no skin
   cl::Buffer<glm::vec4> image_;
   bool layers_written_ = false;
   int key_bits_;  ///< number of bits that the sort keys use

@@ -56,6 +56,7 @@ OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const L
   live_ = cl::Buffer<std::int32_t>(device, std::size_t(params.runs));
   total_ = cl::Buffer<std::int32_t>(device, 1);
   no_map_ = cl::Buffer<glm::vec2>(device, 1);
+  no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   texels_ = cl::Buffer<glm::vec2>(device, std::size_t(view.size) * std::size_t(view.size));
 }
 
@@ -73,8 +74,9 @@ void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const
   cl::Event made = make_keys_.enqueue(queue, items, group);
   if (events) events->emplace_back("shadow", std::move(made));
   lists_.enqueue(queue, p, total_, blocks_, pairs_, "shadow", events);
-  // The kernels that draw the map do not read a map.
-  cl::Event drawn = lists_.draw(queue, draw_, group_, tile_, p, rows_, buffers.film, no_map_, texels_);
+  // The kernels that draw the map read neither a map nor a skin.
+  cl::Event drawn =
+      lists_.draw(queue, draw_, group_, tile_, p, rows_, buffers.film, no_map_, no_skin_, texels_);
   if (events) events->emplace_back("shadow", std::move(drawn));
 }
 

@@ -1,6 +1,7 @@
 // The opacity map of the key light on an OpenCL device. docs/strands.md, section Shadow, defines the map.
 #pragma once
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ class OpacityMap {
   cl::Buffer<cl::Pair> pairs_;
   cl::Buffer<std::int32_t> live_, total_;
   cl::Buffer<glm::vec2> texels_, no_map_;
+  cl::Buffer<glm::vec4> no_skin_;
   int strands_ = -1;  ///< the number in total_
 };
 

@@ -15,6 +15,7 @@ DrawingScene drawing_of(const StrandInput& input) {
   scene.look = input.look;
   scene.range = input.range;
   scene.first_segment = input.dynamics.first_segment;
+  scene.skin = input.skin;
   return scene;
 }
 

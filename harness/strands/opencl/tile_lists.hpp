@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 
 #include "harness/cl/pair_sort.hpp"
@@ -25,12 +26,14 @@ class TileLists {
                cl::PhaseEvents* events);
 
   /// Enqueues the kernel that draws the tiles. `group`: a work-group draws a tile of `tile` x `tile` pixels;
-  /// otherwise a work-item draws one tile after the other. rows, film, map: see strand_tiles (tile.cl).
+  /// otherwise a work-item draws one tile after the other. rows, film, map, skin: see strand_tiles
+  /// (tile.cl).
   template <class Image>
   cl::Event draw(const cl::Queue& queue, cl::Kernel& kernel, bool group, int tile, const DrawParams& params,
                  const cl::Buffer<float>& rows, const cl::Buffer<std::int32_t>& film,
-                 const cl::Buffer<glm::vec2>& map, cl::Buffer<Image>& image) {
-    kernel.with(params, rows, film, map, list_start_, list_, spot_, image, taken_, blank_);
+                 const cl::Buffer<glm::vec2>& map, const cl::Buffer<glm::vec4>& skin,
+                 cl::Buffer<Image>& image) {
+    kernel.with(params, rows, film, map, list_start_, list_, spot_, skin, image, taken_, blank_);
     // With one tile per work-item, a work-item draws tiles until no tile is left.
     const std::size_t tiles = length_.size(), pixels = std::size_t(tile) * std::size_t(tile);
     const std::size_t items = std::min(tiles, 32 * std::size_t(queue.device().info().compute_units));

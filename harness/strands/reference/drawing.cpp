@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "harness/strands/reference/opacity_map.hpp"
+#include "harness/strands/reference/skin.hpp"
 #include "harness/strands/reference/strip.hpp"
 
 namespace pelage::strands::reference {
@@ -81,19 +82,6 @@ std::array<double, 9> harmonics(Vec n) {
           second / 2 * (n.x * n.x - n.y * n.y)};
 }
 
-/// F: the light of all fill lights on a surface with the normal n.
-Vec fill_light(const Look& look, Vec n) {
-  const double pi = std::numbers::pi;
-  const std::array<double, 9> here = harmonics(n);
-  Vec sum(0);
-  for (const FillLight& fill : look.fills) {
-    const std::array<double, 9> there = harmonics(glm::normalize(Vec(fill.direction)));
-    for (std::size_t i = 0; i < (look.bands == 2 ? 9u : 4u); ++i)
-      sum += (i == 0 ? pi : i < 4 ? 2 * pi / 3 : pi / 4) * here[i] * there[i] * Vec(fill.colour);
-  }
-  return glm::max(sum, Vec(0));
-}
-
 /// The factors of the film strip at one place of a strand.
 struct Film {
   double luminance = 1, gloss = 1, opacity = 1;
@@ -118,12 +106,6 @@ Film film_at(const Look& look, const DrawnStrand& drawn, std::uint32_t strand, d
   return {between(&FilmSample::luminance) / 128, between(&FilmSample::gloss) / 128,
           between(&FilmSample::opacity) / 255};
 }
-
-/// The view of the key light, and its opacity map.
-struct ShadowMap {
-  LightView view;
-  OpacityMap map;
-};
 
 Curve curve_of(const DrawnStrand& strand) {
   Curve curve;
@@ -182,6 +164,7 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
     Vertex vertex;
     vertex.place = glm::dvec2(v) / v.z + 0.5 * glm::dvec2(camera.width, camera.height);
     vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / (double(camera.pixel) * v.z);
+    vertex.depth = v.z;
     vertex.alpha = alpha_of(look, strand, number, t);
     const double lit = shadow_map ? key_light(look, shadow_map->view, shadow_map->map, object.at(t)) : 1;
     vertex.colour = light.colour(t, lit);
@@ -193,15 +176,21 @@ std::vector<Vertex> vertices_of(const Camera& camera, const Look& look,
 /// The pixels of a picture while strands are blended from front to back.
 class Canvas {
  public:
-  Canvas(int width, int height)
-      : width_(width), height_(height), pixels_(std::size_t(width) * std::size_t(height)) {}
+  /// `skin` has the pixels of the skin, or is empty.
+  Canvas(int width, int height, std::vector<SkinPixel> skin)
+      : width_(width),
+        height_(height),
+        pixels_(std::size_t(width) * std::size_t(height)),
+        skin_(std::move(skin)) {}
 
   void draw(const std::vector<Vertex>& vertices) {
-    each_fragment(vertices, width_, height_, [&](int x, int y, double alpha, Vec colour) {
-      Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
-      pixel.colour += pixel.through * alpha * colour;
+    each_fragment(vertices, width_, height_, [&](int x, int y, const Fragment& fragment) {
+      const std::size_t at = std::size_t(y) * std::size_t(width_) + std::size_t(x);
+      const double alpha = fragment.alpha * (skin_.empty() ? 1 : before_skin(skin_[at], fragment.depth));
+      Pixel& pixel = pixels_[at];
+      pixel.colour += pixel.through * alpha * fragment.colour;
       pixel.through *= 1 - alpha;
-      ++fragments_;
+      fragments_ += alpha > 0;
     });
   }
 
@@ -209,9 +198,13 @@ class Canvas {
 
   Picture composed(Vec background) const {
     Picture picture{width_, height_, {}};
-    for (const Pixel& pixel : pixels_)
-      picture.pixel.emplace_back(glm::vec3(pixel.colour + pixel.through * background),
-                                 float(1 - pixel.through));
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const Pixel& pixel = pixels_[i];
+      const bool has_skin = !skin_.empty() && skin_[i].depth < INFINITY;
+      const Vec behind = has_skin ? skin_[i].colour : background;
+      picture.pixel.emplace_back(glm::vec3(pixel.colour + pixel.through * behind),
+                                 has_skin ? 1.0f : float(1 - pixel.through));
+    }
     return picture;
   }
 
@@ -223,6 +216,7 @@ class Canvas {
 
   int width_, height_;
   std::vector<Pixel> pixels_;
+  std::vector<SkinPixel> skin_;
   std::uint64_t fragments_ = 0;
 };
 
@@ -251,6 +245,18 @@ bool beyond_side(const Camera& camera, const DrawnStrand& strand, glm::vec4 row,
 }
 
 }  // namespace
+
+Vec fill_light(const Look& look, Vec n) {
+  const double pi = std::numbers::pi;
+  const std::array<double, 9> here = harmonics(n);
+  Vec sum(0);
+  for (const FillLight& fill : look.fills) {
+    const std::array<double, 9> there = harmonics(glm::normalize(Vec(fill.direction)));
+    for (std::size_t i = 0; i < (look.bands == 2 ? 9u : 4u); ++i)
+      sum += (i == 0 ? pi : i < 4 ? 2 * pi / 3 : pi / 4) * here[i] * there[i] * Vec(fill.colour);
+  }
+  return glm::max(sum, Vec(0));
+}
 
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t) {
   return double(look.opacity) * film_at(look, strand, number, t).opacity * (1 - t * t * t);
@@ -295,13 +301,15 @@ glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const Drawn
 }
 
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
-             const std::vector<Entry>& order, std::uint64_t* fragments) {
+             const std::vector<Entry>& order, const SkinSurface* skin, std::uint64_t* fragments) {
   std::optional<ShadowMap> shadow_map;
   if (look.shadow.reading != Shadow::none) {
     const LightView view = light_view(look);
     shadow_map = ShadowMap{view, opacity_map(look, view, strands)};
   }
-  Canvas canvas(camera.width, camera.height);
+  std::vector<SkinPixel> below;
+  if (skin) below = skin_pixels(camera, look, *skin, shadow_map ? &*shadow_map : nullptr);
+  Canvas canvas(camera.width, camera.height, std::move(below));
   for (const Entry& entry : order) {
     const std::vector<Vertex> vertices =
         vertices_of(camera, look, shadow_map, strands[entry.strand], entry.strand);

@@ -6,6 +6,7 @@
 
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/drawing/skin_surface.hpp"
 
 namespace pelage::strands::reference {
 
@@ -23,12 +24,17 @@ std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, float f
 std::vector<Entry> drawing_order(const Camera& camera, const DepthRange& range,
                                  const std::vector<DrawnStrand>& strands);
 
-/// Draws the strands of `order`, which is a result of drawing_order(). Alpha of a pixel is the coverage of
-/// the strands. The values in `look` must be in their valid ranges. All
-/// `strands` cast shadows, also those that are not in `order`. The function does not use look.fraction.
-/// Stores the number of fragments with a coverage above 0 in `fragments` unless it is null.
+/// Returns the light F of all fill lights on a surface with the unit normal n.
+glm::dvec3 fill_light(const Look& look, glm::dvec3 n);
+
+/// Draws the strands of `order`, which is a result of drawing_order(), above the skin. Without a skin
+/// (`skin` is null), the strands hang in front of the background. Alpha of a pixel is 1 on the skin, and the
+/// coverage of the strands elsewhere. The values in `look` must be in their valid ranges. All `strands` cast
+/// shadows, also those that are not in `order`. The function does not use look.fraction. Stores the number of
+/// fragments with an alpha above 0 in `fragments` unless it is null.
 Picture draw(const Camera& camera, const Look& look, const std::vector<DrawnStrand>& strands,
-             const std::vector<Entry>& order, std::uint64_t* fragments = nullptr);
+             const std::vector<Entry>& order, const SkinSurface* skin = nullptr,
+             std::uint64_t* fragments = nullptr);
 
 /// Returns the colour of strand `number` at the parameter t of its curve, if no strand shadows this place.
 glm::dvec3 unshadowed_colour(const Camera& camera, const Look& look, const DrawnStrand& strand,

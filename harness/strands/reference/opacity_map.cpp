@@ -35,11 +35,11 @@ LightColumns light_columns(const Look& look, const LightView& view, const std::v
       vertex.place = glm::dvec2(curve.at(t)) + 0.5 * double(view.size);
       vertex.half = 0.5 * double(strand.width) * (1 - double(look.taper) * t) / double(view.texel);
       vertex.alpha = alpha_of(look, strand, i, t);
-      vertex.colour = glm::dvec3(curve.at(t).z, 0, 0);
+      vertex.depth = curve.at(t).z;
       vertices.push_back(vertex);
     }
-    each_fragment(vertices, view.size, view.size, [&](int x, int y, double alpha, glm::dvec3 depth) {
-      columns[std::size_t(y) * size + std::size_t(x)].push_back({alpha, depth.x});
+    each_fragment(vertices, view.size, view.size, [&](int x, int y, const Fragment& fragment) {
+      columns[std::size_t(y) * size + std::size_t(x)].push_back({fragment.alpha, fragment.depth});
     });
   }
   return columns;

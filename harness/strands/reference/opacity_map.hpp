@@ -38,4 +38,10 @@ double texel_light(const Look& look, const Texel& texel, double z);
 /// it.
 double key_light(const Look& look, const LightView& view, const OpacityMap& map, glm::dvec3 point);
 
+/// The view of the key light, and its opacity map.
+struct ShadowMap {
+  LightView view;
+  OpacityMap map;
+};
+
 }  // namespace pelage::strands::reference

@@ -28,7 +28,9 @@ void segment(const Vertex& a, const Vertex& b, glm::dvec2 e, double length, glm:
       const double half = a.half + s * (b.half - a.half);
       const double coverage = std::min(across + half, 0.5) - std::max(across - half, -0.5);
       if (coverage <= 0) continue;
-      visit(x, y, coverage * (a.alpha + s * (b.alpha - a.alpha)), a.colour + s * (b.colour - a.colour));
+      visit(x, y,
+            {coverage * (a.alpha + s * (b.alpha - a.alpha)), a.colour + s * (b.colour - a.colour),
+             a.depth + s * (b.depth - a.depth)});
     }
   }
 }

@@ -20,11 +20,18 @@ struct Vertex {
   glm::dvec2 place;  ///< pixels from the top left corner of the picture
   double half = 0;   ///< half of the strand's width, pixels
   double alpha = 0;
-  glm::dvec3 colour;
+  glm::dvec3 colour{0};
+  double depth = 0;  ///< depth in the view, R
 };
 
-/// Receives a fragment: column and row of the pixel, the fragment's alpha and its colour.
-using Visit = std::function<void(int x, int y, double alpha, glm::dvec3 colour)>;
+struct Fragment {
+  double alpha = 0;
+  glm::dvec3 colour{0};
+  double depth = 0;  ///< R
+};
+
+/// Receives a fragment, and the column and the row of its pixel.
+using Visit = std::function<void(int x, int y, const Fragment& fragment)>;
 
 /// Visits all fragments of the strip between the vertices, segment by segment, in a picture of the given
 /// size.

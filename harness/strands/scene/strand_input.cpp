@@ -82,7 +82,10 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
   auto input = std::make_shared<StrandInput>();
   input->scene = scene;
-  input->fur = kept_fur(*mesh, scene.strands, kept_coat(*mesh, scene.coat));
+  const CoatTexture coat = kept_coat(*mesh, scene.coat);
+  input->fur = kept_fur(*mesh, scene.strands, coat);
+  if (scene.strands.skin)
+    input->skin = std::make_shared<SkinSurface>(skin_surface(*mesh, coat, scene.coat.skin));
   input->dynamics = chain_dynamics(scene);
   const ChainScene& chain = scene.strands.chain;
   if (chain.collision == "body") input->dynamics.body = kept_distance_field(mesh, chain.body_cells);

@@ -5,6 +5,7 @@
 #include "harness/prepare/frame_input.hpp"
 #include "harness/strands/chain/chain.hpp"
 #include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/drawing/skin_surface.hpp"
 #include "harness/strands/groom/fur.hpp"
 
 namespace pelage::strands {
@@ -16,7 +17,8 @@ struct StrandInput {
   ChainDynamics dynamics;
   Camera camera;
   Look look;
-  DepthRange range;  ///< depth range of the sort keys
+  DepthRange range;                         ///< depth range of the sort keys
+  std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
 };
 
 /// Computes the input of a picture of strands. The result depends only on the arguments and on the pictures

@@ -12,6 +12,9 @@
 typedef struct {
   float x[MOST_SEGMENTS + 1][BATCH], y[MOST_SEGMENTS + 1][BATCH], radius[MOST_SEGMENTS + 1][BATCH], alpha[MOST_SEGMENTS + 1][BATCH];
   float red[MOST_SEGMENTS + 1][BATCH], green[MOST_SEGMENTS + 1][BATCH], blue[MOST_SEGMENTS + 1][BATCH];
+#if STRAND_SKIN
+  float depth[MOST_SEGMENTS + 1][BATCH];
+#endif
   float mitre_x[MOST_SEGMENTS + 1][BATCH], mitre_y[MOST_SEGMENTS + 1][BATCH];
   float e_x[MOST_SEGMENTS][BATCH], e_y[MOST_SEGMENTS][BATCH], length[MOST_SEGMENTS][BATCH];
   int finished;               // number of pixels that receive no more fragments
@@ -29,6 +32,9 @@ INLINE void put_vertex(const DrawParams *p, TABLE(int) film, TABLE(float) map, R
   b->red[k][s] = v.colour.x;
   b->green[k][s] = v.colour.y;
   b->blue[k][s] = v.colour.z;
+#if STRAND_SKIN
+  b->depth[k][s] = v.depth;
+#endif
 }
 
 // Computes the direction of segment k of strand s.
@@ -48,8 +54,8 @@ INLINE void put_mitre(int k, int s, int segments, __local Batch *b) {
   b->mitre_y[k][s] = y;
 }
 
-// Blends the fragment of segment k of strand s, if the segment touches the pixel (x, y).
-INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y, float4 *front) {
+// Blends the fragment of segment k of strand s, if the segment touches the pixel (x, y). skin: view depth of the skin there.
+INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y, float skin, float4 *front) {
   float length = b->length[k][s];
   if (length == 0.0f) return;
   float from_x = x - b->x[k][s], from_y = y - b->y[k][s], to_x = x - b->x[k + 1][s], to_y = y - b->y[k + 1][s];
@@ -67,7 +73,11 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
 #if STRAND_MAP
   *front = blended(*front, (float4)(VALUE(red), 0.0f, 0.0f, -(coverage * VALUE(alpha))));
 #else
-  float through = front->w * (coverage * VALUE(alpha));
+  float alpha = coverage * VALUE(alpha);
+#if STRAND_SKIN
+  alpha = alpha * before_skin(VALUE(depth), skin);
+#endif
+  float through = front->w * alpha;
   *front = fma((float4)(through), (float4)(VALUE(red), VALUE(green), VALUE(blue), -1.0f), *front);
 #endif
 #undef VALUE
@@ -75,7 +85,7 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
 
 __kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
 void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
-                  __global STORED *image, __global int *taken, __global ushort *blank) {
+                  TABLE(float4) skin, __global STORED *image, __global int *taken, __global ushort *blank) {
   __local Batch batch;
   int item = (int)get_local_id(0), tile = (int)get_group_id(0);
   int first_x = tile % p.tiles_x * STRAND_TILE, first_y = tile / p.tiles_x * STRAND_TILE;
@@ -83,6 +93,11 @@ void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float)
   float origin_x = (float)first_x + 0.5f - 0.5f * (float)p.width, origin_y = (float)first_y + 0.5f - 0.5f * (float)p.height;
   bool inside = first_x + x < p.width && first_y + y < p.height, finished = false;
   float4 front = EMPTY;
+  size_t pixel = (size_t)(first_y + y) * p.width + first_x + x;
+  float depth = NO_DEPTH;
+#if STRAND_SKIN
+  if (inside) depth = skin[pixel].w;
+#endif
   int begin = list_start[tile], end = list_start[tile + 1];
   if (item == 0) batch.finished = 0;
   for (int first = begin; first < end; first += BATCH) {
@@ -98,12 +113,16 @@ void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float)
     barrier(CLK_LOCAL_MEM_FENCE);
     if (finished) continue;
     for (int s = 0; s < count; ++s)
-      for (int k = 0; k < p.segments; ++k) draw_segment(&batch, k, s, (float)x, (float)y, &front);
+      for (int k = 0; k < p.segments; ++k) draw_segment(&batch, k, s, (float)x, (float)y, depth, &front);
     if (!inside || IS_OPAQUE(front.w)) {
       finished = true;
       atomic_inc(&batch.finished);
     }
   }
   if (!inside) return;
-  image[(size_t)(first_y + y) * p.width + first_x + x] = stored(&p, front);
+#if STRAND_SKIN
+  image[pixel] = stored_over_skin(&p, front, skin[pixel]);
+#else
+  image[pixel] = stored(&p, front);
+#endif
 }

@@ -5,6 +5,7 @@
 #include "common/powers.clh"
 #include "common/slices.clh"
 #include "strands/draw/curve.clh"
+#include "strands/draw/fills.clh"
 
 INLINE Key load_key(TABLE(float) keys, whole index) {
   real4 a = gather_rows(keys, 4 * index), b = gather_rows(keys, 4 * index + 1), c = gather_rows(keys, 4 * index + 2);
@@ -88,14 +89,6 @@ INLINE truth is_seen(const DrawParams *p, Curve curve, real3 root, real3 joint, 
 }
 
 #if STRAND_LIGHTS
-// Returns one colour of the fill lights' irradiance at the normal n, at least 0. c: nine coefficients.
-INLINE real fill_light(const float *c, real3 n) {
-  real sum = fma(n.y, REAL(c[1]), fma(n.z, REAL(c[2]), fma(n.x, REAL(c[3]), REAL(c[0]))));
-  sum = fma(n.x * n.y, REAL(c[4]), fma(n.y * n.z, REAL(c[5]), fma(n.x * n.z, REAL(c[7]), sum)));
-  sum = fma(fma(3.0f * n.z, n.z, REAL(-1.0f)), REAL(c[6]), fma(fma(n.x, n.x, -(n.y * n.y)), REAL(c[8]), sum));
-  return greater(sum, REAL(0.0f));
-}
-
 // Returns the light that does not change along the strand.
 INLINE real3 steady_light(const DrawParams *p, Curve curve, real3 colour) {
   real3 from_eye = sub3(curve.joint, uniform3(p->eye[0], p->eye[1], p->eye[2]));

@@ -79,6 +79,12 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #ifndef STRAND_MAP
 #define STRAND_MAP 0
 #endif
+// 1: the skin hides the strands behind it (docs/strands.md, section Skin).
+#ifndef STRAND_SKIN
+#define STRAND_SKIN 0
+#endif
+// Depth behind the skin, in R, at which a strand becomes invisible: 2^-7.
+#define SKIN_FADE 0.0078125f
 // Readings of the opacity map.
 #define SHADOW_NONE 0
 #define SHADOW_LINEAR 1
@@ -87,7 +93,7 @@ enum { CURVE_ROOT, CURVE_JOINT = 3, CURVE_TIP = 6, CURVE_NORMAL = 9, CURVE_COLUM
 #define STRAND_SHADOW SHADOW_NONE
 #endif
 #define LEAST_THROUGH 9.5367431640625e-7f    // least transmittance whose logarithm is the optical depth of a texel, 2^-20
-#define NO_DEPTH 1e30f                       // depth of a texel without fragments
+#define NO_DEPTH 1e30f                       // depth of a texel without fragments, and of a pixel without skin
 
 #define FILM_SAMPLES 8         // samples of a film frame
 

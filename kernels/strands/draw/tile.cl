@@ -29,9 +29,11 @@ typedef struct {
 
 typedef struct {
   float pixel[4 * TILE_PIXELS] ALIGNED;             // red, green, blue and transmittance of each pixel
+#if STRAND_SKIN
+  float skin[TILE_PIXELS] ALIGNED;                  // view depth of the skin at each pixel
+#endif
   int width, height;                                // size of the part of the tile that lies within the picture
-  // Bit x of closed[y]: block x in row y of the blocks receives no more fragments. any_closed: 0 if there is no such block.
-  uint closed[TILE_BLOCKS], any_closed;
+  Closed closed;
 } Tile;
 
 // The value of a column of the vertices at the start of the segments of a strand, and its change to their end.
@@ -52,12 +54,20 @@ INLINE void blend(float *pixel, float4 fragment) { vstore4(blended(vload4(0, pix
 INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *f, int begin, int end, Tile *tile) {
   Change alpha = changes_of(vertices, ALPHA, strand), red = changes_of(vertices, RED, strand);
   Change green = changes_of(vertices, GREEN, strand), blue = changes_of(vertices, BLUE, strand);
+#if STRAND_SKIN
+  Change depth = changes_of(vertices, DEPTH, strand);
+#endif
   for (int i = begin; i < end; i += LANES) {
     whole segment = fill_whole(f->place + i) >> 16;
     real s = bits_as_real(fill_whole(f->s + i)), coverage = bits_as_real(fill_whole(f->coverage + i));
     // The lanes behind the last fragment belong to other strands. The coverage 0 makes their fragments change nothing.
     coverage = lane_numbers() + i < WHOLE(end) ? coverage : REAL(0.0f);
     real through = coverage * value_at(alpha, segment, s);
+#if STRAND_SKIN
+    float skin[LANES] ALIGNED;
+    UNROLL for (int k = 0; k < LANES; ++k) skin[k] = tile->skin[f->place[i + k] & 0xffff];
+    through = through * before_skin(value_at(depth, segment, s), fill_real(skin));
+#endif
 #if STRAND_MAP
     real4 v = {coverage > REAL(0.0f) ? -value_at(red, segment, s) : REAL(NO_DEPTH), REAL(0.0f), REAL(0.0f), through};
 #else
@@ -123,7 +133,7 @@ INLINE void draw_block(const DrawParams *p, const Vertices *vertices, int count,
   int end[LANES];
   for (int strand = 0; strand < count; strand += TOGETHER) {
     Segments g;
-    segments_of(p, vertices, strand, &g);
+    segments_of(p, vertices, strand, &tile->closed, &g);
     UNROLL for (int other = 0; other < TOGETHER; ++other) {
       int here = strand + other, first = other * VERTICES;
       if (here >= count) break;
@@ -146,16 +156,16 @@ INLINE void draw_block(const DrawParams *p, const Vertices *vertices, int count,
 
 // Returns true if a strand may touch a block that is not closed. spot: left, top, right and bottom block, 4 bits each (bins.cl).
 INLINE bool is_open(const Tile *tile, ushort spot) {
-  if (tile->any_closed == 0) return true;
+  if (tile->closed.any == 0) return true;
   uint left = spot & 15, right = (spot >> 8) & 15, row = (2u << right) - (1u << left), open = 0;
-  for (int y = (spot >> 4) & 15; y <= spot >> 12; ++y) open |= row & ~tile->closed[y];
+  for (int y = (spot >> 4) & 15; y <= spot >> 12; ++y) open |= row & ~(uint)tile->closed.row[y];
   return open != 0;
 }
 
 // Returns true if all blocks are closed.
 INLINE bool is_finished(const Tile *tile) {
   uint all = ALL_BLOCKS;
-  for (int y = 0; y < TILE_BLOCKS; ++y) all &= tile->closed[y];
+  for (int y = 0; y < TILE_BLOCKS; ++y) all &= (uint)tile->closed.row[y];
   return all == ALL_BLOCKS;
 }
 
@@ -165,8 +175,8 @@ INLINE const float *row_of_block(const Tile *tile, int block, int y) {
 }
 
 INLINE void close(Tile *tile, int block) {
-  tile->closed[block / TILE_BLOCKS] |= 1u << block % TILE_BLOCKS;
-  tile->any_closed = 1;
+  tile->closed.row[block / TILE_BLOCKS] |= 1 << block % TILE_BLOCKS;
+  tile->closed.any = 1;
 }
 
 // A part of a block: the pixels within the picture.
@@ -181,7 +191,7 @@ INLINE Extent extent_of(const Tile *tile, int block) {
 // Finds the blocks in which all pixels have at most the transmittance STRAND_OPAQUE.
 static void find_closed(Tile *tile) {
   for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
-    if (tile->closed[block / TILE_BLOCKS] >> block % TILE_BLOCKS & 1) continue;
+    if (tile->closed.row[block / TILE_BLOCKS] >> block % TILE_BLOCKS & 1) continue;
     Extent e = extent_of(tile, block);
     bool open = false;
     for (int y = 0; y < e.height && !open; ++y) {
@@ -196,8 +206,8 @@ static void find_closed(Tile *tile) {
 static void begin(Tile *tile, int width, int height) {
   tile->width = width;
   tile->height = height;
-  for (int y = 0; y < TILE_BLOCKS; ++y) tile->closed[y] = 0;
-  tile->any_closed = 0;
+  for (int y = 0; y < 16; ++y) tile->closed.row[y] = 0;
+  tile->closed.any = 0;
   for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
     Extent e = extent_of(tile, block);
     if (e.width == 0 || e.height == 0) close(tile, block);
@@ -235,6 +245,24 @@ static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film
 #define STORE(value, place) (*(place) = (value))
 #endif
 
+#if STRAND_SKIN
+// Copies the depths of the skin. skin: the pixels of the picture.
+static void load_skin(const DrawParams *p, TABLE(float4) skin, int first_x, int first_y, Tile *tile) {
+  for (int y = 0; y < tile->height; ++y)
+    for (int x = 0; x < tile->width; ++x) tile->skin[y * STRAND_TILE + x] = skin[(size_t)(first_y + y) * p->width + first_x + x].w;
+}
+
+// Returns true if some pixel of a block has skin.
+static bool has_skin(const Tile *tile, int block) {
+  Extent e = extent_of(tile, block);
+  const float *first = tile->skin + (block / TILE_BLOCKS * STRAND_TILE + block % TILE_BLOCKS) * BLOCK_SIDE;
+  for (int y = 0; y < e.height; ++y)
+    for (int x = 0; x < e.width; ++x)
+      if (first[y * STRAND_TILE + x] < NO_DEPTH) return true;
+  return false;
+}
+#endif
+
 // Returns true if all pixels of a block are clear.
 static bool is_clear(const Tile *tile, int block) {
   const float16 clear = (float16)(EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f, EMPTY_X, 0.0f, 0.0f, 1.0f);
@@ -249,16 +277,21 @@ static bool is_clear(const Tile *tile, int block) {
   return true;
 }
 
-// Writes a block to the picture, and clears its pixels. image: the first pixel of the tile.
-static void write_block(const DrawParams *p, Tile *tile, int block, __global STORED *image) {
+// Writes a block to the picture, and clears its pixels. image, skin: the first pixel of the tile.
+static void write_block(const DrawParams *p, Tile *tile, int block, TABLE(float4) skin, __global STORED *image) {
   Extent e = extent_of(tile, block);
   int left = block % TILE_BLOCKS * BLOCK_SIDE, top = block / TILE_BLOCKS * BLOCK_SIDE;
   for (int y = 0; y < BLOCK_SIDE; ++y) {
     float *row = tile->pixel + 4 * ((top + y) * STRAND_TILE + left);
-    __global STORED *out = image + (size_t)(top + y) * p->width + left;
+    size_t first = (size_t)(top + y) * p->width + left;
+    __global STORED *out = image + first;
     if (y < e.height)
       for (int x = 0; x < e.width; ++x) {
+#if STRAND_SKIN
+        STORED c = stored_over_skin(p, vload4(x, row), skin[first + x]);
+#else
         STORED c = stored(p, vload4(x, row));
+#endif
         STORE(c, out + x);
       }
     for (int x = 0; x < BLOCK_SIDE; ++x) vstore4(EMPTY, x, row);
@@ -268,9 +301,9 @@ static void write_block(const DrawParams *p, Tile *tile, int block, __global STO
 // Each work-item takes one tile after the other, so that tiles with many strands are distributed over the work-items.
 // taken: number of the next tile that no work-item has taken, initially 0. blank: one word for each row of blocks of each tile.
 // Bit x is set if block x of the row has the colour of the background in the picture everywhere; the kernel does not write such
-// a block again if it has no fragments.
+// a block again if it has no fragments. skin: see skin_colours (skin.cl); kernels with STRAND_SKIN 0 do not read it.
 __kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list,
-                           TABLE(ushort) spot, __global STORED *image, __global int *taken, __global ushort *blank) {
+                           TABLE(ushort) spot, TABLE(float4) skin, __global STORED *image, __global int *taken, __global ushort *blank) {
   Tile tile;
   Fragments fragments;
   fragments.used = 0;
@@ -281,11 +314,14 @@ __kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TAB
     __global ushort *row = blank + number * TILE_BLOCKS;
     uint all_blank = ALL_BLOCKS;
     for (int y = 0; y < TILE_BLOCKS; ++y) all_blank &= row[y];
-    if (count == 0 && all_blank == ALL_BLOCKS) continue;
+    if (!STRAND_SKIN && count == 0 && all_blank == ALL_BLOCKS) continue;
     if (!cleared)
       for (int i = 0; i < TILE_PIXELS; ++i) vstore4(EMPTY, i, tile.pixel);
     cleared = true;
     begin(&tile, min(STRAND_TILE, p.width - first_x), min(STRAND_TILE, p.height - first_y));
+#if STRAND_SKIN
+    load_skin(&p, skin, first_x, first_y, &tile);
+#endif
     draw_strands(&p, rows, film, map, list + first, spot + first, count, (float)first_x + 0.5f - 0.5f * (float)p.width,
                  (float)first_y + 0.5f - 0.5f * (float)p.height, &tile, &fragments);
     for (int y = 0; y < TILE_BLOCKS; ++y) {
@@ -293,7 +329,11 @@ __kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TAB
       for (int x = 0; x < TILE_BLOCKS; ++x) {
         int block = y * TILE_BLOCKS + x;
         bool clear = is_clear(&tile, block);
-        if (!clear || !(was_blank >> x & 1)) write_block(&p, &tile, block, image + (size_t)first_y * p.width + first_x);
+#if STRAND_SKIN
+        clear = clear && !has_skin(&tile, block);
+#endif
+        size_t first_pixel = (size_t)first_y * p.width + first_x;
+        if (!clear || !(was_blank >> x & 1)) write_block(&p, &tile, block, skin + first_pixel, image + first_pixel);
         is_blank |= (uint)clear << x;
       }
       row[y] = (ushort)is_blank;

@@ -70,6 +70,22 @@ TEST(StrandDrawing, ManyStrandsCloseTheirPixels) {
   expect_reference(scene_of(200, 130), Ball(20000));
 }
 
+// A strand is left out behind blocks whose pixels have a transmittance of at most 1/512. The blocks of tiles
+// of 128 pixels are twice as wide as those of other tiles, so other strands are left out.
+TEST(StrandDrawing, ClosedBlocksHideNoVisibleStrand) {
+  const DrawingScene scene = scene_of(200, 130);
+  const Ball ball(60000);
+  DrawerOptions small, large;
+  small.mapping = large.mapping = Drawing::item;
+  small.tile = 64;
+  large.tile = 128;
+  const Picture a = draw_on_device(scene, ball, small).picture,
+                b = draw_on_device(scene, ball, large).picture;
+  constexpr float most = 1.0f / 128;  // more than 1/512 of the brightest colour
+  for (std::size_t i = 0; i < a.pixel.size(); ++i)
+    for (int k = 0; k < 4; ++k) ASSERT_LT(std::abs(a.pixel[i][k] - b.pixel[i][k]), most) << "pixel " << i;
+}
+
 TEST(StrandDrawing, RanksComeBeforeDepths) {
   DrawingScene scene = scene_of(200, 130);
   scene.look.segments = 5;

@@ -1,0 +1,97 @@
+#include "harness/strands/opencl/skin_drawer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "harness/error.hpp"
+
+namespace pelage::strands {
+namespace {
+
+constexpr std::size_t vertex_record = 8;  // VERTEX_RECORD of skin.cl
+
+std::vector<float> flat(const std::vector<glm::vec3>& vectors) {
+  std::vector<float> values;
+  values.reserve(3 * vectors.size());
+  for (const glm::vec3& v : vectors) values.insert(values.end(), {v.x, v.y, v.z});
+  return values;
+}
+
+std::vector<std::int32_t> flat(const std::vector<glm::uvec3>& triangles) {
+  std::vector<std::int32_t> values;
+  values.reserve(3 * triangles.size());
+  for (const glm::uvec3& t : triangles)
+    values.insert(values.end(), {std::int32_t(t.x), std::int32_t(t.y), std::int32_t(t.z)});
+  return values;
+}
+
+template <class T>
+cl::Buffer<T> on_device(const cl::Queue& queue, const std::vector<T>& values) {
+  return cl::Buffer<T>(queue, std::span<const T>(values));
+}
+
+/// Room for `count` elements in groups of at most 16.
+std::size_t padded(std::size_t count) {
+  return (count + 15) / 16 * 16;
+}
+
+}  // namespace
+
+SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
+                       const std::string& options)
+    : vertices_(int(skin.position.size())),
+      triangles_(int(skin.triangle.size())),
+      pixel_count_(params.width * params.height),
+      lanes_(lanes),
+      program_(queue.device(), "strands/draw/skin.cl", fmt::format("{} -D LANES={}", options, lanes)),
+      make_vertices_(program_, "skin_vertices"),
+      clear_(program_, "skin_clear"),
+      find_depth_(program_, "skin_depth"),
+      find_owner_(program_, "skin_owner"),
+      colour_pixels_(program_, "skin_colours") {
+  if (triangles_ == 0) throw InputError("skin of the strands: no triangles; give at least one");
+  const cl::Device& device = queue.device();
+  const std::size_t pixels = padded(std::size_t(params.width) * std::size_t(params.height));
+  position_ = on_device(queue, flat(skin.position));
+  normal_ = on_device(queue, flat(skin.normal));
+  colour_ = on_device(queue, flat(skin.colour));
+  index_ = on_device(queue, flat(skin.triangle));
+  vertex_ = cl::Buffer<float>(device, padded(skin.position.size()) * vertex_record);
+  owner_ = cl::Buffer<std::int32_t>(device, pixels);
+  depth_ = cl::Buffer<std::uint32_t>(device, pixels);
+  pixels_ = cl::Buffer<glm::vec4>(device, pixels);
+}
+
+void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec2>& map,
+                         cl::PhaseEvents* events) {
+  const cl::DeviceInfo& device = queue.device().info();
+  // PoCL copies the parameters of a kernel for each work-item, so on a CPU a work-item computes many groups
+  // of `lanes_` elements. There are enough work-items to distribute them evenly over the cores.
+  const auto per_item = [&](int count) {
+    const int groups = (count + lanes_ - 1) / lanes_;
+    const int items = device.cpu ? 32 * int(device.compute_units) : groups;
+    return std::max(1, (groups + items - 1) / items);
+  };
+  const auto launch = [&](const cl::Kernel& kernel, int count) {
+    const std::size_t group = device.cpu ? 1 : 64;
+    const int each = lanes_ * per_item(count);
+    const std::size_t items = std::size_t((count + each - 1) / each);
+    cl::Event event = kernel.enqueue(queue, (items + group - 1) / group * group, group);
+    if (events) events->emplace_back("skin", std::move(event));
+  };
+  make_vertices_.with(params, per_item(vertices_), vertices_, position_, normal_, colour_, map, vertex_);
+  launch(make_vertices_, vertices_);
+  clear_.with(per_item(pixel_count_), pixel_count_, depth_, owner_);
+  launch(clear_, pixel_count_);
+  find_depth_.with(params, per_item(triangles_), triangles_, index_, vertex_, depth_);
+  launch(find_depth_, triangles_);
+  find_owner_.with(params, per_item(triangles_), triangles_, index_, vertex_, depth_, owner_);
+  launch(find_owner_, triangles_);
+  colour_pixels_.with(params, per_item(pixel_count_), pixel_count_, index_, vertex_, depth_, owner_, pixels_);
+  launch(colour_pixels_, pixel_count_);
+}
+
+}  // namespace pelage::strands

@@ -1,0 +1,40 @@
+// Draws the skin below strands on an OpenCL device. docs/strands.md, section Skin, defines the picture.
+#pragma once
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+#include <string>
+
+#include "harness/cl/phases.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/strands/drawing/skin_surface.hpp"
+#include "kernels/strands/draw/params.h"
+
+namespace pelage::strands {
+
+class SkinDrawer {
+ public:
+  /// `params.width` and `params.height` must be set. `lanes`: number of vertices, triangles or pixels that a
+  /// work-item computes at a time, 1 or 16. `options`: build options of the kernels, without LANES and
+  /// STRAND_TILE. Throws InputError if the surface has no triangles.
+  SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
+             const std::string& options);
+
+  /// Enqueues the kernels that draw the skin, all in the phase `skin`. `map`: the texels of the opacity map.
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec2>& map,
+               cl::PhaseEvents* events);
+
+  /// The pixels, row by row: red, green, blue, and the view depth in R (NO_DEPTH: no skin).
+  const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
+  const cl::Program& program() const { return program_; }
+
+ private:
+  int vertices_, triangles_, pixel_count_, lanes_;
+  cl::Program program_;
+  cl::Kernel make_vertices_, clear_, find_depth_, find_owner_, colour_pixels_;
+  cl::Buffer<float> position_, normal_, colour_, vertex_;
+  cl::Buffer<std::int32_t> index_, owner_;
+  cl::Buffer<std::uint32_t> depth_;
+  cl::Buffer<glm::vec4> pixels_;
+};
+
+}  // namespace pelage::strands
