@@ -107,7 +107,17 @@ def same_coat_simulation():
             "layer": f"{median(row['simulate_ns_per_segment'] for row in layers):.1f}", **share}
 
 
+def strand_ratios():
+    rows = [row for row in table("strands/demoreuille2011-scaling-ratio.csv") if row["distance"] == "near"]
+    values = {count: ends((row["opengl_ratio"] for row in rows if row["count"] == count), ".1f") for count in ("100k", "1M")}
+    return {"low": values["100k"]["least"], "high": values["100k"]["most"], "low_million": values["1M"]["least"],
+            "high_million": values["1M"]["most"], "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}"}
+
+
 SENTENCES = [
+    ("docs/strands.md", "if the model fills the picture, the ratio is {low} to {high} with 100,000 strands and {low_million} to "
+     "{high_million} with a million strands; the geometric mean over 10,000, 100,000 and a million strands in both sizes is "
+     "{mean}.", strand_ratios),
     *(("docs/strands.md", f"| {label} | {{ms_near}}, {{ms_middle}}, {{ms_far}} | {{overdraw_near}}, {{overdraw_middle}}, {{overdraw_far}} | "
        "{psnr_near}, {psnr_middle}, {psnr_far} |", lambda variant=variant: same_coat(variant)) for variant, label in VARIANTS.items()),
     ("docs/strands.md", "A simulated segment takes {chain} ns with two-segment chains and {layer} ns with the one-segment hairs of the "

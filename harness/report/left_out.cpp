@@ -59,16 +59,17 @@ std::vector<LeftOut> missing_cases(const std::vector<std::filesystem::path>& jou
 
 std::vector<LeftOut> without_numbers(const std::vector<Cell>& cells, const std::vector<FoundRow>& rows) {
   std::vector<LeftOut> list;
-  std::set<std::string> with_ratio;  // experiments with opengl_ratio in some cell
+  std::set<std::pair<std::string, std::string>>
+      with_ratio;  // experiment and variant of cells with opengl_ratio
   for (const Cell& c : cells)
-    if (c.metrics.contains("opengl_ratio")) with_ratio.insert(c.experiment);
+    if (c.metrics.contains("opengl_ratio")) with_ratio.insert({c.experiment, c.variant});
   for (const Cell& c : cells) {
     std::string reason;
     if (c.status != Status::ok)
       reason = fmt::format("no time: {}: {}", to_text(c.status), first_line(c.reason));
     else if (c.median_ms <= 0)
       reason = "no time: the row has no times of frames";
-    else if (with_ratio.contains(c.experiment) && !c.metrics.contains("opengl_ratio"))
+    else if (with_ratio.contains({c.experiment, c.variant}) && !c.metrics.contains("opengl_ratio"))
       reason = "no ratio: the row does not contain the time of the OpenGL baseline";
     if (!reason.empty()) list.push_back({c.experiment, c.case_name, place_of(c), reason});
   }

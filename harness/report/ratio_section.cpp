@@ -154,6 +154,8 @@ std::vector<Section> ratio_sections(const std::vector<Cell>& given, const std::s
     view = {.x = has("model") ? "model" : "", .y = {"opengl_ratio"}, .y_scale = "log"};
     if (has("reading")) view.panels = {"reading"};
   }
+  if (std::find(view.y.begin(), view.y.end(), "opengl_ratio") == view.y.end())
+    view.y.insert(view.y.begin(), "opengl_ratio");
   section.plots = plots_of(table, cells, view, *sources.notes);
   for (PlotSpec& plot : section.plots)
     if (plot.y == "opengl_ratio") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "harness/error.hpp"
@@ -39,9 +40,26 @@ std::string stem_of(const Cell& cell, const Sources& sources) {
   return file_name_of(stem);
 }
 
+/// Returns the ratios of the variants that were measured in turns with the OpenGL baseline, and the times of
+/// the other variants.
+std::vector<Section> with_baseline(const std::vector<Cell>& cells, const std::string& stem,
+                                   const Sources& sources) {
+  std::set<std::string> variants;
+  for (const Cell& c : cells)
+    if (c.metrics.contains("opengl_ratio")) variants.insert(c.variant);
+  std::vector<Cell> compared, others;
+  for (const Cell& c : cells) (variants.contains(c.variant) ? compared : others).push_back(c);
+  std::vector<Section> sections = ratio_sections(compared, stem, sources);
+  if (!others.empty()) {
+    std::vector<Section> more = case_sections(others, stem, sources);
+    std::move(more.begin(), more.end(), std::back_inserter(sections));
+  }
+  return sections;
+}
+
 std::vector<Section> of_group(const std::vector<Cell>& cells, const std::string& stem,
                               const Sources& sources) {
-  if (any_metric(cells, "opengl_ratio")) return ratio_sections(cells, stem, sources);
+  if (any_metric(cells, "opengl_ratio")) return with_baseline(cells, stem, sources);
   if (any_metric(cells, "paper_fps")) return paper_sections(cells, stem, sources);
   if (any_axis(cells, "dynamics.topology") && any_axis(cells, "layers"))
     return topology_sections(cells, stem, sources);

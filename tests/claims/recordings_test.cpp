@@ -88,6 +88,11 @@ void large_by_triangles(Row& row) {
   if (is(row, "size", "1680x1050")) scale(row, "frame", row.metrics["triangles"].value / 9360);
 }
 
+/// Returns a change of a metric: multiplies it by `by` in the rows of the variant `strands`.
+std::function<double(const Row&, double)> of_strands(double by) {
+  return [=](const Row& row, double v) { return is(row, "variant", "strands") ? by * v : v; };
+}
+
 std::vector<Plant> plants() {
   const auto holds = Verdict::holds, fails = Verdict::fails;
   const auto shared = [](const Row& row, double value) { return separable(row) ? value / 10 : value; };
@@ -142,7 +147,15 @@ std::vector<Plant> plants() {
           {"wet-resolution-triangles", fails, large_by_triangles},
           {"wet-real-time", holds, all_times("frame", 0.01)},
           {"wet-large-mesh", holds, all_times("frame", 0.01)},
-          {"dynamic-mask", fails, metric("wet_ms", [](const Row&, double v) { return v + 100; })}};
+          {"dynamic-mask", fails, metric("wet_ms", [](const Row&, double v) { return v + 100; })},
+          {"strands-overdraw", fails, metric("overdraw", of_strands(2))},
+          {"strands-frame-time", fails, times("variant", "strands", "frame", 4)},
+          {"strands-variety", fails, metric("raycast_coarse_psnr", of_strands(0.5))},
+          {"strands-simulation", holds, all_times("simulate", 0.1)},
+          {"strands-simulation-cost", holds, metric("simulate_ns_per_segment", of_strands(0.1))},
+          {"strands-detail", fails, times("variant", "pruned", "frame", 4)},
+          {"strands-detail-picture", holds,
+           metric("raycast_coarse_psnr", [](const Row&, double v) { return v + 9; })}};
 }
 
 TEST(Recordings, PlantedWrongRowsChangeTheVerdicts) {

@@ -262,6 +262,22 @@ TEST(RatioSection, CountsWhatHasNoRatio) {
   EXPECT_NE(text.find("failed-check"), std::string::npos);
 }
 
+// A variant that was not measured in turns with the baseline has a table of its times.
+TEST(RatioSection, LeavesOtherVariantsToTheTableOfTimes) {
+  std::vector<FoundRow> rows = duel_rows();
+  for (FoundRow& found : rows)
+    if (found.row.axes.at("reading") == "plain") {
+      found.row.variant = "alone";
+      found.row.metrics.erase("opengl_ratio");
+      found.row.samples.erase("opengl");
+    }
+  const auto all = sections(rows);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].table.lines.size(), 32u);
+  EXPECT_EQ(all[1].table.lines.size(), 32u);
+  EXPECT_GE(column_of(all[1].table, "median_ms"), 0);
+}
+
 /// Returns one row for every case of topology-table1.toml. A frame takes 10 ms plus its simulation, which
 /// takes 0 to 4 ms depending on the topology.
 std::vector<FoundRow> sweep_rows() {
