@@ -126,6 +126,7 @@ std::vector<std::int32_t> film_table(const Look& look) {
 /// Returns the values of the fur layers 0 to 255.
 std::vector<LayerLook> layers_of(const Look& look) {
   std::vector<LayerLook> layers;
+  layers.reserve(most_layers);
   for (int layer = 0; layer < most_layers; ++layer) layers.push_back(layer_look(look, layer));
   return layers;
 }
