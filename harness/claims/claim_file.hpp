@@ -6,8 +6,8 @@
 
 namespace pelage::claims {
 
-/// Reads a file of claims and the files that its key `include` names. If a file has an error, throws InputError, whose message names the file, the
-/// line, the key and the correct form.
+/// Reads a file of claims and the files that its key `include` names. If a file has an error, throws
+/// InputError, whose message names the file, the line, the key and the correct form.
 ClaimFile read_claims(const std::filesystem::path& file);
 
 /// Returns the path of the shipped file experiments/claims.toml. Takes it from the first folder of
