@@ -54,8 +54,10 @@ def large_ratios(name):
 def ratios_in_words():
     small = [ratio for row in frame_steps("banisch-grass") for ratio in wall_ratios(row, COLUMNS["fast"])]
     one, two, grass = ends(large_ratios("fast"), ".2f"), ends(large_ratios("two"), ".2f"), ends(small, ".2f")
+    plain, eigen = ends(large_ratios("o3_double"), ".2f"), ends(large_ratios("eigen"), ".1f")
     return {"least": one["least"], "most": one["most"], "low": two["least"], "high": two["most"],
-            "small": grass["least"], "small_most": grass["most"]}
+            "small": grass["least"], "small_most": grass["most"], "plain": plain["least"], "plain_most": plain["most"],
+            "eigen": eigen["least"], "eigen_most": eigen["most"]}
 
 
 def expect(holds, sentence):
@@ -111,10 +113,6 @@ def gaps():
             for row in table("topology/topology-parting.csv")}
     return {"sticks": rows["separable-sticks", "triangle"], "prisms": rows["separable-prisms", "stick"],
             "apart": rows["separable-prisms", "triangle"]}
-
-
-def drifts(solver):
-    return ends((row["drift_most"] for row in table("topology/topology-drift.csv") if row["variant"] == solver), ".2g")
 
 
 def iterations(reading, *models):
@@ -188,6 +186,8 @@ SENTENCES = [
      "(full) and {pruned_most}% (pruned).", lambda: jacobian("sticks")),
     ("docs/topology.md", "Without a reference area, its rows have {least} to {most} iterations on all models.",
      lambda: ends(iterations("vertex"), ".0f")),
+    ("docs/topology.md", "With springs between tops that are ten times as stiff, they have {least} to {most} iterations.",
+     lambda: ends(iterations("area-stiff"), ".0f")),
     ("docs/topology.md", "they have {least} iterations on the elephant with 1148 faces and {most} on the horse",
      lambda: ends(iterations("area", "banisch-elephant", "horse"), ".0f")),
     ("docs/topology.md", "The median gap is {sticks} fur lengths on separable sticks with separate gusts for each triangle. On "
@@ -209,6 +209,8 @@ SENTENCES = [
      "times as long", ratios_in_words),
     ("README.md", "the vectorized serial code takes {least} to {most} times as long as our kernels on two cores. On two threads it "
      "takes {low} to {high} times as long.", ratios_in_words),
-    ("README.md", "On a square of grass with 16 triangles it takes {small} to {small_most} times as long", ratios_in_words),
+    ("README.md", "Serial code in double precision, compiled with -O3, takes {plain} to {plain_most} times as long, and Eigen {eigen} "
+     "to {eigen_most} times.", ratios_in_words),
+    ("README.md", "On a square of grass with 16 triangles the vectorized code takes {small} to {small_most} times as long", ratios_in_words),
     *ratio_lines(),
 ]

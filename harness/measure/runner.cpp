@@ -145,7 +145,11 @@ Row run_case(const RunPlan& plan, const Case& which, const SamplingLimits& limit
   } catch (const std::exception& error) {
     fails(Status::error, error.what());
   }
-  if (row.status != Status::ok) row.samples.clear();  // times without a verified picture are not kept
+  // Times and ratios of times without a verified picture are not kept.
+  if (row.status != Status::ok) {
+    row.samples.clear();
+    std::erase_if(row.metrics, [](const auto& entry) { return entry.second.unit == "times"; });
+  }
   return row;
 }
 

@@ -26,6 +26,14 @@ std::size_t count_of(const Table& table, const std::string& name) {
   return values.size();
 }
 
+/// Returns the columns of the metrics `names`. If a column of the table has the name of a metric, the metric has the column
+/// "metric.NAME".
+std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
+  for (std::string& name : names)
+    if (column_of(table, "metric." + name) >= 0) name = "metric." + name;
+  return names;
+}
+
 /// Returns those of `names` that are columns of the table.
 std::vector<std::string> present(const Table& table, const std::vector<std::string>& names) {
   std::vector<std::string> result;
@@ -92,7 +100,7 @@ Section of_cases(std::vector<Cell> cells, const View& view) {
   Layout& layout = section.table.layout;
   layout.blocks = present(section.table, view.blocks);
   layout.groups = present(section.table, view.columns);
-  layout.values = present(section.table, view.values);
+  layout.values = present(section.table, metric_columns(section.table, view.values));
   const std::vector<std::string> keys = varying_keys(section.table, cells);
   if (layout.groups.empty() && keys.size() >= 2 && count_of(section.table, keys.back()) <= most_groups &&
       std::find(layout.blocks.begin(), layout.blocks.end(), keys.back()) == layout.blocks.end())
