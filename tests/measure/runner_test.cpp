@@ -73,6 +73,19 @@ TEST(Runner, AFailedCheckPublishesNoTime) {
       << row.reason;
 }
 
+struct Compared : FakeSubject {
+  Compared() : FakeSubject(10.0, 59.9) {}
+  void describe(Row& row) override { row.metrics["opengl_ratio"] = {12, "times"}; }
+};
+
+TEST(Runner, AFailedCheckPublishesNoRatioOfTimes) {
+  const RunPlan plan = fake_plan(1);
+  const Row row =
+      run_case(plan, plan.cases[0], kShort, [](const Case&) { return std::make_unique<Compared>(); });
+  EXPECT_EQ(row.status, Status::failed_check);
+  EXPECT_FALSE(row.metrics.contains("opengl_ratio"));
+}
+
 struct Unchecked : FakeSubject {
   Unchecked() : FakeSubject(10) {}
   std::vector<Check> check(const Picture&) override { return {}; }

@@ -167,6 +167,19 @@ TEST(CaseSection, CategoriesBecomePoints) {
   EXPECT_EQ(plot.series, std::vector<std::string>{"variant"});
 }
 
+// The table has a column `drift` of the times. A metric of this name has another column, which the view
+// means.
+TEST(CaseSection, AMetricWithTheNameOfAColumnIsMeantByTheView) {
+  auto rows = own_rows({{"model", {"a", "b"}}});
+  for (FoundRow& found : rows) {
+    found.row.metrics["drift"] = {-1.25, "of m g L0"};
+    found.row.provenance["view"] = {{"values", {"drift"}}};
+  }
+  const Table table = sections(rows).at(0).table;
+  EXPECT_EQ(table.layout.values, std::vector<std::string>{"metric.drift"});
+  EXPECT_NE(text_of(table).find("-1.25"), std::string::npos) << text_of(table);
+}
+
 TEST(CaseSection, FollowsTheExperimentsView) {
   auto rows = own_rows({{"layers", {"8", "16"}}, {"fur.length", {"0.05", "0.1"}}, {"model", {"a", "b"}}});
   for (FoundRow& found : rows) {
