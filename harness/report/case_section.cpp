@@ -29,8 +29,10 @@ std::size_t count_of(const Table& table, const std::string& name) {
 /// Returns the columns of the metrics `names`. If a column of the table has the name of a metric, the metric has the column
 /// "metric.NAME".
 std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
-  for (std::string& name : names)
-    if (column_of(table, "metric." + name) >= 0) name = "metric." + name;
+  for (std::string& name : names) {
+    std::string own = fmt::format("metric.{}", name);
+    if (column_of(table, own) >= 0) name = std::move(own);
+  }
   return names;
 }
 

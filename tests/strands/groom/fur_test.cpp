@@ -133,10 +133,10 @@ TEST(Fur, HasTheColourOfTheCoatAtTheRoot) {
 
 TEST(Fur, RegionsLimitLayers) {
   StrandsScene scene = even(700);
-  StrandLayerScene& belly = scene.layers.front();
+  StrandLayerScene belly = scene.layers.front();
   belly.region_centre = {0.2f, -0.1f, 0.3f};
   belly.region_radius = 0.6f;
-  scene.layers.push_back(belly);
+  scene.layers = {belly, belly};
   scene.layers[1].region_outside = true;
   const Fur fur = grow(square(), scene, plain_coat());
   std::size_t inside = 0;
