@@ -55,6 +55,7 @@ std::set<std::string> said(const std::string& folder) {
     row.metrics.erase("wet_ms");
     row.metrics.erase("per_mask_ms");
     row.metrics.erase("fragments_per_s");
+    row.metrics.erase("simulate_ns_per_segment");
     row.metrics.erase("peak_memory");
     for (auto& [phase, samples] : row.samples) {
       std::fill(samples.wall_ms.begin(), samples.wall_ms.end(), 0.0);

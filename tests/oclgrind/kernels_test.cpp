@@ -164,6 +164,17 @@ TEST(DISABLED_Tiny, Strands) {
   chains.enqueue(queue, 2);
   EXPECT_EQ(chains.states(queue).size(), 20u);
 }
+// A tetrahedron inside the unit sphere. One of its corners is nearer to the camera of draw_tiny() than the
+// near plane.
+strands::SkinSurface tiny_skin() {
+  strands::SkinSurface skin;
+  skin.position = {{0.1f, 0.2f, 0.9f}, {-0.8f, -0.4f, -0.2f}, {0.7f, -0.5f, -0.2f}, {0, 0.8f, -0.3f}};
+  for (const glm::vec3& p : skin.position) skin.normal.push_back(glm::normalize(p));
+  skin.colour.assign(4, glm::vec3(0.5f));
+  skin.triangle = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  return skin;
+}
+
 // Strands of three ranks on a sphere. The first three key strands are those of chains.
 void draw_tiny(strands::Drawing mapping) {
   const cl::Queue queue(device());
@@ -173,6 +184,7 @@ void draw_tiny(strands::Drawing mapping) {
   scene.range = strands::depth_range(scene.camera, 1 + strands::longest);
   scene.look.rim = glm::vec3(0.1f);
   scene.look.segments = 3;
+  scene.skin = std::make_shared<strands::SkinSurface>(tiny_skin());
   strands::DrawerOptions options;
   options.mapping = mapping;
   options.runs = 2;
