@@ -287,6 +287,29 @@ TEST(FullDisk, ADumpEndsWithOneLine) {
   EXPECT_EQ(std::count(full.err.begin(), full.err.end(), '\n'), 1) << full.err;
 }
 
+// The file system has no room for a row (2100 KiB of 2 MiB are filled), or for a picture (2000 KiB).
+TEST_F(Results, AFullDiskLeavesARunThatCanBeContinued) {
+  const std::string inside = "mount -t tmpfs -o size=2m tmpfs full";
+  std::filesystem::create_directory(folder.path() / "full");
+  const std::string there = "cd '" + folder.path().string() + "' && unshare -Urm sh ";
+  if (std::system((there + "-c '" + inside + "' 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << "this process may not mount a small file system";
+  folder.write("own.toml", experiment("0.1"));
+  const std::string program = "ASAN_OPTIONS=detect_leaks=0 '" PELAGE_BINARY "' run own.toml ";
+  folder.write("script.sh", inside + "\nhead -c $1 /dev/zero >full/filler 2>/dev/null\n" + program +
+                                "-o full/run 2>errors\necho $? >code\nrm full/filler\n" + program +
+                                "--resume full/run 2>resumed\n");
+  for (const auto& [filler, code] : {std::pair{"2100k", "2\n"}, {"2000k", "1\n"}}) {
+    EXPECT_EQ(std::system((there + "script.sh " + filler + " >/dev/null").c_str()), 0)
+        << folder.read("resumed");
+    EXPECT_EQ(folder.read("code"), code) << folder.read("errors");
+    EXPECT_NE(folder.read("errors").find("No space left on device"), std::string::npos)
+        << folder.read("errors");
+    EXPECT_NE(folder.read("resumed").find("2 cases ok, 0 cases not ok"), std::string::npos)
+        << folder.read("resumed");
+  }
+}
+
 // Nobody can create files in /proc, not even root.
 TEST(Caches, WithoutAWritableCacheKernelsAreCompiledIntoATemporaryFolder) {
   const Folder folder;
