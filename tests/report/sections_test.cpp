@@ -284,8 +284,7 @@ TEST(RatioSection, LeavesOtherVariantsToTheTableOfTimes) {
     }
   const auto all = sections(rows);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_EQ(all[0].table.lines.size(), 32u);
-  EXPECT_EQ(all[1].table.lines.size(), 32u);
+  for (const Section& section : all) EXPECT_EQ(section.table.lines.size(), 32u);
 }
 
 /// Returns one row for every case of topology-table1.toml. A frame takes 10 ms plus its simulation, which
