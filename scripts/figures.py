@@ -114,7 +114,13 @@ def strand_ratios():
             "high_million": values["1M"]["most"], "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}"}
 
 
+def least_agreement_of_strands():
+    [reason] = [row["reason"] for row in table("strands/left-out.csv") if "psnr against opengl" in row["reason"]]
+    return {"psnr": f"{float(re.search(r'opengl is ([0-9.]+)', reason)[1]):.0f}"}
+
+
 SENTENCES = [
+    ("docs/strands.md", "four times as far away is not ok, because the two pictures agree only to {psnr} dB.", least_agreement_of_strands),
     ("docs/strands.md", "if the model fills the picture, the ratio is {low} to {high} with 100,000 strands and {low_million} to "
      "{high_million} with a million strands; the geometric mean over 10,000, 100,000 and a million strands in both sizes is "
      "{mean}.", strand_ratios),

@@ -8,7 +8,7 @@
 
 namespace pelage {
 
-/// Returns one warning for each name in the view that is no column of a case table, but resembles one:
+/// Returns one warning for each name in the view that is not a column of a case table but resembles one:
 /// "report.y names the column medan_ms, which is neither an axis nor a time of the table; did you mean
 /// median_ms?". The axes are those of a case. The names of phases and metrics are known only after the run,
 /// so a name that resembles no known column gives no warning.

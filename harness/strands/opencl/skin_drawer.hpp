@@ -19,11 +19,13 @@ class SkinDrawer {
   SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
              const std::string& options);
 
-  /// Enqueues the kernels that draw the skin, all in the phase `skin`. `map`: the texels of the opacity map.
+  /// Enqueues the kernels that draw the skin. Their launches belong to the phase `skin`. `map` has the texels
+  /// of the opacity map.
   void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec2>& map,
                cl::PhaseEvents* events);
 
-  /// The pixels, row by row: red, green, blue, and the view depth in R (NO_DEPTH: no skin).
+  /// Returns the pixels, row by row. A pixel has red, green, blue and the view depth in R. The depth is
+  /// NO_DEPTH if the pixel has no skin.
   const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
   const cl::Program& program() const { return program_; }
 

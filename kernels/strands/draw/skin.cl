@@ -1,17 +1,20 @@
 // Draws the skin below the strands: the colour and the view depth of the nearest triangle at each pixel. docs/strands.md,
 // section Skin, defines the operations. skin_vertices computes the vertices. skin_depth finds the least depth of each pixel.
 // skin_owner finds the triangle with this depth, and of equal depths the one with the lowest number, so that the picture does
-// not depend on the order of the work-items. skin_colours writes the pixels. A work-item computes `per_item` groups of LANES
-// vertices, triangles or pixels. The arrays have room for a multiple of 16 elements.
+// not depend on the order of the work-items. skin_colours writes the pixels.
+//
+// A work-item processes `per_item` groups. A group has LANES vertices, triangles or pixels. Each array that the kernels write has
+// room for a multiple of 16 elements.
 #include "strands/draw/curve.clh"
 #include "strands/draw/fills.clh"
 #include "strands/draw/shadow.clh"
 
-// Floats of a vertex: X, Y and W; its column and row, in pixels from the centre of the first pixel; red, green and blue.
+// Number of floats of a vertex. In this order they are: X, Y and W; the column and the row in the picture, in pixels from the
+// centre of the first pixel; red, green and blue.
 #define VERTEX_RECORD 8
 #define NO_OWNER 0x7fffffff
 
-// Computes the numbers `first` + k * LANES, k < per_item, of the groups of a work-item.
+// A loop over the groups of a work-item. `first` is the number of the first element of a group.
 #define FOR_EACH_GROUP(first, count) \
   for (int first = (int)get_global_id(0) * per_item * LANES, end_ = min(first + per_item * LANES, count); first < end_; first += LANES)
 
@@ -19,7 +22,7 @@ INLINE real3 gather3(TABLE(float) vectors, whole i) {
   return vec3(gather(vectors, 3 * i), gather(vectors, 3 * i + 1), gather(vectors, 3 * i + 2));
 }
 
-// Returns the product of the first three numbers of a row of the camera matrix with v.
+// Returns the dot product of v and the first three numbers of a row of the camera matrix.
 INLINE real turned(const float *row, real3 v) { return fma(v.z, REAL(row[2]), fma(v.y, REAL(row[1]), v.x * REAL(row[0]))); }
 
 // position, normal, colour: three floats per vertex. map: the opacity map of the key light.
@@ -94,7 +97,8 @@ INLINE Bounds bounds_of(const DrawParams *p, Corners v, truth exists) {
   return b;
 }
 
-// The barycentric weights of a point of a triangle, and its view depth.
+// A point in the plane of a triangle: its barycentric weights, its view depth, and whether it is in the triangle and not
+// nearer than the near plane.
 typedef struct {
   real a, b, c, depth;
   truth inside;
@@ -132,8 +136,9 @@ __kernel void skin_clear(int per_item, int pixels, __global uint *depth, __globa
   }
 }
 
-// Visits the pixels of LANES triangles. Before each use of BODY, `pixel`, `bits` and `number` have, for `count` fragments, the
-// pixel, the bits of the depth and the triangle. Depths are positive, so that their bits are in the order of the depths.
+// Runs BODY once for each fragment k of the triangles of a work-item. pixel[k] is the number of the fragment's pixel, bits[k] the
+// bits of its depth, and number[k] the number of its triangle. Depths are positive. Of two positive floats, the larger one has
+// the larger bits.
 #define FOR_EACH_FRAGMENT(BODY) \
   FOR_EACH_GROUP(first, triangles) { \
     whole t = lane_numbers() + first; \
