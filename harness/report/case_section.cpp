@@ -26,8 +26,8 @@ std::size_t count_of(const Table& table, const std::string& name) {
   return values.size();
 }
 
-/// Returns the columns of the metrics `names`. If a column of the table has the name of a metric, the metric has the column
-/// "metric.NAME".
+/// Returns the columns of the metrics `names`. If a column of the table has the name of a metric, the metric
+/// has the column "metric.NAME".
 std::vector<std::string> metric_columns(const Table& table, std::vector<std::string> names) {
   for (std::string& name : names) {
     std::string own = fmt::format("metric.{}", name);
