@@ -1,6 +1,7 @@
 // Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
 // a dotted key, and a key with several hundred thousand parts overflows the stack. For some non-ASCII
-// characters outside quotes, the behaviour of toml++ is undefined.
+// characters outside quotes, or behind the backslash at the end of a line of a string, the behaviour of
+// toml++ is undefined.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -39,13 +40,27 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
   return text.size();
 }
 
+/// Returns true if, in the string with double quotes `text`, a character that is not ASCII follows a
+/// backslash and any number of spaces and line breaks. A backslash at the end of a line continues the string
+/// with the next character that is no space.
+inline bool continues_without_ascii(std::string_view text) {
+  for (std::size_t i = text.find('\\'); i < text.size(); i = text.find('\\', i)) {
+    const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);
+    if (next < text.size() && static_cast<unsigned char>(text[next]) > 127) return true;
+    i += 2;  // skips the escaped character, which may be a backslash
+  }
+  return false;
+}
+
 }  // namespace detail
 
-/// Throws InputError in four cases:
+/// Throws InputError in five cases:
 /// - a dotted key or the name of a table has more than most_key_parts parts;
 /// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
 ///   parts;
 /// - a character outside quotes and comments is not ASCII;
+/// - in a string with double quotes, a character that is not ASCII follows a backslash, or follows the spaces
+///   and the line breaks after a backslash;
 /// - an opening quote follows a character that cannot precede a string, such as the 0 in `key = 0"text"`.
 ///   toml++ would read the string as a part of the number, which is undefined behaviour in toml++.
 /// The message begins with `name`, the name of the file or option that contains the text.
@@ -71,6 +86,11 @@ inline void check_toml_text(std::string_view text, const std::string& name) {
                          ": not TOML: a string must not follow another value without a comma");
       before = c;
       const std::size_t end = detail::behind_string(text, i);
+      if (c == '"' && detail::continues_without_ascii(text.substr(i, end - i)))
+        throw InputError(
+            name + ":" + std::to_string(line) +
+            ": not TOML that pelage reads: in a string, the first character after a backslash or "
+            "after a continued line is not ASCII");
       for (; i < end; ++i) line += text[i] == '\n';
       continue;
     }

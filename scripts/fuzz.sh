@@ -2,7 +2,8 @@
 # Builds the fuzz targets of tests/fuzz with clang and runs each target for SECONDS, two targets at a time. For each
 # target, prints the number of executions and whether there is a finding (an input that causes an error). The exit code
 # is 1 if there is a finding. The inputs of findings are in build/fuzz/findings. If such an input is copied to
-# tests/fuzz/corpus/TARGET, the tests run the target with it.
+# tests/fuzz/corpus/TARGET, the tests run the target with it. The fuzzer does not start from the inputs slow-*, because
+# one execution of them takes seconds.
 #
 # Usage: scripts/fuzz.sh SECONDS [TARGET...]
 #   PELAGE_FUZZ_JOBS=N: runs N targets at a time (default 2)
@@ -30,10 +31,12 @@ run_one() {
   local build=$1 seconds=$2 target=$3 options=() log executions findings
   log=$build/logs/$target.log
   mkdir -p "$build/new/$target"
+  rm -rf "$build/seeds/$target" && mkdir -p "$build/seeds/$target"
+  find "tests/fuzz/corpus/$target" -type f -not -name 'slow-*' -exec cp -t "$build/seeds/$target" {} +
   [[ ! -e tests/fuzz/$target.dict ]] || options+=("-dict=tests/fuzz/$target.dict")
   "$build/tests/fuzz/fuzz_$target" -seed="${PELAGE_FUZZ_SEED:-0}" -max_total_time="$seconds" -timeout=60 \
     -rss_limit_mb=2048 -max_len=8192 -print_final_stats=1 -artifact_prefix="$build/findings/$target-" "${options[@]}" \
-    "$build/new/$target" "tests/fuzz/corpus/$target" >"$log" 2>&1 </dev/null && findings=0 || findings=1
+    "$build/new/$target" "$build/seeds/$target" >"$log" 2>&1 </dev/null && findings=0 || findings=1
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   printf '%-12s %12s executions  %d findings\n' "$target" "${executions:-no}" "$findings"
   ((findings == 0)) || { grep -m1 -E 'ERROR: |runtime error|terminate called' "$log" || tail -n 5 "$log"; return 1; }

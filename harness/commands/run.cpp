@@ -290,15 +290,15 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   const std::vector<cl::Device> devices = chosen_devices(options.device);
   const std::map<std::string, int> tuning =
       options.tuning == "defaults" ? std::map<std::string, int>{} : read_tuning(options.tuning);
-  if (options.dry_run) {
-    dry_run(options, sweeps, devices);
-    return 0;
-  }
   // An invalid --model is reported here once. Otherwise every case would report it.
   for (const Sweep& sweep : sweeps)
     if (!options.model.empty() && !sweep.cases.empty())
       load_scene_mesh(scene_of(sweep.experiment, sweep.cases.front()),
                       [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
+  if (options.dry_run) {
+    dry_run(options, sweeps, devices);
+    return 0;
+  }
 
   RunSummary all;
   const auto from = std::chrono::steady_clock::now();

@@ -60,10 +60,19 @@ std::string_view leaf(std::string_view name) {
   return name.substr(name.rfind('.') + 1);
 }
 
-/// All keys and lists of a scene.
+/// All keys and lists of a scene, and the keyframes of its keys.
 struct Keys {
   std::vector<Key> keys;
   std::vector<KeyList> lists;
+  Keyframes& keyframes;
+
+  explicit Keys(Scene& scene)
+      : keys(scene_keys(scene)), lists(scene_lists(scene)), keyframes(scene.keyframes) {}
+
+  /// Removes the keyframes of the key. A value that overrides a key applies at all times.
+  void make_constant(std::string_view key) const {
+    std::erase_if(keyframes.tracks, [key](const KeyTrack& track) { return track.key == key; });
+  }
 };
 
 /// Returns the error text for an unknown key. The text suggests the key or the list with the smallest edit
@@ -190,6 +199,7 @@ bool read_key(const Keys& known, const Source& source, const toml::node& node, c
   const auto key =
       std::find_if(known.keys.begin(), known.keys.end(), [&](const Key& k) { return k.name == name; });
   if (key == known.keys.end()) return false;
+  known.make_constant(name);
   assign(source, node, *key, name);
   return true;
 }
@@ -198,6 +208,7 @@ void read_table(const Keys& known, const Source& source, const toml::table& tabl
                 const std::string& prefix) {
   for (const auto& [word, node] : table) {
     const std::string name = prefix + std::string(word.str());
+    if (name == "keyframes") continue;  // read_keyframes() reads this table
     const bool group = std::any_of(known.keys.begin(), known.keys.end(),
                                    [&](const Key& k) { return k.name.starts_with(name + "."); });
     if (group) {
@@ -248,16 +259,15 @@ void read_keyframes(const Source& source, const toml::node& node, const std::str
   if (!table)
     refuse(source, &node, "keyframes", fmt::format("is {}; give a TOML table [keyframes]", kind(node)));
   Scene scratch;
-  const Keys known{scene_keys(scratch), {}};
+  const std::vector<Key> keys = scene_keys(scratch);
   for (const auto& [word, value] : *table) {
     const std::string name = prefix + std::string(word.str()), full = fmt::format("keyframes.\"{}\"", name);
     if (value.is_table()) {
       read_keyframes(source, value, name + ".", scene);
       continue;
     }
-    const auto key =
-        std::find_if(known.keys.begin(), known.keys.end(), [&](const Key& k) { return k.name == name; });
-    if (key == known.keys.end()) refuse(source, &value, full, unknown(name, known.keys, {}));
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
+    if (key == keys.end()) refuse(source, &value, full, unknown(name, keys, {}));
     if (!may_have_keyframes(*key)) refuse(source, &value, full, "this key cannot change over time");
     KeyTrack track = read_track(source, value, *key, full);
     std::vector<KeyTrack>& tracks = scene.keyframes.tracks;
@@ -280,18 +290,17 @@ Scene parse_scene(std::string_view text, const std::string& name, const fs::path
   Scene scene = base;
   try {
     check_toml_text(text, name);
-    toml::table table = toml::parse(text, name);
+    const toml::table table = toml::parse(text, name);
     for (const char* key : {"axes", "preset"})
       if (const toml::node* node = table.get(key); node && node->is_table())
         throw InputError(
             fmt::format("{}:{}: [{}] is a table of an experiment file, not of a scene; `pelage run {}` runs "
                         "an experiment",
                         name, node->source().begin.line, key, name));
-    if (const toml::node* keyframes = table.get("keyframes")) {
+    // The keys are read first, because a key of this text removes the keyframes that the base has for it.
+    read_table(Keys(scene), Source{name, folder}, table, "");
+    if (const toml::node* keyframes = table.get("keyframes"))
       read_keyframes(Source{name, folder}, *keyframes, "", scene);
-      table.erase("keyframes");
-    }
-    read_table({scene_keys(scene), scene_lists(scene)}, Source{name, folder}, table, "");
   } catch (const toml::parse_error& error) {
     throw InputError(
         fmt::format("{}:{}: not TOML: {}", name, error.source().begin.line, error.description()));
@@ -330,7 +339,7 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   }
   const std::string value = trimmed(assignment.substr(equals + 1));
   const Source source{source_name, ".", false};
-  const Keys known{scene_keys(scene), scene_lists(scene)};
+  const Keys known(scene);
   const std::vector<Key>& keys = known.keys;
   const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key& k) { return k.name == name; });
   const bool is_list = std::any_of(known.lists.begin(), known.lists.end(),
@@ -339,6 +348,7 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   const bool words = key != keys.end() && (std::holds_alternative<std::string*>(key->slot) ||
                                            std::holds_alternative<fs::path*>(key->slot));
   if (words && (value.empty() || (value[0] != '"' && value[0] != '\''))) {
+    known.make_constant(name);
     assign(source, toml::value<std::string>(value), *key, name);
     return;
   }

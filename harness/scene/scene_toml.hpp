@@ -28,8 +28,7 @@ Scene parse_scene(std::string_view text, const std::string& name, const std::fil
 /// Overrides one key by an assignment such as "fur.length=0.1". The value is TOML, except that strings need
 /// no quotes. Relative paths are resolved against the working directory. Error texts begin with `source`. The
 /// function checks this key alone; call check_scene() after the last override to check the consistency of all
-/// keys. The function does not change keyframes; a key with keyframes keeps the values of its keyframes.
-/// Throws InputError.
+/// keys. The value applies at all times: keyframes of the key are removed. Throws InputError.
 void apply_set(Scene& scene, std::string_view assignment, const std::string& source = "--set");
 
 /// Throws InputError if a value is out of its range or contradicts another value. Error texts begin with

@@ -151,6 +151,13 @@ TEST(BadInput, Scenes) {
   for (const Bad& bad : scenes) expect(folder, bad, bad.arguments, true);
 }
 
+TEST(BadInput, ADryRunReadsTheMesh) {
+  const Folder folder;
+  folder.write("broken.obj", "this is no mesh\n");
+  expect(folder, {"", 2, "broken.obj: the file contains no faces"},
+         "run silva2010-table1 --model broken.obj --dry-run", false);
+}
+
 TEST(BadInput, Meshes) {
   const Folder folder;
   folder.write("text.obj", "this is no mesh\n");

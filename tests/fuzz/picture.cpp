@@ -1,6 +1,9 @@
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "harness/picture/image_io.hpp"
+#include "harness/picture/image_module.hpp"
 #include "tests/fuzz/support.hpp"
 #include "tests/fuzz/targets.hpp"
 
@@ -10,6 +13,13 @@ namespace pelage::fuzz {
 // target: the target tests that every crash becomes an InputError, and that a decoded picture is whole.
 void picture(std::string_view bytes) {
   if (bytes.empty()) return;
+  // The libraries of the image module start threads when they are loaded. If such a thread allocates memory
+  // while read_picture() forks, a lock of AddressSanitizer's allocator stays locked in the child for ever.
+  [[maybe_unused]] static const bool loaded = [] {
+    image_module();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    return true;
+  }();
   static const char* const endings[] = {".png", ".jpg", ".tif", ".exr"};
   const std::string name =
       "pelage-fuzz-" + std::to_string(::getpid()) + endings[static_cast<unsigned char>(bytes[0]) % 4];

@@ -108,6 +108,26 @@ TEST(Keyframes, WholeNumbersTextsAndTruthValuesChangeInSteps) {
   EXPECT_EQ(scene_at(scene, 7).coat.seed, 4294967295u);
 }
 
+TEST(Keyframes, AnOverrideAppliesAtAllTimes) {
+  Scene scene = parse_scene(lively, "s.toml", "/folder");
+  apply_set(scene, "strands.fraction=0.7");
+  apply_set(scene, "strands.shadow=linear");
+  apply_set(scene, "fur.length=0.2");
+  EXPECT_EQ(scene.keyframes.tracks.size(), 5u);
+  for (const double time : {0.0, 1.0, 3.0, 9.0}) {
+    EXPECT_EQ(scene_at(scene, time).strands.fraction, 0.7f);
+    EXPECT_EQ(scene_at(scene, time).strands.shadow, "linear");
+  }
+  EXPECT_EQ(scene_at(scene, 2).camera.direction, glm::vec3(2, 0, 1)) << "other keys keep their keyframes";
+
+  const Scene edited = parse_scene("strands.segments = 4\n", "t.toml", "/folder", scene);
+  EXPECT_EQ(edited.keyframes.tracks.size(), 4u);
+  EXPECT_EQ(scene_at(edited, 2.5).strands.segments, 4);
+  const Scene both = parse_scene("strands.segments = 4\nkeyframes.\"strands.segments\" = [[0, 5]]\n",
+                                 "t.toml", "/folder", scene);
+  EXPECT_EQ(scene_at(both, 0).strands.segments, 5) << "the keyframes of the same text count";
+}
+
 TEST(Keyframes, TheSceneAtATimeHasNoKeyframes) {
   const Scene scene = parse_scene(lively, "s.toml", "/folder");
   const Scene then = scene_at(scene, 2);
@@ -162,11 +182,8 @@ TEST(Keyframes, AreInTheHashOfTheScene) {
   EXPECT_NE(hash_of_file(), before) << "the content of the file counts";
 }
 
-TEST(Keyframes, SetDoesNotChangeThem) {
+TEST(Keyframes, CannotBeSet) {
   Scene scene = parse_scene(lively, "s.toml", "/folder");
-  apply_set(scene, "strands.fraction=0.7");
-  EXPECT_EQ(scene.strands.fraction, 0.7f);
-  EXPECT_EQ(scene_at(scene, 5).strands.fraction, 0.2f);
   EXPECT_THROW(apply_set(scene, "keyframes=[]"), InputError);
 }
 

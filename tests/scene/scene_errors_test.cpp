@@ -100,6 +100,10 @@ const Bad files[] = {
     {"model = \"\xff\xfe\"", "s.toml:1: not TOML"},
     {"\n\xc4\x96.", "s.toml:2: not TOML: a character outside quotes is not ASCII"},
     {"fur.l\xc3\xa4nge = 1", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
+    {"model = \"\"\"a\\  \n \n \xc3\xa9\"\"\"",
+     "s.toml:1: not TOML that pelage reads: in a string, the first"},
+    {"fur.layers = 4\nmodel = \"\\\xc3\xa9\"",
+     "s.toml:2: not TOML that pelage reads: in a string, the first"},
     {"model = 'cow' \xe2\x80\xa8", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
 };
 
