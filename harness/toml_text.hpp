@@ -52,79 +52,130 @@ inline bool continues_without_ascii(std::string_view text) {
   return false;
 }
 
+/// Reads TOML text character by character, to know whether a character belongs to a key or to a value.
+class TomlScanner {
+ public:
+  TomlScanner(std::string_view text, const std::string& name) : text_(text), name_(name) {}
+
+  void scan() {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    for (std::size_t i = text_.starts_with(byte_order_mark) ? 3 : 0; i < text_.size();) {
+      const char c = text_[i];
+      if (c == '"' || c == '\'')
+        i = scan_string(i);
+      else if (c == '#')
+        i = std::min(text_.find('\n', i), text_.size());
+      else
+        scan_character(c), ++i;
+    }
+    end_key();
+  }
+
+ private:
+  /// An open bracket.
+  struct Outer {
+    int parts = 1;         ///< number of parts of the key that encloses the bracket
+    bool in_value = true;  ///< true: the bracket is in a value; false: in the name of a table
+    bool brace = false;    ///< true: the bracket is {; false: [
+  };
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(name_ + ":" + std::to_string(line_) + ": " + what);
+  }
+
+  bool follows(std::string_view characters) const {
+    return characters.find(before_) != std::string_view::npos;
+  }
+
+  std::size_t scan_string(std::size_t start) {
+    if (!follows("\n=,[{.") || (before_ == '.' && in_value_))
+      refuse("not TOML: a string must not follow another value without a comma");
+    before_ = text_[start];
+    const std::size_t end = behind_string(text_, start);
+    if (before_ == '"' && continues_without_ascii(text_.substr(start, end - start)))
+      refuse(
+          "not TOML that pelage reads: in a string, the first character after a backslash or after a "
+          "continued "
+          "line is not ASCII");
+    line_ +=
+        int(std::count(text_.begin() + std::ptrdiff_t(start), text_.begin() + std::ptrdiff_t(end), '\n'));
+    return end;
+  }
+
+  void scan_character(char c) {
+    if (static_cast<unsigned char>(c) > 127)
+      refuse("not TOML: a character outside quotes is not ASCII; write names with such characters in quotes");
+    if (c == '.') ++parts_;
+    if (c == '=') {
+      if (in_value_) refuse("not TOML: a value contains the character =; quote a string");
+      in_value_ = true;
+    } else if (c == '{' || c == '[') {
+      open(c);
+    } else if (c == '}' || c == ']') {
+      close();
+    } else if (c == ',' || c == '\n') {
+      end_key();
+      parts_ = 1;
+      line_ += c == '\n';
+      if (outer_.empty() ? c == '\n' : outer_.back().brace) in_value_ = false;
+    }
+    if (c != ' ' && c != '\t' && c != '\r') before_ = c;
+  }
+
+  void open(char c) {
+    if (!follows("\n=,["))
+      refuse(std::string("not TOML: the character ") + c + " must not follow another value without a comma");
+    end_key();
+    outer_.push_back({parts_, in_value_, c == '{'});
+    around_ += parts_;
+    parts_ = 1;
+    if (c == '{') in_value_ = false;
+  }
+
+  void close() {
+    end_key();
+    if (!outer_.empty()) {
+      around_ -= outer_.back().parts;
+      in_value_ = outer_.back().in_value;
+      outer_.pop_back();
+    }
+    parts_ = 1;
+  }
+
+  /// Checks the number of parts of the key that ends.
+  void end_key() const {
+    const auto too_many = [&](const char* what, int count, int limit) {
+      refuse(std::string("the key ") + what + std::to_string(count) +
+             " parts separated by dots; the limit is " + std::to_string(limit));
+    };
+    if (parts_ > most_key_parts) too_many("has ", parts_, most_key_parts);
+    if (parts_ > 1 && around_ + parts_ > most_table_depth)
+      too_many("and the keys that enclose it have ", around_ + parts_, most_table_depth);
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  int line_ = 1, parts_ = 1, around_ = 0;  // around_: sum of `parts` of outer_
+  bool in_value_ = false;
+  char before_ = '\n';  // the last character that is no space, tab or carriage return
+  std::vector<Outer> outer_;
+};
+
 }  // namespace detail
 
-/// Throws InputError in five cases:
+/// Throws InputError in these cases:
 /// - a dotted key or the name of a table has more than most_key_parts parts;
 /// - a key in nested inline tables, together with the keys of these tables, has more than most_table_depth
 ///   parts;
 /// - a character outside quotes and comments is not ASCII;
 /// - in a string with double quotes, a character that is not ASCII follows a backslash, or follows the spaces
 ///   and the line breaks after a backslash;
-/// - an opening quote follows a character that cannot precede a string, such as the 0 in `key = 0"text"`.
-///   toml++ would read the string as a part of the number, which is undefined behaviour in toml++.
+/// - an opening quote or bracket follows a character that cannot precede it, such as the 0 in
+///   `key = 0"text"`, or a value contains the character =. toml++ would read the string as a part of the
+///   number, which is undefined behaviour in toml++.
 /// The message begins with `name`, the name of the file or option that contains the text.
 inline void check_toml_text(std::string_view text, const std::string& name) {
-  int line = 1, parts = 1, around = 0;
-  std::vector<int> outer;  // numbers of parts of the keys that enclose the current key; `around` is their sum
-  const auto end_key = [&] {
-    const auto refuse = [&](const char* what, int count, int limit) {
-      throw InputError(name + ":" + std::to_string(line) + ": the key " + what + std::to_string(count) +
-                       " parts separated by dots; the limit is " + std::to_string(limit));
-    };
-    if (parts > most_key_parts) refuse("has ", parts, most_key_parts);
-    if (parts > 1 && around + parts > most_table_depth)
-      refuse("and the keys that enclose it have ", around + parts, most_table_depth);
-  };
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  char before = '\n';  // the last character that is no space, tab or carriage return
-  for (std::size_t i = text.starts_with(byte_order_mark) ? 3 : 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '"' || c == '\'') {
-      if (std::string_view("\n=,[{.").find(before) == std::string_view::npos)
-        throw InputError(name + ":" + std::to_string(line) +
-                         ": not TOML: a string must not follow another value without a comma");
-      before = c;
-      const std::size_t end = detail::behind_string(text, i);
-      if (c == '"' && detail::continues_without_ascii(text.substr(i, end - i)))
-        throw InputError(
-            name + ":" + std::to_string(line) +
-            ": not TOML that pelage reads: in a string, the first character after a backslash or "
-            "after a continued line is not ASCII");
-      for (; i < end; ++i) line += text[i] == '\n';
-      continue;
-    }
-    if (c == '#') {
-      i = std::min(text.find('\n', i), text.size());
-      continue;
-    }
-    if (static_cast<unsigned char>(c) > 127)
-      throw InputError(
-          name + ":" + std::to_string(line) +
-          ": not TOML: a character outside quotes is not ASCII; write names with such characters "
-          "in quotes");
-    if (c != ' ' && c != '\t' && c != '\r') before = c;
-    if (c == '.') ++parts;
-    if (c == '{' || c == '[') {
-      end_key();
-      outer.push_back(parts);
-      around += parts;
-      parts = 1;
-    } else if (c == '}' || c == ']') {
-      end_key();
-      if (!outer.empty()) {
-        around -= outer.back();
-        outer.pop_back();
-      }
-      parts = 1;
-    } else if (c == ',' || c == '\n') {
-      end_key();
-      parts = 1;
-      line += c == '\n';
-    }
-    ++i;
-  }
-  end_key();
+  detail::TomlScanner(text, name).scan();
 }
 
 }  // namespace pelage

@@ -354,8 +354,9 @@ void apply_set(Scene& scene, std::string_view assignment, const std::string& sou
   }
   const std::string wanted = key != keys.end() ? describe_range(*key) : "an array of tables";
   try {
-    check_toml_text(value, fmt::format("{}: {}", source_name, name));
-    const toml::table table = toml::parse("value = " + value);
+    const std::string line = "value = " + value;
+    check_toml_text(line, fmt::format("{}: {}", source_name, name));
+    const toml::table table = toml::parse(line);
     if (table.size() != 1) throw InputError(fmt::format("{}: {}: give one value", source_name, name));
     read_key(known, source, *table.get("value"), name);
   } catch (const toml::parse_error&) {

@@ -104,6 +104,10 @@ const Bad files[] = {
      "s.toml:1: not TOML that pelage reads: in a string, the first"},
     {"fur.layers = 4\nmodel = \"\\\xc3\xa9\"",
      "s.toml:2: not TOML that pelage reads: in a string, the first"},
+    {"fur.layers = 26[.\"\xef\xbb\x92\"",
+     "s.toml:1: not TOML: the character [ must not follow another value"},
+    {"fur.layers = 1.\"\xef\xbb\x92\"", "s.toml:1: not TOML: a string must not follow another value"},
+    {"fur.layers = 1=\"\xef\xbb\x92\"", "s.toml:1: not TOML: a value contains the character ="},
     {"model = 'cow' \xe2\x80\xa8", "s.toml:1: not TOML: a character outside quotes is not ASCII"},
 };
 
