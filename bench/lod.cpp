@@ -86,7 +86,7 @@ class Views {
  public:
   Views(const cl::Queue& queue, const Options& a, const Mesh& mesh, const strands::Fur& fur, float reach,
         int scale)
-      : queue_(queue), reach_(reach) {
+      : queue_(queue), reach_(reach), spread_(strands::spread_of(fur.strands, mesh)) {
     scene_.image.width = a.width * scale;
     scene_.image.height = a.height * scale;
     framed_ = make_camera(scene_.camera, scene_.image, mesh.position, reach_ - 1);
@@ -107,6 +107,7 @@ class Views {
     view.camera = make_camera(camera, scene_.image, {}, 0);
     view.range = strands::depth_range(view.camera, reach_);
     view.look.fraction = fraction;
+    view.look.width_factor = strands::overlap_factor(view.camera, view.look, spread_);
     return view;
   }
   Picture draw(const strands::DrawingScene& view) {
@@ -131,6 +132,7 @@ class Views {
  private:
   const cl::Queue& queue_;
   float reach_;
+  strands::Spread spread_;
   Scene scene_;
   Camera framed_;
   std::optional<strands::Drawer> drawer_;

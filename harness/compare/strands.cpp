@@ -86,7 +86,7 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
   const double limit =
       strands::has_styles(input.fur.strands) ? tolerance::styled_strand_point : tolerance::strand_point;
   result.checks.push_back({against_reference, "strand_point", worst, limit, false});
-  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look.fraction);
+  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look);
   const std::vector<Entry> order = naive::drawing_order(input.camera, input.range, drawn);
   std::size_t different =
       std::max(order.size(), frame.order.size()) - std::min(order.size(), frame.order.size());
@@ -112,7 +112,7 @@ StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStr
   StrandFrame frame;
   frame.keys = keys;
   frame.curves = reference_curves(input, keys);
-  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look.fraction);
+  const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look);
   frame.order = naive::drawing_order(input.camera, input.range, drawn);
   frame.picture = naive::draw(input.camera, input.look, drawn, frame.order, input.skin.get());
   return frame;

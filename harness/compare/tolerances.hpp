@@ -25,6 +25,13 @@ inline constexpr double flip_share = 1e-3;
 /// fraction of the light (docs/strands.md, section Light). The projection of the clamped cosine has an error
 /// of 0.0938 of the light at the angle of 90 degrees.
 inline constexpr double projected_fill = 0.1;
+/// Smallest accepted PSNR of a picture of strands whose second segment lies on their first one, in dB.
+/// Rounding alone gives 100 dB or more. If the segments are blended in another order, or rounding selects a
+/// direction where a strand turns back, the PSNR is below 80 dB.
+inline constexpr double folded_psnr = 90.0;
+/// Largest accepted relative change of the mean coverage of a picture of strands if strands are left out
+/// (docs/strands.md, section Level of detail).
+inline constexpr double kept_coverage = 0.01;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers and the
 /// reference filter textures with different arithmetic. Therefore the 99.9th percentile of the baseline's
 /// errors and its share of flipped pixels are not checked.

@@ -4,7 +4,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "harness/mesh/mesh.hpp"
 #include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/drawing/keyed.hpp"
 
 namespace pelage::strands {
 
@@ -12,12 +14,30 @@ namespace pelage::strands {
 /// width is multiplied by widen * min((drawn - i) * per_fade, 1), so the last drawn strands are thinner.
 struct Pruning {
   int drawn = 0;
-  float widen = 1;     ///< the sum of the factors of all drawn strands is the number of all strands
+  /// The sum of the factors of all drawn strands is Look::width_factor times the number of all strands.
+  float widen = 1;
   float per_fade = 1;  ///< 1 / number of strands that are thinner; 1: no strand is thinner
 };
 
-/// Returns the pruning for a fraction above 0 and at most 1 of `strands` strands, at least one strand.
-Pruning pruning_of(std::size_t strands, float fraction);
+/// Returns the pruning of `strands` strands for the look's fraction and width factor. At least one strand is
+/// drawn.
+Pruning pruning_of(std::size_t strands, const Look& look);
+
+/// Values of a fur from which overlap_factor() computes how much its strands overlap.
+struct Spread {
+  std::size_t strands = 0;  ///< number of all strands
+  float width = 0;          ///< mean width of the strands at their roots, R
+  float area = 0;           ///< area of the surface, R^2
+};
+
+/// Returns the spread of the strands, which are on the surface of `mesh`.
+Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh);
+
+/// Returns the factor of all widths with which a picture of a part of the strands has nearly the same mean
+/// coverage as a picture of all strands (docs/strands.md, section Level of detail): 1 if look.fraction is 1,
+/// otherwise less, because the roots are blue noise, so that few wide strands overlap less than many thin
+/// strands. The function does not use look.width_factor.
+float overlap_factor(const Camera& camera, const Look& look, const Spread& spread);
 
 /// Returns a number of segments, at most `most`, for strands of the length `length` (R) whose view depth is
 /// at least range.nearest. If such a strand lies parallel to the picture, and if its two segments are equally

@@ -58,6 +58,7 @@ LayerLook layer_look(const Look& look, int layer) {
 
 void check(const Look& look) {
   in_range("part of the strands that is drawn", look.fraction, 1e-6f, 1);
+  in_range("factor of the widths", look.width_factor, 1e-6f, 1);
   in_range("number of segments", float(look.segments), 1, 7);
   in_range("taper", look.taper, 0, 1);
   in_range("opacity", look.opacity, 0, 1);

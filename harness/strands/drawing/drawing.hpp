@@ -57,6 +57,8 @@ struct Look {
   /// Part of the strands that is drawn, above 0 and at most 1. The other strands become wider, so that the
   /// coverage stays nearly the same (harness/strands/drawing/detail.hpp).
   float fraction = 1;
+  /// Factor of the widths of all strands, above 0 and at most 1, from overlap_factor(); 1 if fraction is 1.
+  float width_factor = 1;
   int segments = 6;                     ///< number of straight segments that a curve is divided into, 1 to 7
   float taper = 0.85f;                  ///< part of the width that a strand loses from root to tip, 0 to 1
   float opacity = 0.85f;                ///< alpha of a strand at its root, 0 to 1; it falls to 0 at the tip

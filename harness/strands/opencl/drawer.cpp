@@ -185,9 +185,9 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   keys_ = cl::Buffer<float>(device, (keys + slice - 1) / slice * slice * KEY_RECORD);
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.runs = sort_.runs();
-  set_pruning(1);
+  set_pruning(Look{});
   params_.capacity = params_.units_per_run * lanes_;
-  set_pruning(scene.look.fraction);
+  set_pruning(scene.look);
   rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
   const std::vector<std::int32_t> film = film_table(scene.look);
   film_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(film));
@@ -208,8 +208,8 @@ std::string Drawer::kernel_options() const {
   return options_of(scene_.look, strands_);
 }
 
-void Drawer::set_pruning(float fraction) {
-  const Pruning pruning = pruning_of(strands_.size(), fraction);
+void Drawer::set_pruning(const Look& look) {
+  const Pruning pruning = pruning_of(strands_.size(), look);
   params_.strands = pruning.drawn;
   params_.widen = pruning.widen;
   params_.per_fade = pruning.per_fade;
@@ -237,7 +237,7 @@ void Drawer::set_view(const DrawingScene& scene) {
   layers_ = layers_of(scene.look);
   layers_written_ = false;
   key_bits_ = key_bits_of(strands_, layers_);
-  set_pruning(scene.look.fraction);
+  set_pruning(scene.look);
 }
 
 void Drawer::write_layers(const cl::Queue& queue) {
@@ -290,10 +290,10 @@ std::vector<Entry> Drawer::order(const cl::Queue& queue) const {
 std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
   curves_ = cl::Buffer<float>(queue.device(), blocks_.size() * CURVE_COLUMNS);
   params_.keep_curves = 1;
-  set_pruning(1);
+  set_pruning(Look{});
   enqueue_keys(queue, nullptr);
   params_.keep_curves = 0;
-  set_pruning(scene_.look.fraction);
+  set_pruning(scene_.look);
   const std::vector<float> table = curves_.read(queue);
   curves_ = cl::Buffer<float>(queue.device(), 1);
   std::vector<DrawnStrand> drawn(strands_.size());

@@ -76,7 +76,7 @@ class Drawer {
 
  private:
   void enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events);
-  void set_pruning(float fraction);
+  void set_pruning(const Look& look);
   /// Writes layers_ to layer_table_ if set_view() has changed them.
   void write_layers(const cl::Queue& queue);
   /// Build options of the kernels, without LANES and STRAND_TILE.

@@ -128,7 +128,9 @@ class StrandLight {
 
   /// Returns the colour at the parameter t. `lit` is the part of the key light that reaches this place.
   Vec colour(double t, double lit) const {
-    const Vec tangent = curve_.tangent(t), base(strand_.colour);
+    const Vec start = curve_.tangent(0), slope = curve_.tangent(t), base(strand_.colour);
+    // Where the curve turns back on itself, its derivative is zero. The tangent is then that of the root.
+    const Vec tangent = glm::length(slope) < glm::length(start) / 1024 ? start : slope;
     const double length = glm::length(tangent), key = double(look_.intensity) * lit;
     const Film film = film_at(look_, strand_, number_, t);
     const glm::dvec2 light = hair_light(look_, length > 0 ? tangent / length : Vec(0), from_eye_);
@@ -262,14 +264,14 @@ double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t numbe
   return double(look.opacity) * film_at(look, strand, number, t).opacity * (1 - t * t * t);
 }
 
-std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, float fraction) {
+std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const Look& look) {
   const auto all = double(strands.size());
-  const auto drawn = std::size_t(std::min(std::max(std::ceil(double(fraction) * all), 1.0), all));
+  const auto drawn = std::size_t(std::min(std::max(std::ceil(double(look.fraction) * all), 1.0), all));
   const std::size_t fading = std::max<std::size_t>(1, std::min(drawn / 8, strands.size() - drawn));
   const auto step = float(1.0 / double(fading));
   double sum = 0;
   for (std::size_t i = 0; i < drawn; ++i) sum += std::min(1.0, double(drawn - i) / double(fading));
-  const auto widen = float(all / sum);
+  const auto widen = float(double(look.width_factor) * all / sum);
   std::vector<DrawnStrand> result(strands.begin(), strands.begin() + std::ptrdiff_t(drawn));
   for (std::size_t i = 0; i < drawn; ++i) result[i].width *= widen * std::min(float(drawn - i) * step, 1.0f);
   return result;

@@ -13,9 +13,9 @@ namespace pelage::strands::reference {
 /// Returns the alpha of strand `number` at the parameter t of its curve.
 double alpha_of(const Look& look, const DrawnStrand& strand, std::uint32_t number, double t);
 
-/// Returns the strands that are drawn for a fraction (docs/strands.md, section Level of detail), with their
-/// widths.
-std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, float fraction);
+/// Returns the strands that are drawn for the look's fraction and width factor (docs/strands.md, section
+/// Level of detail), with their widths.
+std::vector<DrawnStrand> pruned(const std::vector<DrawnStrand>& strands, const Look& look);
 
 /// Returns the strands to draw, from front to back. The list contains no strands that face away from the
 /// camera, none that are nearer than the near plane and none that are beyond a side of the picture. Its

@@ -10,6 +10,14 @@ namespace {
 // A segment is not drawn if it is shorter, in pixels.
 constexpr double shortest_segment = 1.0 / 1024;
 
+/// Returns the direction across the line that separates two segments with the unit vectors `before` and
+/// `behind`; one of them may be zero. If the segments lie on each other, the line is along the segments, so
+/// that each of them has one half of the strip.
+glm::dvec2 mitre(glm::dvec2 before, glm::dvec2 behind) {
+  const glm::dvec2 sum = before + behind;
+  return glm::length(sum) < 1.0 / 1024 ? glm::dvec2(-before.y, before.x) : sum;
+}
+
 /// Visits the fragments of the segment from `a` to `b`. `e` is its direction. The lines through a and b that
 /// are orthogonal to `mitre_a` and `mitre_b` separate it from its neighbours.
 void segment(const Vertex& a, const Vertex& b, glm::dvec2 e, double length, glm::dvec2 mitre_a,
@@ -49,8 +57,8 @@ void each_fragment(const std::vector<Vertex>& vertices, int width, int height, c
     if (direction[k] == glm::dvec2(0)) continue;
     const glm::dvec2 before = k > 0 ? direction[k - 1] : glm::dvec2(0);
     const glm::dvec2 behind = k + 1 < direction.size() ? direction[k + 1] : glm::dvec2(0);
-    segment(vertices[k], vertices[k + 1], direction[k], length[k], direction[k] + before,
-            direction[k] + behind, width, height, visit);
+    segment(vertices[k], vertices[k + 1], direction[k], length[k], mitre(before, direction[k]),
+            mitre(direction[k], behind), width, height, visit);
   }
 }
 

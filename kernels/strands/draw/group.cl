@@ -50,8 +50,9 @@ INLINE void put_mitre(int k, int s, int segments, __local Batch *b) {
   float x = 0.0f, y = 0.0f;
   if (k > 0) { x = b->e_x[k - 1][s]; y = b->e_y[k - 1][s]; }
   if (k < segments) { x += b->e_x[k][s]; y += b->e_y[k][s]; }
-  b->mitre_x[k][s] = x;
-  b->mitre_y[k][s] = y;
+  bool fold = k > 0 && fma(x, x, y * y) < 1.0f / 1048576.0f;
+  b->mitre_x[k][s] = fold ? -b->e_y[k - 1][s] : x;
+  b->mitre_y[k][s] = fold ? b->e_x[k - 1][s] : y;
 }
 
 // Blends the fragment of segment k of strand s, if the segment touches the pixel (x, y). skin: view depth of the skin there.

@@ -79,22 +79,26 @@ INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *
   }
 }
 
-// Appends the fragments of the rows `base` to `base` + LANES - 1 of a strand to the list. The rows of a strand are those of its
-// first segment, then those of the next segment, and so on. first: lane of the strand's first segment. radius: of the vertices.
-INLINE void find_rows(const Segments *g, int first, Change radius, int base, Fragments *f) {
+// Returns true if two segments of a strand have an angle of more than 90 degrees. first: lane of the strand's first segment.
+INLINE bool is_sharp(const Segments *g, int first) { return (g->sharp >> first & 0xff) != 0; }
+
+// Appends the fragments of the rows `base` to `base` + LANES - 1 of a strand, but of no row from `end` on, to the list. The rows
+// of a strand are those of its first segment, then those of the next segment, and so on. first: lane of the strand's first
+// segment. radius: of the vertices.
+INLINE void find_rows(const Segments *g, int first, Change radius, int base, int end, Fragments *f) {
 #define OF(name) permuted(g->name, segment)
   whole row = lane_numbers() + base, segment = WHOLE(first);
   UNROLL for (int k = 1; k < VERTICES - 1; ++k) segment = segment - (row >= WHOLE(g->start[first + k]));
   real major = OF(first_row) + to_real(row);
   real minor = greater(-floor_real(-fma(major, OF(slope), OF(run))), REAL(0.0f));
-  minor = row < WHOLE(g->start[first + VERTICES - 1]) ? minor : REAL((float)STRAND_TILE);
+  minor = row < WHOLE(end) ? minor : REAL((float)STRAND_TILE);
   real e_major = OF(e_major), e_minor = OF(e_minor), along_row = fma(major, e_major, OF(along)), across_row = fma(-major, e_minor, OF(across));
   real a_row = major * OF(a_major), a_minor = OF(a_minor), a_offset = OF(a_offset);
   real b_row = major * OF(b_major), b_minor = OF(b_minor), b_offset = OF(b_offset);
   real per_length = OF(per_length), stride_major = OF(stride_major), stride_minor = (STRAND_TILE + 1.0f) - stride_major;
   real radius_a = eights(radius.at, segment), radius_step = eights(radius.step, segment);
   whole place = to_whole(fma(minor, stride_minor, major * stride_major)) | ((segment - first) << 16), stride = to_whole(stride_minor);
-  bool sharp = (g->sharp >> first & 0xff) != 0;
+  bool sharp = is_sharp(g, first);
   int used = f->used;
   for (int pixels = g->pixels[first]; pixels > 0; --pixels) {
     // The two segments of a vertex have the same line there with the same operations, so no pixel belongs to both. The products
@@ -138,12 +142,17 @@ INLINE void draw_block(const DrawParams *p, const Vertices *vertices, int count,
       int here = strand + other, first = other * VERTICES;
       if (here >= count) break;
       Change radius = changes_of(vertices, RADIUS, here);
-      for (int base = 0; base < g.start[first + VERTICES - 1]; base += LANES) {
-        find_rows(&g, first, radius, base, f);
-        end[here] = f->used;
-        if (f->used > LIST_FULL) {
-          blend_all(vertices, end, here + 1, f, tile);
-          for (int k = 0; k <= here; ++k) end[k] = 0;
+      // A strand that turns back may cover a pixel with several segments. find_rows() keeps the order of the fragments of a
+      // pixel only if they belong to different calls, so each call then finds the fragments of one segment.
+      for (int k = is_sharp(&g, first) ? 0 : VERTICES - 2; k < VERTICES - 1; ++k) {
+        int stop = g.start[first + k + 1];
+        for (int base = is_sharp(&g, first) ? g.start[first + k] : 0; base < stop; base += LANES) {
+          find_rows(&g, first, radius, base, stop, f);
+          end[here] = f->used;
+          if (f->used > LIST_FULL) {
+            blend_all(vertices, end, here + 1, f, tile);
+            for (int i = 0; i <= here; ++i) end[i] = 0;
+          }
         }
       }
       end[here] = f->used;

@@ -16,6 +16,12 @@
 namespace pelage::strands {
 namespace {
 
+Look look_of(float fraction) {
+  Look look;
+  look.fraction = fraction;
+  return look;
+}
+
 DrawingScene view_of(float fraction, glm::vec3 eye = {0.5f, 0.6f, 3.4f}) {
   DrawingScene scene;
   scene.camera = camera_at(160, 120, eye);
@@ -46,14 +52,14 @@ double mean_coverage(const Picture& picture) {
 TEST(StrandDetail, TheWidthsOfThePrefixReplaceThoseOfAllStrands) {
   for (const float fraction : {1e-6f, 0.013f, 0.1f, 0.5f, 0.9f, 0.99f, 0.999f, 1.0f}) {
     constexpr std::size_t count = 10000;
-    const Pruning pruning = pruning_of(count, fraction);
+    const Pruning pruning = pruning_of(count, look_of(fraction));
     EXPECT_EQ(pruning.drawn, std::max(1, int(std::ceil(double(fraction) * count))));
     double sum = 0;
     for (int i = 0; i < pruning.drawn; ++i)
       sum += double(pruning.widen) * std::min(double(pruning.drawn - i) * double(pruning.per_fade), 1.0);
     EXPECT_NEAR(sum, double(count), 2e-3) << fraction;
   }
-  EXPECT_EQ(pruning_of(10000, 1).widen, 1.0f);
+  EXPECT_EQ(pruning_of(10000, look_of(1)).widen, 1.0f);
 }
 
 TEST(StrandDetail, NoWidthJumpsWhenTheFractionFalls) {
@@ -63,8 +69,8 @@ TEST(StrandDetail, NoWidthJumpsWhenTheFractionFalls) {
     return double(p.widen) * std::clamp(double(p.drawn - i) * double(p.per_fade), 0.0, 1.0);
   };
   for (int drawn = int(count) - 100; drawn > 400; drawn -= 7) {
-    const Pruning now = pruning_of(count, float(drawn) / count),
-                  next = pruning_of(count, float(drawn - 1) / count);
+    const Pruning now = pruning_of(count, look_of(float(drawn) / count)),
+                  next = pruning_of(count, look_of(float(drawn - 1) / count));
     for (int i = 0; i < int(count); ++i)
       ASSERT_LT(std::abs(factor(now, i) - factor(next, i)), 0.06 * double(now.widen))
           << drawn << ", strand " << i;
@@ -77,9 +83,10 @@ TEST(StrandDetail, APrunedPictureIsThatOfTheReference) {
     for (const float fraction : {0.9f, 0.31f}) {
       DrawerOptions options;
       options.mapping = mapping;
-      const DrawingScene scene = view_of(fraction);
+      DrawingScene scene = view_of(fraction);
+      scene.look.width_factor = 0.8f;
       Drawer drawer = drawer_of(scene, ball, options);
-      const std::vector<DrawnStrand> strands = reference::pruned(drawer.curves(test::queue()), fraction);
+      const std::vector<DrawnStrand> strands = reference::pruned(drawer.curves(test::queue()), scene.look);
       const Picture picture = picture_of(drawer);
       const std::vector<Entry> order = reference::drawing_order(scene.camera, scene.range, strands);
       EXPECT_EQ(drawer.order(test::queue()), order);

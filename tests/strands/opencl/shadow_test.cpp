@@ -39,7 +39,7 @@ Result draw_on_device(const DrawingScene& scene, const Ball& ball, const DrawerO
   const std::vector<float> records = key_records(ball.keys);
   drawer.keys().write(test::queue(), records);
   Result result;
-  result.curves = reference::pruned(drawer.curves(test::queue()), scene.look.fraction);
+  result.curves = reference::pruned(drawer.curves(test::queue()), scene.look);
   drawer.enqueue(test::queue(), nullptr);
   result.order = drawer.order(test::queue());
   result.map = drawer.opacity_map(test::queue());
