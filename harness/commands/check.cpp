@@ -24,7 +24,8 @@
 namespace pelage {
 namespace {
 
-constexpr int frames = 30;  // number of simulated frames of 1/60 s each; the last one is drawn
+constexpr int frames = 30;          // number of simulated frames of 1/60 s each; the last one is drawn
+constexpr int hashed_frames = 100;  // number of frames of strands whose hashes --hashes prints
 
 struct CheckOptions {
   std::vector<std::string> stages;
@@ -149,6 +150,23 @@ void print_spring_hashes(const cl::Device& device, const CheckScene& which) {
   }
 }
 
+/// For each of three numbers of chunks, prints a hash of the key strands, the list of strands and the picture
+/// of every frame of `hashed_frames` frames. All three hashes must be equal.
+void print_strand_hashes(const cl::Device& device, const CheckScene& which) {
+  const auto input = strands::prepare_strands(which.scene, load_scene_mesh(which.scene));
+  for (const int chunks : {1, 16, 1024}) {
+    strands::DrawerOptions options;
+    options.chunks = chunks;
+    strands::Strands strands(device, input, options);
+    Hash hash;
+    for (int frame = 0; frame < hashed_frames; ++frame) {
+      strands.frame();
+      hash.values(strands.keys()).values(strands.order()).values(strands.read().pixel);
+    }
+    print_hash(which, fmt::format("{} frames of strands, {} chunks", hashed_frames, chunks), hash.hex());
+  }
+}
+
 /// For every mapping of pixels to work-items, prints hashes of the strands' tips, the wetness mask and the
 /// picture. Then calls print_spring_hashes().
 void print_hashes(const cl::Device& device, const CheckScene& which) {
@@ -177,9 +195,11 @@ int run_checks(const CheckOptions& options) {
   std::vector<CheckScene> cases = filtered(check_scenes(options.full), options.filter);
   const cl::Device device = cl::choose_device(options.device);
   if (options.hashes) {
-    std::erase_if(cases, [](const CheckScene& which) { return which.strands; });
     for (const CheckScene& which : cases) {
-      print_hashes(device, which);
+      if (which.strands)
+        print_strand_hashes(device, which);
+      else
+        print_hashes(device, which);
       std::fflush(stdout);
     }
     return 0;
@@ -226,8 +246,9 @@ void add_check(CLI::App& app, Chosen& chosen) {
   command->add_flag(
       "--hashes", options->hashes,
       "Print hashes and compare nothing: hashes of the strands, mask and picture for every mapping of pixels "
-      "to work-items, and of the masses for every topology and solver. Two revisions with equal hashes "
-      "compute equal results");
+      "to work-items, of the masses for every topology and solver, and of 100 frames of single strands for "
+      "three "
+      "numbers of chunks of the sorted list. Two revisions with equal hashes compute equal results");
   command->callback([options, &chosen] { chosen = [options] { return run_checks(*options); }; });
 }
 

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <set>
+#include <sstream>
 
 #include "harness/compare/metrics.hpp"
 #include "harness/picture/image_io.hpp"
@@ -56,6 +58,22 @@ TEST(Strands, AnExperimentTimesThemAlone) {
     EXPECT_NE(csv.out.find(phase), std::string::npos) << phase;
   const Outcome report = pelage(folder, "report rows -o report");
   EXPECT_EQ(report.code, 0) << report.err;
+}
+
+// 100 frames have the same bits for three numbers of chunks of the sorted list and for one and two threads.
+TEST(Strands, FramesHaveTheSameBitsForAllChunksAndThreads) {
+  const Folder folder;
+  std::set<std::string> hashes;
+  for (const char* threads : {"POCL_MAX_PTHREAD_COUNT=1", "POCL_MAX_PTHREAD_COUNT=2"}) {
+    const Outcome outcome = pelage(folder, "check --hashes --filter strands", threads);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count)
+      hashes.insert(line.substr(line.rfind(' ') + 1));
+    EXPECT_EQ(count, 3) << outcome.out;
+  }
+  EXPECT_EQ(hashes.size(), 1u);
 }
 
 }  // namespace
