@@ -160,8 +160,8 @@ void measure(const cl::Queue& queue, const Mesh& mesh, const Case& c, int size, 
                      [](const auto& a, const auto& b) { return a.depth < b.depth; });
     double through = 1;
     for (const reference::LightFragment& f : column) {
-      exponential_errors.all.push_back(std::abs(reference::texel_light(look, map[texel], f.depth) - through));
-      linear_errors.all.push_back(std::abs(reference::texel_light(linear, map[texel], f.depth) - through));
+      exponential_errors.all.push_back(reference::texel_light(look, map[texel], f.depth) - through);
+      linear_errors.all.push_back(reference::texel_light(linear, map[texel], f.depth) - through);
       depths.push_back(-std::log(std::max(map[texel].through, 1e-12)));
       samples.push_back({texel, f.depth, through});
       through *= 1 - f.alpha;

@@ -32,6 +32,9 @@ inline constexpr double folded_psnr = 90.0;
 /// Largest accepted relative change of the mean coverage of a picture of strands if strands are left out
 /// (docs/strands.md, section Level of detail).
 inline constexpr double kept_coverage = 0.01;
+/// Largest accepted mean error of the shadow's reading "exp" in dense fur, as a fraction of the light
+/// (docs/strands.md, section Shadow).
+inline constexpr double shadow_error = 0.1;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers and the
 /// reference filter textures with different arithmetic. Therefore the 99.9th percentile of the baseline's
 /// errors and its share of flipped pixels are not checked.

@@ -196,7 +196,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   blocks_ = cl::Buffer<std::uint64_t>(device, padded);
   pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params_.capacity) * std::size_t(params_.runs));
   live_ = cl::Buffer<std::int32_t>(device, std::size_t(params_.runs));
-  no_map_ = cl::Buffer<glm::vec2>(device, 1);
+  no_map_ = cl::Buffer<glm::vec4>(device, 1);
   no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
     map_.emplace(queue, params_, light_view(scene.look), group_, lanes_, kernel_options(), padded);
@@ -314,8 +314,8 @@ std::vector<DrawnStrand> Drawer::curves(const cl::Queue& queue) {
   return drawn;
 }
 
-std::vector<glm::vec2> Drawer::opacity_map(const cl::Queue& queue) const {
-  return map_ ? map_->texels().read(queue) : std::vector<glm::vec2>();
+std::vector<glm::vec4> Drawer::opacity_map(const cl::Queue& queue) const {
+  return map_ ? map_->texels().read(queue) : std::vector<glm::vec4>();
 }
 
 std::vector<const cl::Program*> Drawer::programs() const {

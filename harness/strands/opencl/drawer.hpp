@@ -1,6 +1,6 @@
 // Draws strands on an OpenCL device. docs/strands.md, section Drawing, defines the picture.
 #pragma once
-#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,7 +71,7 @@ class Drawer {
   std::size_t listed() const { return lists_.listed(); }
   /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look
   /// has no shadow.
-  std::vector<glm::vec2> opacity_map(const cl::Queue& queue) const;
+  std::vector<glm::vec4> opacity_map(const cl::Queue& queue) const;
   std::vector<const cl::Program*> programs() const;
 
  private:
@@ -98,7 +98,7 @@ class Drawer {
   cl::Buffer<std::uint64_t> blocks_;
   cl::Buffer<cl::Pair> pairs_;
   cl::Buffer<std::int32_t> film_, layer_table_, live_;
-  cl::Buffer<glm::vec2> no_map_;   ///< the kernels' argument if the look has no shadow
+  cl::Buffer<glm::vec4> no_map_;   ///< the kernels' argument if the look has no shadow
   cl::Buffer<glm::vec4> no_skin_;  ///< the kernels' argument if the picture has no skin
   cl::Buffer<glm::vec4> image_;
   bool layers_written_ = false;

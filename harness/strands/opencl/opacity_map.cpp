@@ -55,9 +55,9 @@ OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const L
   pairs_ = cl::Buffer<cl::Pair>(device, std::size_t(params.capacity) * std::size_t(params.runs));
   live_ = cl::Buffer<std::int32_t>(device, std::size_t(params.runs));
   total_ = cl::Buffer<std::int32_t>(device, 1);
-  no_map_ = cl::Buffer<glm::vec2>(device, 1);
+  no_map_ = cl::Buffer<glm::vec4>(device, 1);
   no_skin_ = cl::Buffer<glm::vec4>(device, 1);
-  texels_ = cl::Buffer<glm::vec2>(device, std::size_t(view.size) * std::size_t(view.size));
+  texels_ = cl::Buffer<glm::vec4>(device, std::size_t(view.size) * std::size_t(view.size));
 }
 
 void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,

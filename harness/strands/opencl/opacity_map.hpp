@@ -1,6 +1,5 @@
 // The opacity map of the key light on an OpenCL device. docs/strands.md, section Shadow, defines the map.
 #pragma once
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
 #include <string>
@@ -29,8 +28,9 @@ class OpacityMap {
   void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
                const PictureBuffers& buffers, cl::PhaseEvents* events);
 
-  /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), and transmittance 1 - A.
-  const cl::Buffer<glm::vec2>& texels() const { return texels_; }
+  /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
+  /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
+  const cl::Buffer<glm::vec4>& texels() const { return texels_; }
   std::vector<const cl::Program*> programs() const;
 
  private:
@@ -43,7 +43,7 @@ class OpacityMap {
   cl::Buffer<std::uint64_t> blocks_;
   cl::Buffer<cl::Pair> pairs_;
   cl::Buffer<std::int32_t> live_, total_;
-  cl::Buffer<glm::vec2> texels_, no_map_;
+  cl::Buffer<glm::vec4> texels_, no_map_;
   cl::Buffer<glm::vec4> no_skin_;
   int strands_ = -1;  ///< the number in total_
 };

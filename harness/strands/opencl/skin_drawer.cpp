@@ -65,7 +65,7 @@ SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const S
   pixels_ = cl::Buffer<glm::vec4>(device, pixels);
 }
 
-void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec2>& map,
+void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
                          cl::PhaseEvents* events) {
   const cl::DeviceInfo& device = queue.device().info();
   // PoCL copies the parameters of a kernel for each work-item, so on a CPU a work-item computes many groups

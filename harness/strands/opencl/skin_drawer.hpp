@@ -1,6 +1,5 @@
 // Draws the skin below strands on an OpenCL device. docs/strands.md, section Skin, defines the picture.
 #pragma once
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
@@ -21,7 +20,7 @@ class SkinDrawer {
 
   /// Enqueues the kernels that draw the skin. Their launches belong to the phase `skin`. `map` has the texels
   /// of the opacity map.
-  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec2>& map,
+  void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
                cl::PhaseEvents* events);
 
   /// Returns the pixels, row by row. A pixel has red, green, blue and the view depth in R. The depth is

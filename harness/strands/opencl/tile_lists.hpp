@@ -1,7 +1,6 @@
 // The lists of the strands that each tile of a picture may show (kernels/strands/draw/bins.cl).
 #pragma once
 #include <algorithm>
-#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
@@ -31,7 +30,7 @@ class TileLists {
   template <class Image>
   cl::Event draw(const cl::Queue& queue, cl::Kernel& kernel, bool group, int tile, const DrawParams& params,
                  const cl::Buffer<float>& rows, const cl::Buffer<std::int32_t>& film,
-                 const cl::Buffer<glm::vec2>& map, const cl::Buffer<glm::vec4>& skin,
+                 const cl::Buffer<glm::vec4>& map, const cl::Buffer<glm::vec4>& skin,
                  cl::Buffer<Image>& image) {
     kernel.with(params, rows, film, map, list_start_, list_, spot_, skin, image, taken_, blank_);
     // With one tile per work-item, a work-item draws tiles until no tile is left.

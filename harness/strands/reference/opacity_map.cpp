@@ -49,10 +49,14 @@ OpacityMap opacity_map(const LightColumns& columns) {
   OpacityMap map;
   for (const std::vector<LightFragment>& column : columns) {
     Texel texel;
+    double alphas = 0;
     for (std::size_t i = 0; i < column.size(); ++i) {
       texel.first = i == 0 ? column[i].depth : std::min(texel.first, column[i].depth);
       texel.through *= 1 - column[i].alpha;
+      alphas += column[i].alpha;
+      texel.mean += column[i].alpha * column[i].depth;
     }
+    texel.mean = alphas > 0 ? texel.mean / alphas : texel.first;
     map.push_back(texel);
   }
   return map;
@@ -63,10 +67,11 @@ OpacityMap opacity_map(const Look& look, const LightView& view, const std::vecto
 }
 
 double texel_light(const Look& look, const Texel& texel, double z) {
-  const double s = std::clamp((z - texel.first) / double(look.shadow.length), 0.0, 1.0);
-  if (look.shadow.reading == Shadow::linear) return 1 - (1 - texel.through) * s;
+  const auto part = [&](double length) { return std::clamp((z - texel.first) / length, 0.0, 1.0); };
+  const double length = double(look.shadow.length);
+  if (look.shadow.reading == Shadow::linear) return 1 - (1 - texel.through) * part(length);
   const double optical_depth = -std::log(std::max(texel.through, least_through));
-  return std::exp(-optical_depth * s);
+  return std::exp(-optical_depth * part(std::max(length, 2 * (texel.mean - texel.first))));
 }
 
 double key_light(const Look& look, const LightView& view, const OpacityMap& map, glm::dvec3 point) {

@@ -25,6 +25,7 @@ LightColumns light_columns(const Look& look, const LightView& view, const std::v
 struct Texel {
   double first = 0;    ///< z0; least depth of the texel's fragments, R
   double through = 1;  ///< 1 - A; 1 if there is no fragment
+  double mean = 0;     ///< mean depth of the texel's fragments, weighted by their alphas, R
 };
 using OpacityMap = std::vector<Texel>;  ///< row by row
 

@@ -72,7 +72,8 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
   if (coverage <= 0.0f) return;
 #define VALUE(name) fma(t, b->name[k + 1][s] - b->name[k][s], b->name[k][s])
 #if STRAND_MAP
-  *front = blended(*front, (float4)(VALUE(red), 0.0f, 0.0f, -(coverage * VALUE(alpha))));
+  float depth = VALUE(red), alpha = coverage * VALUE(alpha);
+  *front = blended(*front, (float4)(depth, alpha * depth, alpha, -alpha));
 #else
   float alpha = coverage * VALUE(alpha);
 #if STRAND_SKIN

@@ -69,7 +69,8 @@ INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *
     through = through * before_skin(value_at(depth, segment, s), fill_real(skin));
 #endif
 #if STRAND_MAP
-    real4 v = {coverage > REAL(0.0f) ? -value_at(red, segment, s) : REAL(NO_DEPTH), REAL(0.0f), REAL(0.0f), through};
+    real minus_depth = value_at(red, segment, s);
+    real4 v = {coverage > REAL(0.0f) ? -minus_depth : REAL(NO_DEPTH), through * minus_depth, -through, through};
 #else
     real4 v = {through * value_at(red, segment, s), through * value_at(green, segment, s), through * value_at(blue, segment, s), through};
 #endif

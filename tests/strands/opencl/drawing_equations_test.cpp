@@ -93,10 +93,11 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
   const std::array<std::int32_t, 16> film{0x10ff80, 0x20e070, 0x30c060, 0x40a050, 0x508040, 0x606030,
                                           0x704020, 0x802010, 0xff8080, 0xef7090, 0xdf60a0, 0xcf50b0,
                                           0xbf40c0, 0xaf30d0, 0x9f20e0, 0x8f10f0};
-  std::array<float, 32> map{};
+  std::array<float, 64> map{};
   for (std::size_t i = 0; i < 16; ++i) {
-    map[2 * i] = 0.1f * float(i % 3);              // least depth
-    map[2 * i + 1] = 0.9f - 0.05f * float(i % 7);  // transmittance
+    map[4 * i] = 0.1f * float(i % 3);              // least depth
+    map[4 * i + 1] = 4 + float(i % 5);             // 1 / D
+    map[4 * i + 2] = 0.9f - 0.05f * float(i % 7);  // transmittance
   }
   shim::Row r{};
   // X and Y are camera coordinates divided by `pixel`.
@@ -142,8 +143,8 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
       const auto texel = std::size_t((top + corner / 2) * 4 + left + corner % 2);
       const double weight = (corner % 2 ? x - left : 1 - x + left) * (corner / 2 ? y - top : 1 - y + top);
       const double s =
-          std::clamp((shadow_depth - double(map[2 * texel])) * double(p.per_shadow_length), 0.0, 1.0);
-      key += weight * std::pow(double(map[2 * texel + 1]), s);
+          std::clamp((shadow_depth - double(map[4 * texel])) * double(map[4 * texel + 1]), 0.0, 1.0);
+      key += weight * std::pow(double(map[4 * texel + 2]), s);
     }
     for (int c = 0; c < 3; ++c) {
       const double lit =

@@ -30,7 +30,7 @@ DrawingScene scene_of(Shadow reading, float fraction = 1) {
 struct Result {
   std::vector<DrawnStrand> curves;
   std::vector<Entry> order;
-  std::vector<glm::vec2> map;
+  std::vector<glm::vec4> map;
   Picture picture;
 };
 
@@ -60,10 +60,14 @@ void expect_map(const DrawingScene& scene, const Result& device) {
   ASSERT_EQ(device.map.size(), expected.size());
   std::size_t covered = 0, other_depth = 0;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    ASSERT_NEAR(double(device.map[i].y), expected[i].through, rounding) << "texel " << i;
+    ASSERT_NEAR(double(device.map[i].z), expected[i].through, rounding) << "texel " << i;
     covered += expected[i].through < 1;
     const double first = expected[i].through < 1 ? expected[i].first : 1e30;
-    other_depth += std::abs(double(device.map[i].x) - first) > 2e-5 * (1 + std::abs(first));
+    const double behind = 2 * (expected[i].mean - expected[i].first);
+    const double length =
+        std::max(double(scene.look.shadow.length), scene.look.shadow.reading == Shadow::linear ? 0 : behind);
+    other_depth += std::abs(double(device.map[i].x) - first) > 2e-5 * (1 + std::abs(first)) ||
+                   std::abs(1 / double(device.map[i].y) - length) > 1e-3 * length;
   }
   EXPECT_GT(covered, expected.size() / 4);
   EXPECT_LE(other_depth, covered / 1000) << other_depth << " of " << covered;
