@@ -1,4 +1,5 @@
 // Tests the commands with pictures of strands: render, run and report.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -21,8 +22,8 @@ constexpr const char* small =
 TEST(Strands, TheDeviceAndTheReferenceDrawTheSamePicture) {
   const Folder folder;
   for (const std::string pipeline : {"strands", "strands-reference"}) {
-    const Outcome outcome = pelage(folder, "render " + std::string(small) + "--pipeline " + pipeline +
-                                               " -o " + pipeline + ".exr --dump " + pipeline + ".h5");
+    const Outcome outcome = pelage(folder, fmt::format("render {} --pipeline {} -o {}.exr --dump {}.h5",
+                                                       small, pipeline, pipeline, pipeline));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(fs::exists(folder.path() / (pipeline + ".h5")));
   }
