@@ -60,8 +60,11 @@ INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *
   for (int i = begin; i < end; i += LANES) {
     whole segment = fill_whole(f->place + i) >> 16;
     real s = bits_as_real(fill_whole(f->s + i)), coverage = bits_as_real(fill_whole(f->coverage + i));
-    // The lanes behind the last fragment belong to other strands. The coverage 0 makes their fragments change nothing.
-    coverage = lane_numbers() + i < WHOLE(end) ? coverage : REAL(0.0f);
+    // The lanes behind the last fragment belong to other strands or were never written, so s may be no number there. The coverage
+    // 0 makes their fragments change nothing.
+    truth own = lane_numbers() + i < WHOLE(end);
+    coverage = own ? coverage : REAL(0.0f);
+    s = own ? s : REAL(0.0f);
     real through = coverage * value_at(alpha, segment, s);
 #if STRAND_SKIN
     float skin[LANES] ALIGNED;
