@@ -1,7 +1,7 @@
 // Checks TOML text before toml++ reads it. toml++ limits the nesting of values but not the number of parts of
-// a dotted key, and a key with several hundred thousand parts overflows the stack. For some non-ASCII
-// characters outside quotes, or behind the backslash at the end of a line of a string, the behaviour of
-// toml++ is undefined.
+// a dotted key, and a key with several hundred thousand parts overflows the stack. The
+// behaviour of toml++ is undefined for some non-ASCII characters outside quotes. It is also undefined for
+// some non-ASCII characters in a string if a backslash continues the string on the next line.
 #pragma once
 #include <algorithm>
 #include <string>

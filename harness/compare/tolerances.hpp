@@ -32,8 +32,8 @@ inline constexpr double folded_psnr = 90.0;
 /// Largest accepted relative change of the mean coverage of a picture of strands if strands are left out
 /// (docs/strands.md, section Level of detail).
 inline constexpr double kept_coverage = 0.01;
-/// Largest accepted mean error of the shadow's reading "exp" in dense fur, as a fraction of the light
-/// (docs/strands.md, section Shadow).
+/// Limit for the mean error of the key light if strands.shadow is "exp" (docs/strands.md, section Shadow).
+/// The value is a fraction of the unshadowed light. It applies to three looks of dense fur on the bunny.
 inline constexpr double shadow_error = 0.1;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers and the
 /// reference filter textures with different arithmetic. Therefore the 99.9th percentile of the baseline's
