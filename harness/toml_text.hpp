@@ -40,9 +40,9 @@ inline std::size_t behind_string(std::string_view text, std::size_t start) {
   return text.size();
 }
 
-/// Returns true if, in the string with double quotes `text`, a character that is not ASCII follows a
-/// backslash and any number of spaces and line breaks. A backslash at the end of a line continues the string
-/// with the next character that is no space.
+/// Returns true if the first visible character after a backslash is not ASCII. `text` is a string with its
+/// double quotes. A backslash at the end of a line continues the string on the next line, and TOML skips the
+/// spaces and line breaks after it.
 inline bool continues_without_ascii(std::string_view text) {
   for (std::size_t i = text.find('\\'); i < text.size(); i = text.find('\\', i)) {
     const std::size_t next = text.find_first_not_of(" \t\r\n", i + 1);

@@ -25,7 +25,7 @@ namespace pelage {
 namespace {
 
 constexpr int frames = 30;          // number of simulated frames of 1/60 s each; the last one is drawn
-constexpr int hashed_frames = 100;  // number of frames of strands whose hashes --hashes prints
+constexpr int hashed_frames = 100;  // number of frames of strands in one hash
 
 struct CheckOptions {
   std::vector<std::string> stages;

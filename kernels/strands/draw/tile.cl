@@ -83,12 +83,12 @@ INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *
   }
 }
 
-// Returns true if two segments of a strand have an angle of more than 90 degrees. first: lane of the strand's first segment.
+// Returns true if a strand turns by more than 90 degrees. first: the lane that has the strand's first segment.
 INLINE bool is_sharp(const Segments *g, int first) { return (g->sharp >> first & 0xff) != 0; }
 
-// Appends the fragments of the rows `base` to `base` + LANES - 1 of a strand, but of no row from `end` on, to the list. The rows
-// of a strand are those of its first segment, then those of the next segment, and so on. first: lane of the strand's first
-// segment. radius: of the vertices.
+// Searches LANES rows of a strand, from row `base` on and before row `end`, and appends their fragments to the list. The rows
+// of a strand are numbered segment by segment, beginning at the root. first: the lane that has the strand's first segment.
+// radius: half of the strip's width at the vertices.
 INLINE void find_rows(const Segments *g, int first, Change radius, int base, int end, Fragments *f) {
 #define OF(name) permuted(g->name, segment)
   whole row = lane_numbers() + base, segment = WHOLE(first);
