@@ -27,11 +27,10 @@ class TileLists {
   /// Enqueues the kernel that draws the tiles. `group`: a work-group draws a tile of `tile` x `tile` pixels;
   /// otherwise a work-item draws one tile after the other. rows, film, map, skin: see strand_tiles
   /// (tile.cl).
-  template <class Image>
   cl::Event draw(const cl::Queue& queue, cl::Kernel& kernel, bool group, int tile, const DrawParams& params,
                  const cl::Buffer<float>& rows, const cl::Buffer<std::int32_t>& film,
                  const cl::Buffer<glm::vec4>& map, const cl::Buffer<glm::vec4>& skin,
-                 cl::Buffer<Image>& image) {
+                 cl::Buffer<glm::vec4>& image) {
     kernel.with(params, rows, film, map, list_start_, list_, spot_, skin, image, taken_, blank_);
     // With one tile per work-item, a work-item draws tiles until no tile is left.
     const std::size_t tiles = length_.size(), pixels = std::size_t(tile) * std::size_t(tile);

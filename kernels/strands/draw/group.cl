@@ -87,7 +87,7 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
 
 __kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
 void strand_group(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list, TABLE(ushort) spot,
-                  TABLE(float4) skin, __global STORED *image, __global int *taken, __global ushort *blank) {
+                  TABLE(float4) skin, __global float4 *image, __global int *taken, __global ushort *blank) {
   __local Batch batch;
   int item = (int)get_local_id(0), tile = (int)get_group_id(0);
   int first_x = tile % p.tiles_x * STRAND_TILE, first_y = tile / p.tiles_x * STRAND_TILE;

@@ -14,7 +14,7 @@
 #define VERTEX_RECORD 8
 #define NO_OWNER 0x7fffffff
 
-// A loop over the groups of a work-item. `first` is the number of the first element of a group.
+// Visits the elements of this work-item, LANES elements at a time. `first` is the number of the first of these elements.
 #define FOR_EACH_GROUP(first, count) \
   for (int first = (int)get_global_id(0) * per_item * LANES, end_ = min(first + per_item * LANES, count); first < end_; first += LANES)
 

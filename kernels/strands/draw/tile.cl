@@ -291,19 +291,19 @@ static bool is_clear(const Tile *tile, int block) {
 }
 
 // Writes a block to the picture, and clears its pixels. image, skin: the first pixel of the tile.
-static void write_block(const DrawParams *p, Tile *tile, int block, TABLE(float4) skin, __global STORED *image) {
+static void write_block(const DrawParams *p, Tile *tile, int block, TABLE(float4) skin, __global float4 *image) {
   Extent e = extent_of(tile, block);
   int left = block % TILE_BLOCKS * BLOCK_SIDE, top = block / TILE_BLOCKS * BLOCK_SIDE;
   for (int y = 0; y < BLOCK_SIDE; ++y) {
     float *row = tile->pixel + 4 * ((top + y) * STRAND_TILE + left);
     size_t first = (size_t)(top + y) * p->width + left;
-    __global STORED *out = image + first;
+    __global float4 *out = image + first;
     if (y < e.height)
       for (int x = 0; x < e.width; ++x) {
 #if STRAND_SKIN
-        STORED c = stored_over_skin(p, vload4(x, row), skin[first + x]);
+        float4 c = stored_over_skin(p, vload4(x, row), skin[first + x]);
 #else
-        STORED c = stored(p, vload4(x, row));
+        float4 c = stored(p, vload4(x, row));
 #endif
         STORE(c, out + x);
       }
@@ -316,7 +316,7 @@ static void write_block(const DrawParams *p, Tile *tile, int block, TABLE(float4
 // Bit x is set if block x of the row has the colour of the background in the picture everywhere; the kernel does not write such
 // a block again if it has no fragments. skin: see skin_colours (skin.cl); kernels with STRAND_SKIN 0 do not read it.
 __kernel void strand_tiles(DrawParams p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list_start, TABLE(int) list,
-                           TABLE(ushort) spot, TABLE(float4) skin, __global STORED *image, __global int *taken, __global ushort *blank) {
+                           TABLE(ushort) spot, TABLE(float4) skin, __global float4 *image, __global int *taken, __global ushort *blank) {
   Tile tile;
   Fragments fragments;
   fragments.used = 0;
