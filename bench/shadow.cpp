@@ -21,12 +21,11 @@
 
 #include "bench/program.hpp"
 #include "bench/timing.hpp"
+#include "harness/compare/dense_fur.hpp"
 #include "harness/prepare/camera.hpp"
 #include "harness/prepare/scene_mesh.hpp"
-#include "harness/strands/groom/fur.hpp"
 #include "harness/strands/opencl/drawer.hpp"
 #include "harness/strands/reference/drawing.hpp"
-#include "harness/strands/reference/keyed.hpp"
 #include "harness/strands/reference/opacity_map.hpp"
 #include "harness/strands/reference/strip.hpp"
 
@@ -34,12 +33,6 @@ namespace {
 
 using namespace pelage;
 using namespace pelage::strands;
-
-struct Case {
-  const char* name;
-  int strands;
-  float length, width, lean;
-};
 
 /// Transmittance of a ray parallel to the light, at the place `at` (texels) and down to the depth z, through
 /// the strips of all strands.
@@ -124,48 +117,20 @@ void time_phases(const cl::Queue& queue, const Mesh& mesh, const Fur& fur, const
   fmt::print("\n");
 }
 
-void measure(const cl::Queue& queue, const Mesh& mesh, const Case& c, int size, int rays) {
-  StrandsScene scene;
-  StrandLayerScene& layer = scene.layers.front();
-  layer.count = c.strands;
-  layer.length = c.length;
-  layer.width = c.width;
-  layer.lean = c.lean;
-  CoatTexture coat;  // one texel
-  coat.size = 1;
-  coat.texel.resize(1);
-  const Fur fur = grow(mesh, scene, coat);
-  std::vector<DrawnStrand> strands;
-  for (const KeyedStrand& s : fur.strands) strands.push_back(reference::between(fur.keys, s, 0.5f));
-  Look look;
-  look.shadow.reading = Shadow::exponential;
-  look.shadow.size = size;
-  look.shadow.length = c.length;
-  look.shadow.radius = 1 + c.length * (1 + layer.length_spread);
+void measure(const cl::Queue& queue, const Mesh& mesh, const DenseLook& c, int size, int rays) {
+  const auto [fur, strands, look] = dense_fur(mesh, c, size);
   const LightView view = light_view(look);
   const reference::LightColumns columns = reference::light_columns(look, view, strands);
-  const reference::OpacityMap map = reference::opacity_map(look, view, strands);
+  const reference::OpacityMap map = reference::opacity_map(columns);
   Look linear = look;
   linear.shadow.reading = Shadow::linear;
   Errors exponential_errors, linear_errors;
   std::vector<double> depths;
-  struct Sample {
-    std::size_t texel;
-    double z, through;
-  };
-  std::vector<Sample> samples;
-  for (std::size_t texel = 0; texel < columns.size(); ++texel) {
-    std::vector<reference::LightFragment> column = columns[texel];
-    std::stable_sort(column.begin(), column.end(),
-                     [](const auto& a, const auto& b) { return a.depth < b.depth; });
-    double through = 1;
-    for (const reference::LightFragment& f : column) {
-      exponential_errors.all.push_back(reference::texel_light(look, map[texel], f.depth) - through);
-      linear_errors.all.push_back(reference::texel_light(linear, map[texel], f.depth) - through);
-      depths.push_back(-std::log(std::max(map[texel].through, 1e-12)));
-      samples.push_back({texel, f.depth, through});
-      through *= 1 - f.alpha;
-    }
+  const std::vector<LightSample> samples = light_samples(columns);
+  for (const LightSample& s : samples) {
+    exponential_errors.all.push_back(reference::texel_light(look, map[s.texel], s.depth) - s.through);
+    linear_errors.all.push_back(reference::texel_light(linear, map[s.texel], s.depth) - s.through);
+    depths.push_back(-std::log(std::max(map[s.texel].through, 1e-12)));
   }
   fmt::print(
       "{}: {} strands, length {}, width {}, lean {} degrees, {} fragments, median optical depth {:.1f}\n",
@@ -181,11 +146,11 @@ void measure(const cl::Queue& queue, const Mesh& mesh, const Case& c, int size, 
   std::uniform_real_distribution<double> unit(0, 1);
   double column_sum = 0, ray_sum = 0;
   for (int ray = 0; ray < rays; ++ray) {
-    const Sample& s = samples[std::size_t(unit(random) * double(samples.size()))];
+    const LightSample& s = samples[std::size_t(unit(random) * double(samples.size()))];
     const std::size_t column = s.texel % std::size_t(size), row = s.texel / std::size_t(size);
     const auto x = double(column), y = double(row);
     column_sum += s.through;
-    ray_sum += along_ray(look, view, strands, {x + unit(random), y + unit(random)}, s.z);
+    ray_sum += along_ray(look, view, strands, {x + unit(random), y + unit(random)}, s.depth);
   }
   if (rays > 0)
     fmt::print("  mean transmittance at {} fragments: columns {:.4f}, random rays {:.4f}\n", rays,
@@ -205,9 +170,7 @@ int main(int argc, char** argv) {
         load_scene_mesh(scene, [](const std::string& text) { fmt::print(stderr, "{}\n", text); });
     const cl::Device device = cl::choose_device("");
     const cl::Queue queue(device);
-    for (const Case& c : {Case{"short", 200000, 0.06f, 0.003f, 20}, Case{"combed", 100000, 0.15f, 0.003f, 50},
-                          Case{"thick", 40000, 0.2f, 0.008f, 40}})
-      measure(queue, *mesh, c, size, rays);
+    for (const DenseLook& look : dense_looks) measure(queue, *mesh, look, size, rays);
     return 0;
   });
 }
