@@ -139,9 +139,10 @@ TEST(StrandEquations, AVertexHasTheValuesOfTheDocument) {
     const double y = double(p.map_y[1]) * at.y / double(p.pixel) + double(p.map_y[3]);
     double key = 0;  // sum over the four texels around the vertex
     for (int corner = 0; corner < 4; ++corner) {
+      const int right = corner % 2, below = corner / 2;
       const double left = std::floor(x), top = std::floor(y);
-      const auto texel = std::size_t((top + corner / 2) * 4 + left + corner % 2);
-      const double weight = (corner % 2 ? x - left : 1 - x + left) * (corner / 2 ? y - top : 1 - y + top);
+      const auto texel = (std::size_t(top) + std::size_t(below)) * 4 + std::size_t(left) + std::size_t(right);
+      const double weight = (right ? x - left : 1 - x + left) * (below ? y - top : 1 - y + top);
       const double s =
           std::clamp((shadow_depth - double(map[4 * texel])) * double(map[4 * texel + 1]), 0.0, 1.0);
       key += weight * std::pow(double(map[4 * texel + 2]), s);
