@@ -44,15 +44,12 @@ void TileLists::enqueue(const cl::Queue& queue, const DrawParams& params,
         "the strand lists of the tiles would have 2^31 entries or more: use a smaller picture or fewer "
         "strands");
   listed_ = std::size_t(sum[0]);
-  if (list_.size() < listed_) {
+  // The kernels load up to 16 elements from any place of a list.
+  if (list_.size() < listed_ + 16) {
     list_ = {};  // frees the memory before the larger buffers are allocated
     spot_ = {};
-    list_ = cl::Buffer<std::int32_t>(queue.device(), listed_ + listed_ / 4);
-    spot_ = cl::Buffer<std::uint16_t>(queue.device(), listed_ + listed_ / 4);
-  }
-  if (listed_ == 0 && list_.size() == 0) {
-    list_ = cl::Buffer<std::int32_t>(queue.device(), 1);
-    spot_ = cl::Buffer<std::uint16_t>(queue.device(), 1);
+    list_ = cl::Buffer<std::int32_t>(queue.device(), listed_ + listed_ / 4 + 16);
+    spot_ = cl::Buffer<std::uint16_t>(queue.device(), listed_ + listed_ / 4 + 16);
   }
   fill_.with(params, total, blocks, pairs, list_start_, chunk_count_, list_, spot_);
   keep(fill_.enqueue(queue, chunks, 1));

@@ -73,7 +73,7 @@ INLINE void draw_segment(const __local Batch *b, int k, int s, float x, float y,
 #define VALUE(name) fma(t, b->name[k + 1][s] - b->name[k][s], b->name[k][s])
 #if STRAND_MAP
   float depth = VALUE(red), alpha = coverage * VALUE(alpha);
-  *front = blended(*front, (float4)(depth, alpha * depth, alpha, -alpha));
+  *front = blended(*front, front->w, (float4)(depth, alpha * depth, alpha, -alpha));
 #else
   float alpha = coverage * VALUE(alpha);
 #if STRAND_SKIN

@@ -7,6 +7,17 @@
 #include "strands/draw/curve.clh"
 #include "strands/draw/fills.clh"
 
+// The constants of a strand are read once, so the processor has to fetch them from memory.
+#define UNITS_AHEAD 6
+#if LANES > 1 && BUILTIN(__builtin_prefetch)
+INLINE void read_unit_soon(TABLE(scalar) strands, int u) {
+  for (int column = 0; column < (STRAND_STYLES ? DRAWN_COLUMNS : DRAWN_RESPONSE); ++column)
+    __builtin_prefetch((const void *)(size_t)(strands + LANES * column_of(u, DRAWN_COLUMNS, column)));
+}
+#else
+INLINE void read_unit_soon(TABLE(scalar) strands, int u) {}
+#endif
+
 INLINE Key load_key(TABLE(float) keys, whole index) {
   real4 a = gather_rows(keys, 4 * index), b = gather_rows(keys, 4 * index + 1), c = gather_rows(keys, 4 * index + 2);
   Key k;
@@ -117,6 +128,7 @@ __kernel void strand_keys(DrawParams p, TABLE(scalar) strands, TABLE(float) keys
   for (int u = first; u < last; ++u) {
     Key a = load_key(keys, drawn_bits(strands, u, DRAWN_KEY)), b = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 1));
     Key c = load_key(keys, drawn_bits(strands, u, DRAWN_KEY + 2));
+    if (u + UNITS_AHEAD < last) read_unit_soon(strands, u + UNITS_AHEAD);
     if (u + 1 < last)
       for (int k = 0; k < 3; ++k) read_soon(keys, KEY_RECORD * drawn_bits(strands, u + 1, DRAWN_KEY + k));
     Key key = between_keys(a, b, c, drawn_value(strands, u, DRAWN_WEIGHT), drawn_value(strands, u, DRAWN_WEIGHT + 1));

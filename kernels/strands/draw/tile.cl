@@ -34,6 +34,7 @@ typedef struct {
 #endif
   int width, height;                                // size of the part of the tile that lies within the picture
   Closed closed;
+  uchar open[TILE_BLOCKS * TILE_BLOCKS];            // a pixel of each block that was not opaque when it was last tested
 } Tile;
 
 // The value of a column of the vertices at the start of the segments of a strand, and its change to their end.
@@ -48,7 +49,11 @@ INLINE Change changes_of(const Vertices *vertices, int column, int strand) {
 }
 INLINE real value_at(Change c, whole segment, real s) { return fma(s, eights(c.step, segment), eights(c.at, segment)); }
 
-INLINE void blend(float *pixel, float4 fragment) { vstore4(blended(vload4(0, pixel), fragment), 0, pixel); }
+// `volatile` makes the compiler load the transmittance as a number of its own: loading and broadcasting it is one instruction.
+INLINE void blend(float *pixel, float4 fragment) {
+  float transmittance = ((volatile float *)pixel)[3];
+  vstore4(blended(vload4(0, pixel), transmittance, fragment), 0, pixel);
+}
 
 // Blends the fragments `begin` to `end` - 1 of the list, which belong to one strand.
 INLINE void blend_strand(const Vertices *vertices, int strand, const Fragments *f, int begin, int end, Tile *tile) {
@@ -165,14 +170,21 @@ INLINE void draw_block(const DrawParams *p, const Vertices *vertices, int count,
   blend_all(vertices, end, count, f, tile);
 }
 
+// Loads the next LANES elements of a list of strands, or of their blocks. The arrays have LANES elements more than the lists.
+INLINE whole load_list(TABLE(int) list) { return load_whole(list, 0); }
+INLINE whole load_spots(TABLE(ushort) spot) {
+#if LANES == 16
+  return convert_int16(vload16(0, spot));
+#else
+  return convert_int8(vload8(0, spot));
+#endif
+}
+
 #define ALL_BLOCKS ((1u << TILE_BLOCKS) - 1)     // all blocks of a row
 
 // Returns true if a strand may touch a block that is not closed. spot: left, top, right and bottom block, 4 bits each (bins.cl).
-INLINE bool is_open(const Tile *tile, ushort spot) {
-  if (tile->closed.any == 0) return true;
-  uint left = spot & 15, right = (spot >> 8) & 15, row = (2u << right) - (1u << left), open = 0;
-  for (int y = (spot >> 4) & 15; y <= spot >> 12; ++y) open |= row & ~(uint)tile->closed.row[y];
-  return open != 0;
+INLINE truth is_open(const Tile *tile, whole spot) {
+  return some_open(&tile->closed, spot & 15, (spot >> 4) & 15, (spot >> 8) & 15, (spot >> 12) & 15);
 }
 
 // Returns true if all blocks are closed.
@@ -201,18 +213,27 @@ INLINE Extent extent_of(const Tile *tile, int block) {
   return e;
 }
 
-// Finds the blocks in which all pixels have at most the transmittance STRAND_OPAQUE.
+// Returns the number of a pixel of a block that is within the picture and not opaque, or -1. Pixels are counted row by row.
+static int open_pixel(const Tile *tile, int block) {
+  Extent e = extent_of(tile, block);
+  for (int y = 0; y < e.height; ++y)
+    for (int x = 0; x < e.width; ++x)
+      if (!IS_OPAQUE(row_of_block(tile, block, y)[4 * x + 3])) return y * BLOCK_SIDE + x;
+  return -1;
+}
+
+// Closes the blocks in which all pixels are opaque. The pixels of a tile do not fit into the processor's first cache, so the
+// pixel that was open at the last time is tested first.
 static void find_closed(Tile *tile) {
-  for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
-    if (tile->closed.row[block / TILE_BLOCKS] >> block % TILE_BLOCKS & 1) continue;
-    Extent e = extent_of(tile, block);
-    bool open = false;
-    for (int y = 0; y < e.height && !open; ++y) {
-      const float *row = row_of_block(tile, block, y);
-      for (int x = 0; x < e.width; ++x) open |= !IS_OPAQUE(row[4 * x + 3]);
+  for (int y = 0; y < TILE_BLOCKS; ++y)
+    for (int x = 0; x < TILE_BLOCKS; ++x) {
+      int block = y * TILE_BLOCKS + x, last = tile->open[block];
+      if (tile->closed.row[y] >> x & 1) continue;
+      if (!IS_OPAQUE(row_of_block(tile, block, last / BLOCK_SIDE)[4 * (last % BLOCK_SIDE) + 3])) continue;
+      int open = open_pixel(tile, block);
+      if (open < 0) close(tile, block);
+      else tile->open[block] = (uchar)open;
     }
-    if (!open) close(tile, block);
-  }
 }
 
 // Begins a tile. All pixels are clear: they have the colour 0 and the transmittance 1.
@@ -224,6 +245,7 @@ static void begin(Tile *tile, int width, int height) {
   for (int block = 0; block < TILE_BLOCKS * TILE_BLOCKS; ++block) {
     Extent e = extent_of(tile, block);
     if (e.width == 0 || e.height == 0) close(tile, block);
+    tile->open[block] = 0;
   }
 }
 
@@ -231,18 +253,23 @@ static void begin(Tile *tile, int width, int height) {
 static void draw_strands(const DrawParams *p, TABLE(float) rows, TABLE(int) film, TABLE(float) map, TABLE(int) list, TABLE(ushort) spot, int count, float origin_x,
                          float origin_y, Tile *tile, Fragments *f) {
   Vertices vertices;
-  int next = 0, until_check = 0;
-  while (next < count) {
-    int strand[LANES] ALIGNED, taken = 0;
-    for (; taken < LANES && next < count; ++next) {
-      strand[taken] = list[next];
-      taken += is_open(tile, spot[next]);
+  // The numbers of strands that wait, the first `taken` of the array.
+  int strand[2 * LANES] ALIGNED, taken = 0, next = 0, until_check = 0;
+  while (true) {
+    while (taken < LANES && next < count) {
+      whole number = load_list(list + next);
+      truth open = lane_numbers() < WHOLE(count - next);
+      if (tile->closed.any != 0) open = open && is_open(tile, load_spots(spot + next));
+      if (next + LANES <= count) read_soon(rows, STRAND_ROW * number);
+      taken += squeeze(number, open, strand + taken);
+      next += LANES;
     }
     if (taken == 0) break;
     for (int i = taken; i < LANES; ++i) strand[i] = strand[0];
-    if (next + LANES <= count) read_soon(rows, STRAND_ROW * load_whole(list + next, 0));
     put_vertices(p, film, map, load_row(rows, fill_whole(strand)), origin_x, origin_y, &vertices);
-    draw_block(p, &vertices, taken, f, tile);
+    draw_block(p, &vertices, min(taken, LANES), f, tile);
+    spill_whole(fill_whole(strand + LANES), strand);
+    taken = max(taken - LANES, 0);
     if (++until_check == CHECK_EVERY / LANES) {
       find_closed(tile);
       if (is_finished(tile)) break;
