@@ -34,6 +34,12 @@ bool is_group(const cl::Device& device, Drawing mapping) {
   return mapping == Drawing::standard ? !device.info().cpu : mapping == Drawing::group;
 }
 
+int tile_lanes_of(int wanted) {
+  if (wanted != 0 && wanted != 8 && wanted != 16)
+    throw InputError(fmt::format("tile_lanes: {}; it must be 8 or 16", wanted));
+  return wanted == 0 ? 16 : wanted;
+}
+
 int tile_of(const cl::Device& device, const Camera& camera, bool group, int wanted) {
   if (wanted != 0 && wanted != 16 && wanted != 32 && wanted != 64 && wanted != 128)
     throw InputError(fmt::format("tile: {} pixels; it must be 16, 32, 64 or 128", wanted));
@@ -173,7 +179,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
       key_program_(queue.device(), "strands/draw/keys.cl", with(kernel_options(), lanes_, tile_)),
       draw_program_(queue.device(), group_ ? "strands/draw/group.cl" : "strands/draw/tile.cl",
                     with(fmt::format("{} -D STRAND_SKIN={}", kernel_options(), int(scene.skin != nullptr)),
-                         group_ ? 1 : 16, tile_)),
+                         group_ ? 1 : tile_lanes_of(options.tile_lanes), tile_)),
       make_keys_(key_program_, "strand_keys"),
       draw_(draw_program_, group_ ? "strand_group" : "strand_tiles"),
       lists_(queue, params_, with(kernel_options(), 1, tile_)),

@@ -2,10 +2,8 @@
 // the vertices of LANES strands, and segments_of() their segments (segments.clh). find_strand() then finds the fragments of one
 // strand after the other, LANES rows of its segments at once, and appends them to a list. blend_strand() computes the colours
 // of these fragments and blends them in their order.
+#if LANES == 16 && !defined(__AVX512F__)
 #undef LANES
-#ifdef __AVX512F__
-#define LANES 16
-#else
 #define LANES 8
 #endif
 #include "strands/draw/pixel.clh"

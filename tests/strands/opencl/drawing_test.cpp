@@ -153,6 +153,17 @@ TEST(StrandDrawing, AllLightsAgreeWithTheReference) {
     }
 }
 
+// Processors without AVX-512 use eight lanes.
+TEST(StrandDrawing, IsThatOfTheReferenceWithEightLanes) {
+  DrawerOptions options;
+  options.mapping = Drawing::item;
+  options.tile_lanes = 8;
+  for (const int tile : {32, 64, 128}) {
+    options.tile = tile;
+    expect_reference(scene_of(200, 130), Ball(3000), options);
+  }
+}
+
 // Layers have ranks in another order than their numbers, and frames of their own.
 TEST(StrandDrawing, LayersHaveTheirRanksAndTheirFramesOfTheFilmStrip) {
   DrawingScene scene = scene_of(200, 130);
