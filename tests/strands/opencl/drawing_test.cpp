@@ -291,10 +291,12 @@ TEST(StrandDrawing, BitsDoNotDependOnTheDivisionOfTheWork) {
 TEST(StrandDrawing, WrongValuesAreRefused) {
   const Ball ball(10);
   DrawingScene scene = scene_of(100, 100);
-  for (const DrawerOptions& wrong :
-       {DrawerOptions{Drawing::item, 3}, DrawerOptions{Drawing::item, 0, -1},
-        DrawerOptions{Drawing::item, 0, 0, 70000}, DrawerOptions{Drawing::item, 0, 0, 0, 65},
-        DrawerOptions{Drawing::group, 0, 0, 0, 32}})
+  for (const DrawerOptions& wrong : {DrawerOptions{.mapping = Drawing::item, .lanes = 3},
+                                     DrawerOptions{.mapping = Drawing::item, .tile_lanes = 4},
+                                     DrawerOptions{.mapping = Drawing::item, .runs = -1},
+                                     DrawerOptions{.mapping = Drawing::item, .chunks = 70000},
+                                     DrawerOptions{.mapping = Drawing::item, .tile = 65},
+                                     DrawerOptions{.mapping = Drawing::group, .tile = 32}})
     EXPECT_THROW(draw_on_device(scene, ball, wrong), InputError);
   scene.first_segment = 1;
   EXPECT_THROW(draw_on_device(scene, ball), InputError);
