@@ -130,8 +130,10 @@ TEST(StrandShadow, BitsDoNotDependOnTheDivisionOfTheWork) {
   const DrawingScene scene = scene_of(Shadow::linear);
   const Result first = draw_on_device(scene, ball);
   for (const DrawerOptions& options :
-       {DrawerOptions{}, DrawerOptions{Drawing::item, 1}, DrawerOptions{Drawing::item, 16, 1, 1},
-        DrawerOptions{Drawing::item, 16, 7, 33}, DrawerOptions{Drawing::item, 1, 64, 5}}) {
+       {DrawerOptions{}, DrawerOptions{.mapping = Drawing::item, .lanes = 1},
+        DrawerOptions{.mapping = Drawing::item, .lanes = 16, .runs = 1, .chunks = 1},
+        DrawerOptions{.mapping = Drawing::item, .lanes = 16, .runs = 7, .chunks = 33},
+        DrawerOptions{.mapping = Drawing::item, .lanes = 1, .runs = 64, .chunks = 5}}) {
     const Result other = draw_on_device(scene, ball, options);
     EXPECT_EQ(other.map, first.map) << options.lanes << " lanes, " << options.runs << " runs";
     EXPECT_EQ(other.picture.pixel, first.picture.pixel)
