@@ -109,9 +109,9 @@ def same_coat_simulation():
 
 def strand_ratios():
     rows = [row for row in table("strands/demoreuille2011-scaling-ratio.csv") if row["distance"] == "near"]
-    values = {count: ends((row["opengl_ratio"] for row in rows if row["count"] == count), ".1f") for count in ("100k", "1M")}
-    return {"low": values["100k"]["least"], "high": values["100k"]["most"], "low_million": values["1M"]["least"],
-            "high_million": values["1M"]["most"], "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}"}
+    values = {count: ends((row["opengl_ratio"] for row in rows if str(row["count"]) == count), ".1f") for count in ("100000", "1000000")}
+    return {"low": values["100000"]["least"], "high": values["100000"]["most"], "low_million": values["1000000"]["least"],
+            "high_million": values["1000000"]["most"], "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}"}
 
 
 def least_agreement_of_strands():
