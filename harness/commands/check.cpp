@@ -60,12 +60,14 @@ std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene
   strands.frame();
   StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
   frame.curves = strands.curves();
+  frame.skin = strands.surface();
   if (stages.contains("strands"))
     for (const Check& check : check_strand_frame(*input, frame, 1).checks) all.push_back({"strands", check});
   if (stages.contains("chains")) {
     ChainStep step{strands.states(), {}, 0};
     step.number = strands.substep();
     step.after = strands.states();
+    if (strands.skin_frame() != nullptr) step.skin = *strands.skin_frame();
     for (const Check& check : check_chain_step(*input, step, 1)) all.push_back({"chains", check});
   }
   return all;

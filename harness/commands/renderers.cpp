@@ -91,6 +91,7 @@ DrawPicture open_strands(const RendererOptions& options) {
     report_first_frame(device.info().name, strands.frame().wall_ms);
     StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
     frame.curves = strands.curves();
+    frame.skin = strands.surface();
     return drawn(input, std::move(frame), fmt::format("strands on {}", device.info().name),
                  strands.frames_simulated());
   };
@@ -100,8 +101,7 @@ DrawPicture open_strands_reference(const RendererOptions&) {
   return [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
     const int frames = frames_before(scene.dynamics) + 1;
-    return drawn(input, reference_strands(*input, reference_keys(*input, frames)), "strands-reference",
-                 frames);
+    return drawn(input, reference_strands(*input, frames), "strands-reference", frames);
   };
 }
 

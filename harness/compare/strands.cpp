@@ -13,6 +13,7 @@
 #include "harness/strands/reference/chain.hpp"
 #include "harness/strands/reference/drawing.hpp"
 #include "harness/strands/reference/keyed.hpp"
+#include "harness/strands/scene/skin_frames.hpp"
 
 namespace pelage {
 namespace {
@@ -56,6 +57,16 @@ double worst_point(const DrawnStrand& a, const DrawnStrand& b) {
   return worst < 1e9 ? worst : 1e9;
 }
 
+/// The skin at the root of strand i at the fraction f of a frame between two frames of the mesh.
+naive::SkinPoint skin_point(const strands::SkinFrame& from, const strands::SkinFrame& to, std::size_t i,
+                            double f) {
+  const auto between = [&](const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+    return (1 - f) * glm::dvec3(a[i]) + f * glm::dvec3(b[i]);
+  };
+  return {between(from.velocity, to.velocity), between(from.acceleration, to.acceleration),
+          between(from.rest, to.rest), between(from.normal, to.normal)};
+}
+
 }  // namespace
 
 std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& step, std::uint32_t seed) {
@@ -63,8 +74,10 @@ std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& s
   for (const std::size_t i : sample(step.before.size(), chains_compared, seed)) {
     const Chain& chain = input.fur.chains[i];
     const ChainState& found = step.after[i];
-    const naive::State exact =
-        naive::step(chain, input.dynamics, naive::in_double(step.before[i]), step.number);
+    std::optional<naive::SkinPoint> skin;
+    if (step.skin) skin = skin_point(*step.skin, *step.skin, i, 1);
+    const naive::State exact = naive::step(chain, input.dynamics, naive::in_double(step.before[i]),
+                                           step.number, skin ? &*skin : nullptr);
     direction.push_back(std::max(glm::distance(glm::dvec3(found.direction[0]), exact.u),
                                  glm::distance(glm::dvec3(found.direction[1]), exact.w)));
     const double fall = glm::length(glm::dvec3(input.dynamics.gravity)) / double(chain.length);
@@ -94,7 +107,7 @@ StrandCheck check_strand_frame(const StrandInput& input, const StrandFrame& fram
     different += !(order[i] == frame.order[i]);
   result.checks.push_back({against_reference, "order_differences", double(different), 0, false});
   result.agreement = compare(frame.picture, naive::draw(input.camera, input.look, drawn, order,
-                                                        input.skin.get(), &result.fragments));
+                                                        frame.skin.get(), &result.fragments));
   for (Check& check : picture_checks(against_reference, result.agreement))
     result.checks.push_back(std::move(check));
   return result;
@@ -108,29 +121,57 @@ std::vector<DrawnStrand> reference_curves(const StrandInput& input, const std::v
   return curves;
 }
 
-StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStrand>& keys) {
+StrandFrame reference_strands(const StrandInput& input, const std::vector<KeyStrand>& keys,
+                              std::shared_ptr<const strands::SkinSurface> skin) {
   StrandFrame frame;
   frame.keys = keys;
   frame.curves = reference_curves(input, keys);
+  frame.skin = std::move(skin);
   const std::vector<DrawnStrand> drawn = naive::pruned(frame.curves, input.look);
   frame.order = naive::drawing_order(input.camera, input.range, drawn);
-  frame.picture = naive::draw(input.camera, input.look, drawn, frame.order, input.skin.get());
+  frame.picture = naive::draw(input.camera, input.look, drawn, frame.order, frame.skin.get());
   return frame;
 }
 
-std::vector<KeyStrand> reference_keys(const StrandInput& input, int frames) {
-  const long steps = long(frames) * input.scene.dynamics.substeps;
+StrandFrame reference_strands(const StrandInput& input, int frames) {
+  const int substeps = input.scene.dynamics.substeps;
+  std::optional<strands::SkinFrames> skin;
+  if (!input.mesh->frames.empty()) {
+    skin.emplace(input.scene, input.mesh, input.fur, input.skin);
+    skin->advance();
+  }
+  std::vector<naive::State> states;
+  for (const Chain& chain : input.fur.chains) states.push_back(naive::at_rest(chain));
+  // Without frames of the mesh, the chains do not depend on each other in any way, and all steps of a chain
+  // are computed at once.
+  const int passes = skin ? frames : 1, steps = skin ? substeps : frames * substeps;
+  for (int pass = 0; pass < passes; ++pass) {
+    strands::SkinFrame from;
+    if (skin) {
+      from = skin->frame();
+      skin->advance();
+    }
+    for_each_index(states.size(), 64, [&](std::size_t i) {
+      for (int k = 0; k < steps; ++k) {
+        std::optional<naive::SkinPoint> point;
+        if (skin) point = skin_point(from, skin->frame(), i, double(k + 1) / steps);
+        states[i] = naive::step(input.fur.chains[i], input.dynamics, states[i], long(pass) * steps + k,
+                                point ? &*point : nullptr);
+      }
+    });
+  }
   const springs::Pose pose =
-      springs::pose_at(input.dynamics.motion, double(steps) * double(input.dynamics.step));
+      springs::pose_at(input.dynamics.motion, double(frames) * substeps * double(input.dynamics.step));
   std::vector<KeyStrand> keys = input.fur.keys;
-  for_each_index(keys.size(), 64, [&](std::size_t i) {
-    naive::State state = naive::at_rest(input.fur.chains[i]);
-    for (long step = 0; step < steps; ++step)
-      state = naive::step(input.fur.chains[i], input.dynamics, state, step);
-    keys[i].first = glm::vec3(springs::turned(state.u, pose.axis, -pose.angle));
-    keys[i].second = glm::vec3(springs::turned(state.w, pose.axis, -pose.angle));
-  });
-  return keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    keys[i].first = glm::vec3(springs::turned(states[i].u, pose.axis, -pose.angle));
+    keys[i].second = glm::vec3(springs::turned(states[i].w, pose.axis, -pose.angle));
+    if (!skin) continue;
+    keys[i].root = skin->frame().root[i];
+    keys[i].normal = skin->frame().normal[i];
+    keys[i].rest = skin->frame().rest[i];
+  }
+  return reference_strands(input, keys, skin ? skin->surface() : input.skin);
 }
 
 }  // namespace pelage

@@ -2,6 +2,8 @@
 // of the strands, the list of strands to draw, and the picture.
 #pragma once
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "harness/compare/check.hpp"
@@ -16,6 +18,7 @@ struct StrandFrame {
   std::vector<strands::DrawnStrand> curves;  ///< all strands
   std::vector<strands::Entry> order;         ///< the strands in the picture, from front to back
   Picture picture;
+  std::shared_ptr<const strands::SkinSurface> skin = {};  ///< the skin in the picture, or null
 };
 
 /// A time step of the chains on a device: their states before and after it. `number` is the index of the
@@ -23,6 +26,7 @@ struct StrandFrame {
 struct ChainStep {
   std::vector<strands::ChainState> before, after;
   long number = 0;
+  std::optional<strands::SkinFrame> skin = {};  ///< the skin at the end of the step if the mesh deforms
 };
 
 /// Compares the time step of about 2,000 chains, chosen by `seed`, with the reference. The checks are the
@@ -47,11 +51,13 @@ StrandCheck check_strand_frame(const strands::StrandInput& input, const StrandFr
 std::vector<strands::DrawnStrand> reference_curves(const strands::StrandInput& input,
                                                    const std::vector<strands::KeyStrand>& keys);
 
-/// Computes the picture with the reference alone, from the key strands `keys`.
-StrandFrame reference_strands(const strands::StrandInput& input, const std::vector<strands::KeyStrand>& keys);
+/// Computes the picture with the reference alone, from the key strands `keys` and the skin, which may be
+/// null.
+StrandFrame reference_strands(const strands::StrandInput& input, const std::vector<strands::KeyStrand>& keys,
+                              std::shared_ptr<const strands::SkinSurface> skin);
 
-/// Computes the key strands after `frames` frames from rest with the reference. Uses all cores; a frame of
+/// Computes the picture after `frames` frames from rest with the reference alone. Uses all cores; a frame of
 /// 70,000 key strands takes about 0.1 s.
-std::vector<strands::KeyStrand> reference_keys(const strands::StrandInput& input, int frames);
+StrandFrame reference_strands(const strands::StrandInput& input, int frames);
 
 }  // namespace pelage

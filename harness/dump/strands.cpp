@@ -98,8 +98,11 @@ void write_look(Hdf5File& file, const StrandInput& input) {
              "frames of the film strip: luminance and gloss (128 means 1), opacity (255 means 1)");
 }
 
-void write_skin(Hdf5File& file, const SkinSurface& skin) {
+void write_skin(Hdf5File& file, const SkinSurface& skin, bool deforms) {
   const std::size_t count = skin.position.size();
+  if (deforms)
+    file.write("skin/position", {count, 3}, dump::flat<float>(skin.position), "R",
+               "position of each vertex in the frame of the picture, in place of that at rest");
   file.write("skin/normal", {count, 3}, dump::flat<float>(skin.normal), "1",
              "normal of the skin at each vertex");
   file.write("skin/colour", {count, 3}, dump::flat<float>(skin.colour), "1",
@@ -120,7 +123,7 @@ void dump_strands(const std::filesystem::path& path, const StrandInput& input, c
     write_strands(file, input.fur.strands);
     write_curves(file, frame);
     write_look(file, input);
-    if (input.skin) write_skin(file, *input.skin);
+    if (frame.skin) write_skin(file, *frame.skin, !input.mesh->frames.empty());
     dump::write_camera(file, input.camera);
     const Picture& image = frame.picture;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},

@@ -30,6 +30,9 @@ struct Mesh {
   /// Descriptions of the steps of the preparation, one line per step: repairs, remeshing, method of the UV
   /// map.
   std::vector<std::string> notes;
+  /// Positions of the surface points in each frame of a mesh that moves and deforms (frames.hpp), R. Empty:
+  /// the mesh does not deform. If there are frames, `hash` also depends on them.
+  std::vector<std::vector<glm::vec3>> frames;
 };
 
 struct MeshOptions {

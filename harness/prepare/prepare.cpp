@@ -33,6 +33,8 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
         "dynamics.topology: \"chains\" is the motion of single strands; use a pipeline that draws strands, "
         "or "
         "give another topology");
+  if (!mesh->frames.empty())
+    throw InputError("mesh.frames: only pipelines that draw strands follow the frames of a mesh; give 1");
   auto input = std::make_shared<FrameInput>();
   // Another thread prepares the fur texture, which does not depend on the mesh. The preparation of the fur
   // texture takes longer than that of any other array, even if the texture is read from the cache.

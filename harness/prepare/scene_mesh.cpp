@@ -1,5 +1,12 @@
 #include "harness/prepare/scene_mesh.hpp"
 
+#include <fmt/format.h>
+
+#include "harness/error.hpp"
+#include "harness/hash.hpp"
+#include "harness/mesh/frames.hpp"
+#include "harness/scene/scene_keys.hpp"
+
 namespace pelage {
 glm::vec3 rotation_of(const MeshScene& mesh) {
   // If z is the model's upward axis, a rotation by -90 degrees about x turns z to y. The first rotation of
@@ -17,14 +24,26 @@ std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
   options.largest_only = scene.mesh.components == "largest";
   options.keep_uv = scene.fur.uv == "file";
   options.progress = progress;
-  return load_model(scene.model, options);
+  const auto mesh = load_model(scene.model, options);
+  if (scene.mesh.frames == 1) return mesh;
+  if (!is_model_file(scene.model))
+    throw InputError(fmt::format("mesh.frames: the model {} is no mesh file; frames need one mesh file each",
+                                 scene.model));
+  auto moving = std::make_shared<Mesh>(*mesh);
+  moving->frames =
+      read_mesh_frames(*mesh, scene.model, scene.mesh.frames, glm::dvec3(rotation_of(scene.mesh)));
+  Hash hash;
+  hash.text(mesh->hash);
+  for (const std::vector<glm::vec3>& frame : moving->frames) hash.values(frame);
+  moving->hash = hash.hex();
+  return moving;
 }
 
 std::shared_ptr<const Mesh> SceneMeshes::of(const Scene& scene,
                                             const std::function<void(const std::string&)>& progress) {
   const glm::vec3 turn = rotation_of(scene.mesh);
   std::shared_ptr<const Mesh>& mesh =
-      kept_[{scene.model, scene.fur.uv, scene.mesh.components, turn.x, turn.y, turn.z}];
+      kept_[{scene.model, scene.fur.uv, scene.mesh.components, scene.mesh.frames, turn.x, turn.y, turn.z}];
   if (!mesh) mesh = load_scene_mesh(scene, progress);
   return mesh;
 }

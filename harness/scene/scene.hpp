@@ -278,6 +278,10 @@ struct MeshScene {
   std::string up = "y";            ///< the axis that points up in the mesh file: "y" | "z"
   glm::vec3 rotate{0.0f};          ///< rotation of the model about x, then y, then z, in degrees
   std::string components = "all";  ///< connected components of a mesh file that are kept: "all" | "largest"
+  /// Number of frames of a mesh that moves and deforms. The model is then the mesh file of the first frame,
+  /// and the number in its name counts up. 1: the mesh does not deform.
+  int frames = 1;
+  std::string after_frames = "hold";  ///< "hold": the last frame stays | "repeat": the first frame follows
 };
 
 struct Scene {

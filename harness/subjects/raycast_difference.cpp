@@ -5,6 +5,7 @@
 
 #include "harness/compare/metrics.hpp"
 #include "harness/compare/strands.hpp"
+#include "harness/error.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/strands/raycast/raycast.hpp"
 #include "harness/strands/reference/drawing.hpp"
@@ -99,6 +100,8 @@ class RaycastDifference : public Subject {
 }  // namespace
 
 strands::RaycastResult raycast_strands(const strands::StrandInput& input) {
+  if (!input.mesh->frames.empty())
+    throw InputError("mesh.frames: a ray-cast picture shows the strands at rest; give 1");
   const std::vector<strands::DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
   std::vector<strands::DrawnStrand> curves;
   std::vector<std::uint32_t> number;

@@ -27,6 +27,7 @@ class StrandsSubject : public Subject {
     step_.before = strands_.states();
     step_.number = strands_.substep();
     step_.after = strands_.states();
+    if (strands_.skin_frame() != nullptr) step_.skin = *strands_.skin_frame();
   }
 
   FrameSample frame() override {
@@ -51,6 +52,7 @@ class StrandsSubject : public Subject {
     std::vector<Check> checks = check_chain_step(*input_, step_, seed_);
     StrandFrame frame{strands_.keys(), {}, strands_.order(), timed};
     frame.curves = strands_.curves();
+    frame.skin = strands_.surface();
     drawn_ = frame.order.size();
     StrandCheck found = check_strand_frame(*input_, frame, seed_);
     agreement_ = found.agreement;
@@ -109,7 +111,8 @@ class RibbonsSubject : public Subject {
   }
   Picture read() override { return ribbons_.read(); }
   std::vector<Check> check(const Picture& timed) override {
-    return other_filter_checks(against_reference, compare(timed, reference_strands(*input_, keys_).picture));
+    return other_filter_checks(against_reference,
+                               compare(timed, reference_strands(*input_, keys_, input_->skin).picture));
   }
   void describe(Row& row) override {
     const std::string renderer = opengl_renderer();

@@ -45,7 +45,7 @@ TEST(StrandsDump, HoldsWhatTheDocumentSaysAndNothingElse) {
   scene.strands.fills.resize(2);
   const auto input =
       strands::prepare_strands(scene, std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 9, 6)));
-  const StrandFrame frame = reference_strands(*input, reference_keys(*input, 1));
+  const StrandFrame frame = reference_strands(*input, 1);
   std::string folder = (fs::temp_directory_path() / "pelage-dump-XXXXXX").string();
   ASSERT_TRUE(mkdtemp(folder.data()));
   const fs::path path = fs::path(folder) / "frame.h5";

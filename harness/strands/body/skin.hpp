@@ -18,12 +18,20 @@ struct SkinFrame {
   std::vector<glm::vec3> normal;        ///< normal of the skin, unit vector
 };
 
+/// Returns the normals of a deformed skin at its surface points: at each point, the normalized sum of the
+/// normals of the adjacent triangles, weighted by their areas. `skin` is the skin at rest, and `position` has
+/// the surface points after the deformation. Where the sum is zero, the normal is that at rest.
+std::vector<glm::dvec3> normals_of(const Skin& skin, const std::vector<glm::vec3>& position);
+
 /// Computes the skin at a mesh's surface points from the positions of these points in successive frames.
 class SkinMotion {
  public:
   /// `rest` has the direction at rest of the strand at each surface point of the mesh as it was loaded.
   /// Throws InputError if the number of directions is wrong.
   SkinMotion(const Mesh& mesh, std::vector<glm::vec3> rest);
+  /// The same for strands at some surface points: strand i is at the surface point point[i] and has the
+  /// direction at rest rest[i]. The frames then have one element per strand.
+  SkinMotion(const Mesh& mesh, std::vector<std::uint32_t> point, std::vector<glm::vec3> rest);
 
   /// Returns the skin of the next frame, `duration` seconds after the last frame. `position` has the surface
   /// points (Mesh::weld) in this frame. All calls must have the same duration. Let x0 be a root in this
@@ -39,6 +47,7 @@ class SkinMotion {
 
  private:
   Skin skin_;  ///< of the mesh as it was loaded
+  std::vector<std::uint32_t> point_;
   std::vector<glm::vec3> rest_;
   std::vector<std::vector<glm::vec3>> before_;  ///< positions of the last frame and of the frame before it
 };

@@ -127,6 +127,7 @@ void add_layer(const Mesh& mesh, const Skin& skin, const LayerMaps& maps, const 
   for (std::uint32_t& key : keys.index) key += first_key;
   fur.keys.insert(fur.keys.end(), keys.keys.begin(), keys.keys.end());
   fur.chains.insert(fur.chains.end(), keys.chains.begin(), keys.chains.end());
+  fur.points.insert(fur.points.end(), keys.point.begin(), keys.point.end());
   const std::size_t first = fur.strands.size();
   const Strands values(mesh, maps, coat, seed);
   const auto first_face = std::uint32_t(number * mesh.triangle.size());

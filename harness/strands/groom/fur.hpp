@@ -15,10 +15,11 @@ namespace pelage::strands {
 
 /// The fur of a scene at rest.
 struct Fur {
-  std::vector<KeyStrand> keys;       ///< one per fur layer and surface point (Mesh::weld) that has strands
-  std::vector<Chain> chains;         ///< constants of the key strands' motion, in the order of `keys`
-  std::vector<KeyedStrand> strands;  ///< of all layers, in the order of prefix_order()
-  std::vector<LayerBounds> bounds;   ///< one per fur layer
+  std::vector<KeyStrand> keys;        ///< one per fur layer and surface point (Mesh::weld) that has strands
+  std::vector<Chain> chains;          ///< constants of the key strands' motion, in the order of `keys`
+  std::vector<std::uint32_t> points;  ///< the surface point (Mesh::weld) of each key strand
+  std::vector<KeyedStrand> strands;   ///< of all layers, in the order of prefix_order()
+  std::vector<LayerBounds> bounds;    ///< one per fur layer
   /// One entry per fur layer, for Look::layers. The rank of a layer is its number; layer_ranks() returns the
   /// ranks for a view.
   std::vector<LayerLook> layers;

@@ -16,8 +16,8 @@ constexpr std::uintmax_t most_kept = std::uintmax_t(512) << 20;
 /// soon as `store` returns false.
 template <class Store>
 bool lists(Store&& store, auto& fur) {
-  return store(fur.keys) && store(fur.chains) && store(fur.strands) && store(fur.bounds) &&
-         store(fur.layers) && store(fur.film);
+  return store(fur.keys) && store(fur.chains) && store(fur.points) && store(fur.strands) &&
+         store(fur.bounds) && store(fur.layers) && store(fur.film);
 }
 
 std::optional<Fur> read(const std::filesystem::path& file) {

@@ -6,7 +6,7 @@ namespace pelage::strands {
 
 /// Version of the code that grows fur. The name of every cache file contains it. Increase it whenever a
 /// change of the code changes the fur. tests/strands/groom/fur_cache_test.cpp detects such changes by a hash.
-constexpr int fur_recipe = 2;
+constexpr int fur_recipe = 3;
 
 /// Returns the same fur as grow(). Reads it from the cache if it was grown before for the same mesh, coat and
 /// fur layers, including the content of their pictures. Grows it again if the cache file is damaged. If the

@@ -99,6 +99,7 @@ KeyStrands key_strands(const Mesh& mesh, const Skin& skin, const LayerMaps& maps
     chain.stiffness_first = chain.stiffness_second =
         float(double(layer.stiffness) * point.stiffness / point.copies);
     result.chains.push_back(chain);
+    result.point.push_back(w);
   }
   return result;
 }

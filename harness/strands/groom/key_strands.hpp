@@ -16,6 +16,7 @@ struct KeyStrands {
   std::vector<KeyStrand> keys;
   /// The stiffnesses of a chain are factors here: those of the fur layer and of its map.
   std::vector<Chain> chains;
+  std::vector<std::uint32_t> point;  ///< the surface point (Mesh::weld) at each root
   /// For each surface point (Mesh::weld), the index of its key strand. The value is meaningless for a point
   /// without key strand.
   std::vector<std::uint32_t> index;

@@ -324,6 +324,11 @@ std::vector<glm::vec4> Drawer::opacity_map(const cl::Queue& queue) const {
   return map_ ? map_->texels().read(queue) : std::vector<glm::vec4>();
 }
 
+void Drawer::deform_skin(const cl::Queue& queue, const SkinSurface& skin) {
+  if (!skin_) throw InputError("skin of the strands: the picture has no skin that could deform");
+  skin_->deform(queue, skin);
+}
+
 std::vector<const cl::Program*> Drawer::programs() const {
   std::vector<const cl::Program*> all{&key_program_, &sort_.program(), &lists_.program(), &draw_program_};
   if (map_)

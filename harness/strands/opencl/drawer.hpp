@@ -69,6 +69,9 @@ class Drawer {
   /// picture may show only a part of these strands. Do not call order() between this call and the next call
   /// of enqueue(), because this call overwrites the list.
   std::vector<DrawnStrand> curves(const cl::Queue& queue);
+  /// Replaces the positions and normals of the skin for all later pictures. The picture must have a skin, and
+  /// the skin keeps its vertices and triangles.
+  void deform_skin(const cl::Queue& queue, const SkinSurface& skin);
   /// Number of strands in the tiles' lists of the last picture. A strand counts once per tile.
   std::size_t listed() const { return lists_.listed(); }
   /// Returns the texels of the last opacity map, row by row (OpacityMap::texels()). It is empty if the look

@@ -65,6 +65,14 @@ SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const S
   pixels_ = cl::Buffer<glm::vec4>(device, pixels);
 }
 
+void SkinDrawer::deform(const cl::Queue& queue, const SkinSurface& skin) {
+  if (int(skin.position.size()) != vertices_ || int(skin.normal.size()) != vertices_)
+    throw InputError(fmt::format("skin of the strands: {} positions and {} normals for {} vertices",
+                                 skin.position.size(), skin.normal.size(), vertices_));
+  position_.write(queue, flat(skin.position));
+  normal_.write(queue, flat(skin.normal));
+}
+
 void SkinDrawer::enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
                          cl::PhaseEvents* events) {
   const cl::DeviceInfo& device = queue.device().info();

@@ -23,6 +23,9 @@ class SkinDrawer {
   void enqueue(const cl::Queue& queue, const DrawParams& params, const cl::Buffer<glm::vec4>& map,
                cl::PhaseEvents* events);
 
+  /// Replaces the positions and normals of the vertices. Throws InputError if their number is wrong.
+  void deform(const cl::Queue& queue, const SkinSurface& skin);
+
   /// Returns the pixels, row by row. A pixel has red, green, blue and the view depth in R. The depth is
   /// NO_DEPTH if the pixel has no skin.
   const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }

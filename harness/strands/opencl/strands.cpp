@@ -5,6 +5,7 @@
 #include "harness/cl/mapping_names.hpp"
 #include "harness/error.hpp"
 #include "harness/strands/opencl/chains.hpp"
+#include "harness/strands/scene/skin_frames.hpp"
 
 namespace pelage::strands {
 namespace {
@@ -34,13 +35,29 @@ struct Strands::State {
   std::shared_ptr<const StrandInput> input;
   Chains chains;
   Drawer drawer;
+  std::optional<SkinFrames> skin;  ///< empty if the mesh does not deform
   int frames = 0;
 
   State(const cl::Device& device, std::shared_ptr<const StrandInput> from, const DrawerOptions& options)
       : queue(device),
         input(std::move(from)),
         chains(queue, input->fur.chains, input->dynamics),
-        drawer(queue, drawing_of(*input), input->fur.strands, input->fur.keys.size(), options) {}
+        drawer(queue, drawing_of(*input), input->fur.strands, input->fur.keys.size(), options) {
+    if (input->mesh->frames.empty()) return;
+    skin.emplace(input->scene, input->mesh, input->fur, input->skin);
+    skin->advance();
+  }
+
+  /// Passes the next frame of a mesh that deforms to the device. It is input of the simulation, as the pose
+  /// of an animated character is, so frame() does not time it.
+  void follow_skin() {
+    if (!skin) return;
+    const SkinFrame from = skin->frame();
+    skin->advance();
+    chains.set_skin(queue, from, skin->frame(), input->scene.dynamics.substeps);
+    if (skin->surface()) drawer.deform_skin(queue, *skin->surface());
+    queue.finish();
+  }
 
   void move(cl::PhaseEvents* events) {
     std::vector<cl::Event> launches;
@@ -65,6 +82,7 @@ Strands& Strands::operator=(Strands&&) noexcept = default;
 
 cl::FrameTiming Strands::frame() {
   State& s = *state_;
+  s.follow_skin();
   const cl::FrameTiming timing = cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
     s.move(&events);
     s.draw(&events);
@@ -82,7 +100,10 @@ cl::FrameTiming Strands::still() {
 
 void Strands::advance(int frames) {
   State& s = *state_;
-  for (int i = 0; i < frames; ++i, ++s.frames) s.move(nullptr);
+  for (int i = 0; i < frames; ++i, ++s.frames) {
+    s.follow_skin();
+    s.move(nullptr);
+  }
   s.queue.finish();
 }
 
@@ -97,9 +118,18 @@ std::vector<ChainState> Strands::states() const {
 }
 long Strands::substep() {
   const long index = state_->chains.steps();
+  // The skin of this substep does not move on: the next frame begins where the last one ended.
+  if (const auto& skin = state_->skin)
+    state_->chains.set_skin(state_->queue, skin->frame(), skin->frame(), 1);
   state_->chains.enqueue(state_->queue, 1);
   state_->queue.finish();
   return index;
+}
+const SkinFrame* Strands::skin_frame() const {
+  return state_->skin ? &state_->skin->frame() : nullptr;
+}
+std::shared_ptr<const SkinSurface> Strands::surface() const {
+  return state_->skin ? state_->skin->surface() : state_->input->skin;
 }
 std::vector<KeyStrand> Strands::keys() const {
   return keys_of(state_->drawer.keys().read(state_->queue), state_->input->fur.keys.size());

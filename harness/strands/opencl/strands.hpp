@@ -45,6 +45,10 @@ class Strands {
   std::vector<ChainState> states() const;
   /// Simulates one substep. Returns its index, which is the number of substeps before it.
   long substep();
+  /// The skin at the roots at the end of the last substep if the mesh deforms, else null.
+  const SkinFrame* skin_frame() const;
+  /// The skin in the last picture, or null.
+  std::shared_ptr<const SkinSurface> surface() const;
   /// Returns the key strands of the last picture.
   std::vector<KeyStrand> keys() const;
   /// Returns all strands as the kernels computed them for the last picture. The function overwrites the list

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
@@ -25,6 +26,28 @@ Lengths lengths_of(const Fur& fur) {
     sum += double(s.length);
   }
   return {longest, float(sum / double(fur.strands.size()))};
+}
+
+/// Returns the radius of a sphere around the origin that contains the mesh in all its frames, R.
+float reach_of(const Mesh& mesh) {
+  float reach = 1;
+  for (const std::vector<glm::vec3>& frame : mesh.frames)
+    for (const glm::vec3& p : frame) reach = std::max(reach, glm::length(p));
+  return reach;
+}
+
+/// Throws InputError if the scene has keys that do not agree with the frames of the mesh.
+void check_frames(const Scene& scene) {
+  const MotionScene still, &m = scene.dynamics.motion;
+  if (m.velocity != still.velocity || m.shake != still.shake || m.spin != still.spin ||
+      m.swing != still.swing)
+    throw InputError(
+        "dynamics.motion: the frames of the mesh (mesh.frames) contain the motion, so the object must not "
+        "move; leave out dynamics.motion");
+  if (scene.strands.chain.collision == "body")
+    throw InputError(
+        "strands.chain.collision: \"body\" needs a mesh that does not deform, but mesh.frames is above 1; "
+        "give \"plane\"");
 }
 
 Shadow shadow_named(const std::string& name) {
@@ -80,6 +103,7 @@ ChainDynamics chain_dynamics(const Scene& scene) {
 std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
   if (!mesh || mesh->triangle.empty())
     throw InputError("mesh: no triangles; give a mesh with at least one triangle");
+  if (!mesh->frames.empty()) check_frames(scene);
   auto input = std::make_shared<StrandInput>();
   input->scene = scene;
   const CoatTexture coat = kept_coat(*mesh, scene.coat);
@@ -93,8 +117,10 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   input->look.film = input->fur.film;
   const auto [length, mean_length] = lengths_of(input->fur);
   input->look.shadow = {shadow_named(scene.strands.shadow), scene.strands.shadow_size, mean_length,
-                        1 + length};
+                        reach_of(*mesh) + length};
   std::vector<glm::vec3> extent(mesh->position.begin(), mesh->position.end());
+  for (const std::vector<glm::vec3>& frame : mesh->frames)
+    extent.insert(extent.end(), frame.begin(), frame.end());
   for (const KeyStrand& key : input->fur.keys) extent.push_back(key.root + length * key.rest);
   input->camera = make_camera(scene.camera, scene.image, extent, 0);
   input->look.layers = input->fur.layers;
@@ -106,7 +132,7 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   }
   const std::vector<std::uint8_t> ranks = layer_ranks(input->fur.bounds, input->camera, biases, offsets);
   for (std::size_t i = 0; i < ranks.size(); ++i) input->look.layers[i].rank = ranks[i];
-  input->range = depth_range(input->camera, 1 + length);
+  input->range = depth_range(input->camera, reach_of(*mesh) + length);
   input->look.width_factor = overlap_factor(input->camera, input->look, spread_of(input->fur.strands, *mesh));
   if (scene.strands.subdivision == "screen")
     input->look.segments = segments_on_screen(input->camera, input->range, length, scene.strands.segments);

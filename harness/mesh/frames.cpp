@@ -1,0 +1,208 @@
+#include "harness/mesh/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <unordered_map>
+
+#include "harness/error.hpp"
+#include "harness/hash.hpp"
+#include "harness/isolated/isolated.hpp"
+#include "harness/mesh/disk_cache.hpp"
+#include "harness/mesh/finish.hpp"
+#include "harness/mesh/soup.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A surface point and the point of the file from which it comes are nearer than this distance, R. The
+// positions of a Mesh are rounded to single precision.
+constexpr double near = 1e-5;
+// Two points of the file that coincide in the first frame may part by this distance in a later frame, R.
+constexpr double together = 1e-4;
+constexpr std::uint64_t most_bytes = std::uint64_t(4) << 30;  ///< limit of the memory for all positions
+
+/// The points of a mesh file.
+struct Points {
+  std::vector<glm::dvec3> position;
+  std::vector<std::uint8_t> used;  ///< 1: a face has this point
+  std::string faces;               ///< hash of the faces
+};
+
+constexpr std::string_view title = "pelage mesh frame\n";
+
+Points read_points(const fs::path& file) {
+  const auto read = [&](const Say&) {
+    const Soup soup = read_soup(file, false);
+    std::vector<std::uint8_t> used(soup.point.size(), 0);
+    Hash hash;
+    for (const auto& polygon : soup.polygon) {
+      hash.values(polygon);
+      for (const std::uint32_t i : polygon) used[i] = 1;
+    }
+    Writer to;
+    to.list(soup.point);
+    to.list(used);
+    to.text(hash.hex());
+    return to.sealed(title);
+  };
+  std::error_code none;
+  const std::uint64_t bytes = fs::is_regular_file(file, none) ? fs::file_size(file, none) : 0;
+  const Limits limits{(std::uint64_t(4) << 30) + 400 * bytes, std::chrono::seconds(60 + 10 * (bytes >> 20))};
+  const std::string sealed = isolated(file.string(), limits, read, {});
+  const auto content = unsealed(sealed, title);
+  Points points;
+  Reader from(content.value_or(""));
+  if (!from.list(points.position) || !from.list(points.used) || !from.text(points.faces))
+    throw std::runtime_error(fmt::format("{}: the reading process returned damaged data", file.string()));
+  return points;
+}
+
+/// An axis-aligned box.
+struct Box {
+  glm::dvec3 low{std::numeric_limits<double>::max()}, high{-std::numeric_limits<double>::max()};
+  void add(glm::dvec3 p) { low = glm::min(low, p), high = glm::max(high, p); }
+};
+
+/// Finds points by their position.
+class Cells {
+ public:
+  explicit Cells(double side) : side_(side) {}
+  void add(glm::dvec3 p, std::uint32_t number) { numbers_[key(cell(p))].push_back(number); }
+  /// Calls `visit` for the points in the cell of p and in its neighbours, at least for those that are nearer
+  /// to p than one side.
+  template <class Visit>
+  void around(glm::dvec3 p, const Visit& visit) const {
+    const glm::dvec3 own = cell(p);
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z)
+          if (const auto found = numbers_.find(key(own + glm::dvec3(x, y, z))); found != numbers_.end())
+            for (const std::uint32_t number : found->second) visit(number);
+  }
+
+ private:
+  glm::dvec3 cell(glm::dvec3 p) const { return glm::floor(p / side_); }
+  static std::uint64_t key(glm::dvec3 cell) { return Hash().bytes(&cell, sizeof cell).value(); }
+  double side_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;
+};
+
+/// How the preparation of the first file placed its points: the surface point is `turn` ((p - shift) / R),
+/// where R is `radius`.
+struct Placement {
+  glm::dmat3 turn{1};
+  glm::dvec3 shift{0};
+  double radius = 1;
+  glm::dvec3 operator()(glm::dvec3 p) const { return turn * ((p - shift) / radius); }
+};
+
+Placement placement_of(const Mesh& mesh, const Points& first, glm::dvec3 rotation) {
+  Placement place;
+  place.turn = rotation_matrix(rotation);
+  Box file, prepared;
+  for (std::size_t i = 0; i < first.position.size(); ++i)
+    if (first.used[i]) file.add(first.position[i]);
+  for (const glm::vec3& p : mesh.position) prepared.add(glm::transpose(place.turn) * glm::dvec3(p));
+  place.radius = glm::length(file.high - file.low) / glm::length(prepared.high - prepared.low);
+  place.shift = 0.5 * ((file.low + file.high) - place.radius * (prepared.low + prepared.high));
+  return place;
+}
+
+/// The points of the file that belong to a surface point: the nearest one, and the others that coincide with
+/// it.
+struct Source {
+  std::uint32_t nearest = 0;
+  std::vector<std::uint32_t> others;
+};
+
+std::vector<Source> sources_of(const Mesh& mesh, const Points& first, const Placement& place,
+                               const fs::path& file) {
+  Cells cells(near);
+  for (std::uint32_t i = 0; i < first.position.size(); ++i)
+    if (first.used[i]) cells.add(place(first.position[i]), i);
+  std::vector<Source> sources(mesh.welded);
+  std::vector<glm::dvec3> position(mesh.welded);
+  for (std::size_t v = 0; v < mesh.position.size(); ++v) position[mesh.weld[v]] = mesh.position[v];
+  for (std::uint32_t w = 0; w < mesh.welded; ++w) {
+    double least = near;
+    bool found = false;
+    Source& source = sources[w];
+    cells.around(position[w], [&](std::uint32_t i) {
+      const double distance = glm::distance(place(first.position[i]), position[w]);
+      if (distance >= near) return;
+      source.others.push_back(i);
+      if (distance < least || !found) source.nearest = i, least = distance;
+      found = true;
+    });
+    if (!found)
+      throw InputError(
+          fmt::format("mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its "
+                      "frames cannot be matched; give a mesh without holes, isolated points and parts that "
+                      "are dropped (`pelage mesh` lists the changes)",
+                      file.string()));
+    std::erase(source.others, source.nearest);
+  }
+  return sources;
+}
+
+}  // namespace
+
+fs::path frame_file(const fs::path& first, int frame) {
+  const std::string stem = first.stem().string();
+  const std::size_t last = stem.find_last_of("0123456789");
+  if (last == std::string::npos)
+    throw InputError(
+        fmt::format("mesh.frames: {}: the name of the first frame's file needs a number that counts up, such "
+                    "as walk-0000.obj",
+                    first.string()));
+  const std::size_t before = stem.find_last_not_of("0123456789", last);
+  const std::size_t begin = std::max(before == std::string::npos ? 0 : before + 1, last > 8 ? last - 8 : 0);
+  const std::string digits = stem.substr(begin, last + 1 - begin);
+  const std::string number = fmt::format("{:0{}}", std::stol(digits) + frame, digits.size());
+  return first.parent_path() /
+         (stem.substr(0, begin) + number + stem.substr(last + 1) + first.extension().string());
+}
+
+std::vector<std::vector<glm::vec3>> read_mesh_frames(const Mesh& mesh, const fs::path& first, int count,
+                                                     glm::dvec3 rotation) {
+  if (std::uint64_t(count) * mesh.welded * sizeof(glm::vec3) > most_bytes)
+    throw InputError(
+        fmt::format("mesh.frames: {} frames of {} points; all frames together may have at most {} "
+                    "points",
+                    count, mesh.welded, most_bytes / sizeof(glm::vec3)));
+  const Points rest = read_points(first);
+  const Placement place = placement_of(mesh, rest, rotation);
+  const std::vector<Source> sources = sources_of(mesh, rest, place, first);
+  std::vector<std::vector<glm::vec3>> frames(static_cast<std::size_t>(count));
+  for (int frame = 0; frame < count; ++frame) {
+    const fs::path file = frame_file(first, frame);
+    const Points points = frame == 0 ? rest : read_points(file);
+    if (points.position.size() != rest.position.size() || points.faces != rest.faces)
+      throw InputError(
+          fmt::format("mesh.frames: {}: the points or faces are not those of {}; all frames need the same "
+                      "points and faces in the same order",
+                      file.string(), first.string()));
+    std::vector<glm::vec3>& position = frames[std::size_t(frame)];
+    for (const Source& source : sources) {
+      const glm::dvec3 here = place(points.position[source.nearest]);
+      for (const std::uint32_t other : source.others)
+        if (const glm::dvec3 there = place(points.position[other]); glm::distance(here, there) > together)
+          throw InputError(fmt::format(
+              "mesh.frames: {}: the points {} and {} coincide in the first frame and part here; "
+              "give them different positions in the first frame",
+              file.string(), std::min(source.nearest, other) + 1, std::max(source.nearest, other) + 1));
+      position.emplace_back(here);
+    }
+  }
+  return frames;
+}
+
+}  // namespace pelage

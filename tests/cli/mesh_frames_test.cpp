@@ -1,0 +1,111 @@
+// Tests strands on a mesh that moves and deforms (scene key mesh.frames).
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "harness/compare/metrics.hpp"
+#include "harness/picture/image_io.hpp"
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+/// Returns a sphere without poles as an OBJ file: a tube of 24 x 12 quads whose ends are closed. `lift` moves
+/// each point upwards by lift * x^2.
+std::string body(double lift) {
+  constexpr int around = 24, along = 12;
+  std::string text;
+  for (int i = 0; i <= along; ++i)
+    for (int j = 0; j < around; ++j) {
+      const double v = std::numbers::pi * (0.05 + 0.9 * i / along), u = 2 * std::numbers::pi * j / around;
+      const double x = std::sin(v) * std::cos(u), y = std::cos(v), z = std::sin(v) * std::sin(u);
+      text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", x, y + lift * x * x, z);
+    }
+  const auto point = [&](int i, int j) { return i * around + j % around + 1; };
+  for (int i = 0; i < along; ++i)
+    for (int j = 0; j < around; ++j)
+      text +=
+          fmt::format("f {} {} {} {}\n", point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j));
+  std::string top = "f", bottom = "f";
+  for (int j = 0; j < around; ++j) {
+    top += fmt::format(" {}", point(0, around - 1 - j));
+    bottom += fmt::format(" {}", point(along, j));
+  }
+  return text + top + "\n" + bottom + "\n";
+}
+
+/// Writes six frames, and a scene of strands that shows them.
+void write_frames(const Folder& folder) {
+  for (int frame = 0; frame < 6; ++frame)
+    folder.write(fmt::format("body-{}.obj", frame + 7), body(0.06 * frame));
+  folder.write("scene.toml",
+               "model = \"body-7.obj\"\nmesh.frames = 6\ndynamics.topology = \"chains\"\nimage.width = "
+               "240\nimage.height = 180\nstrands.layer = [{ count = 4000, length = 0.15 }, { count = 2000, "
+               "length = 0.3, lean = 60.0 }]\n");
+}
+
+Picture drawn(const Folder& folder, const std::string& options) {
+  const Outcome outcome = pelage(folder, "render scene.toml -o a.exr " + options);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return read_picture(folder.path() / "a.exr");
+}
+
+TEST(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
+  const Folder folder;
+  write_frames(folder);
+  const Picture rest = drawn(folder, "--pipeline strands --set mesh.frames=1 --set dynamics.time=0.08");
+  // After 0.08 s, the skin still moves; after 0.5 s, it has had the shape of the last frame for some time.
+  for (const char* time : {"0.08", "0.5"}) {
+    const std::string options = fmt::format("--set dynamics.time={} --pipeline strands", time);
+    const Picture device = drawn(folder, options), reference = drawn(folder, options + "-reference");
+    const Agreement found = compare(device, reference);
+    EXPECT_TRUE(within(found)) << time << " s: " << found.psnr << " dB, " << found.flips << " flips";
+    EXPECT_LT(compare(device, rest).psnr, 35);
+  }
+  const Picture held = drawn(folder, "--pipeline strands --set dynamics.time=0.5");
+  const Picture repeated =
+      drawn(folder, "--pipeline strands --set dynamics.time=0.5 --set mesh.after_frames=repeat");
+  EXPECT_LT(compare(held, repeated).psnr, 35);
+}
+
+TEST(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
+  const Folder folder;
+  write_frames(folder);
+  folder.write("mine.toml",
+               "name = \"mine\"\n[axes]\nmodel = [\"body-7.obj\"]\nvariant = [\"strands\"]\n[scene]\nfile = "
+               "\"scene.toml\"\n[variant.strands]\npipeline = \"strands\"\n[preset.quick]\nwarm_up_s = "
+               "0.0\nleast = 9\nmost = 9\nprecision = 0.02\nlimit_s = 20.0\n");
+  const Outcome run = pelage(folder, "run mine.toml -o rows");
+  ASSERT_EQ(run.code, 0) << run.err << run.out;
+  EXPECT_EQ(pelage(folder, "run mine.toml --resume rows").code, 0);
+  folder.write("body-12.obj", body(0.5));
+  const Outcome again = pelage(folder, "run mine.toml --resume rows");
+  EXPECT_EQ(again.code, 2) << again.out;
+  EXPECT_NE(again.err.find("mesh"), std::string::npos) << again.err;
+}
+
+TEST(MeshFrames, ContradictionsAreRefused) {
+  const Folder folder;
+  write_frames(folder);
+  const auto refusal = [&](const std::string& options) {
+    const Outcome outcome = pelage(folder, "render scene.toml -o a.png " + options);
+    EXPECT_EQ(outcome.code, 2) << options;
+    return outcome.err;
+  };
+  const std::string strands = "--pipeline strands ";
+  EXPECT_NE(refusal("--set dynamics.topology=silva").find("only pipelines that draw strands"),
+            std::string::npos);
+  EXPECT_NE(refusal(strands + "--set mesh.frames=7").find("body-13.obj"), std::string::npos);
+  EXPECT_NE(refusal(strands + "--model torus").find("is no mesh file"), std::string::npos);
+  EXPECT_NE(refusal(strands + "--set dynamics.motion.velocity=[1,0,0]").find("must not move"),
+            std::string::npos);
+  EXPECT_NE(refusal(strands + "--set strands.chain.collision=body").find("does not deform"),
+            std::string::npos);
+  EXPECT_NE(refusal("--pipeline strands-raycast").find("at rest"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage::cli

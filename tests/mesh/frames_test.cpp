@@ -1,0 +1,132 @@
+// Tests the frames of a mesh that moves and deforms.
+#include "harness/mesh/frames.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "harness/error.hpp"
+#include "harness/mesh/finish.hpp"
+#include "tests/mesh/temp_folder.hpp"
+
+namespace pelage {
+namespace {
+
+using Move = std::function<glm::dvec3(glm::dvec3)>;
+
+constexpr int around = 24, along = 12;
+
+/// The point (i, j) of a torus that is not at the origin and has no unit size.
+glm::dvec3 torus_point(int i, int j) {
+  const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / along;
+  const double radius = 7 + 2 * std::cos(v);
+  return glm::dvec3(radius * std::cos(u), 2 * std::sin(v), radius * std::sin(u)) + glm::dvec3(30, -5, 11);
+}
+
+/// Returns the torus as an OBJ file, with each point moved. `faces`: number of faces, from the first one on.
+std::string torus(const Move& move, int faces = 2 * around * along) {
+  std::string text;
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < along; ++j) {
+      const glm::dvec3 p = move(torus_point(i, j));
+      text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
+    }
+  for (int f = 0; f < faces; ++f) {
+    const int i = f / 2 / along, j = f / 2 % along, right = (i + 1) % around, up = (j + 1) % along;
+    const int a = i * along + j, b = right * along + j, c = right * along + up, d = i * along + up;
+    text += f % 2 == 0 ? fmt::format("f {} {} {}\n", a + 1, c + 1, b + 1)
+                       : fmt::format("f {} {} {}\n", a + 1, d + 1, c + 1);
+  }
+  return text;
+}
+
+glm::dvec3 bent(glm::dvec3 p, int frame) {
+  return p + glm::dvec3(0.3 * frame, 0.1 * frame * std::sin(p.x), 0);
+}
+
+std::string refusal(const TempFolder& folder, const std::string& first, int count) {
+  try {
+    read_mesh_frames(*load_model((folder.path() / first).string(), fresh()), folder.path() / first, count,
+                     glm::dvec3(0));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEST(MeshFrames, FilesCountUp) {
+  EXPECT_EQ(frame_file("walk/a-0009.obj", 0), "walk/a-0009.obj");
+  EXPECT_EQ(frame_file("walk/a-0009.obj", 1), "walk/a-0010.obj");
+  EXPECT_EQ(frame_file("walk2/a9.final.ply", 2), "walk2/a11.final.ply");
+  EXPECT_EQ(frame_file("99.off", 1), "100.off");
+  EXPECT_EQ(frame_file("20261125123456789.off", 1), "20261125123456790.off");
+  EXPECT_THROW(frame_file("walk3/a.obj", 1), InputError);
+}
+
+TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
+  const TempFolder folder;
+  for (int frame = 0; frame < 3; ++frame)
+    folder.write(fmt::format("ring{}.obj", frame), torus([&](glm::dvec3 p) { return bent(p, frame); }));
+  MeshOptions options = fresh();
+  options.rotate = {20, 40, -70};
+  const auto mesh = load_model((folder.path() / "ring0.obj").string(), options);
+  const auto frames = read_mesh_frames(*mesh, folder.path() / "ring0.obj", 3, glm::dvec3(options.rotate));
+  ASSERT_EQ(frames.size(), 3u);
+  std::vector<glm::vec3> rest(mesh->welded);
+  for (std::size_t v = 0; v < mesh->position.size(); ++v) rest[mesh->weld[v]] = mesh->position[v];
+  // The centre and the radius of the torus give the point of the file that a surface point was.
+  const glm::dmat3 back = glm::transpose(rotation_matrix(glm::dvec3(options.rotate)));
+  for (std::size_t w = 0; w < rest.size(); ++w) {
+    EXPECT_LT(glm::distance(frames[0][w], rest[w]), 1e-6f);
+    const glm::dvec3 file = 9.0 * (back * glm::dvec3(rest[w])) + glm::dvec3(30, -5, 11);
+    for (const int frame : {1, 2}) {
+      const glm::dvec3 moved = back * glm::dvec3(frames[std::size_t(frame)][w] - frames[0][w]);
+      EXPECT_LT(glm::distance(9.0 * moved, bent(file, frame) - file), 1e-3) << w;
+    }
+  }
+}
+
+TEST(MeshFrames, ThatDoNotMatchAreRefused) {
+  const Move still = [](glm::dvec3 p) { return p; };
+  const TempFolder folder;
+  folder.write("a1.obj", torus(still));
+  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos) << refusal(folder, "a1.obj", 2);
+  folder.write("a2.obj", torus(still, 2 * around * along - 1));
+  EXPECT_NE(refusal(folder, "a1.obj", 2).find("the points or faces are not those of"), std::string::npos);
+  folder.write("a2.obj", "no mesh");
+  EXPECT_NE(refusal(folder, "a1.obj", 2).find("a2.obj"), std::string::npos);
+
+  // Two tori of the same points, of which only one moves.
+  const std::string text = torus(still);
+  const auto twice = [&](const Move& move) {
+    std::string both = text.substr(0, text.find('f')) + torus(move).substr(0, torus(move).find('f'));
+    both += text.substr(text.find('f'));
+    return both + fmt::format("f {0} {2} {1}\n", around * along + 1, around * along + 2, 1);
+  };
+  folder.write("b1.obj", twice(still));
+  folder.write("b2.obj", twice([](glm::dvec3 p) { return p + glm::dvec3(0, 1, 0); }));
+  EXPECT_NE(refusal(folder, "b1.obj", 2).find("coincide in the first frame and part here"), std::string::npos)
+      << refusal(folder, "b1.obj", 2);
+}
+
+// Small holes are filled, and the points of the faces that fill them come from the file. A part that the
+// preparation drops makes the box of the file larger than that of the mesh.
+TEST(MeshFrames, PartsThatThePreparationDropsAreRefused) {
+  const TempFolder folder;
+  const auto with_speck = [](const std::string& text) {
+    const std::size_t faces = text.find('f');
+    const int points = around * along;
+    return text.substr(0, faces) + "v 60 60 60\nv 60 60.1 60\nv 60.1 60 60\n" + text.substr(faces) +
+           fmt::format("f {} {} {}\n", points + 1, points + 2, points + 3);
+  };
+  for (const int frame : {1, 2})
+    folder.write(fmt::format("c{}.obj", frame), with_speck(torus([](glm::dvec3 p) { return p; })));
+  EXPECT_NE(refusal(folder, "c1.obj", 2).find("the preparation of this mesh moved"), std::string::npos)
+      << refusal(folder, "c1.obj", 2);
+}
+
+}  // namespace
+}  // namespace pelage
