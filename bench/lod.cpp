@@ -1,18 +1,19 @@
-// pelage-bench-lod: measures the level of detail of pictures of strands (docs/strands.md, section Level of
-// detail).
+// pelage-bench-lod: measures the level of detail of pictures of strands (docs/level-of-detail.md).
 //
 // 1. The change of the mean coverage of the picture with 50, 25 and 10% of the strands, relative to all
 //    strands, at the distance at which the dolly has this fraction, and at the distance 1, where the object
 //    fills the picture. The times of these pictures.
 // 2. The mean coverage for 1 to 7 segments per strand.
 // 3. A dolly of 120 frames in which the camera moves away, and the fraction of the strands falls from 100% to
-//    10%. Let e be a picture minus the reference: the picture of all strands with 4 x 4 times as many pixels,
-//    of which each 4 x 4 pixels are averaged. Popping is the root mean square of e[t + 1] - e[t], for red,
-//    green and blue. The program compares the clip with the same clip of all strands. It prints the popping
-//    of the whole clip and of each quarter.
+//    10%, because the drawn strands keep the width LEAST (scene key strands.least_width). Let e be a picture
+//    minus the reference: the picture of all strands with 4 x 4 times as many pixels, of which each 4 x 4
+//    pixels are averaged. Popping is the root mean square of e[t + 1] - e[t], for red, green and blue. The
+//    program compares the clip with the same clip of all strands. It prints the popping of the whole clip and
+//    of each quarter.
 //
-// Usage: pelage-bench-lod [MODEL [STRANDS [WIDTHxHEIGHT [LAW [PICTURES]]]]]. The fraction is (first distance
-// / distance)^LAW. PICTURES is a prefix of names of PNG files: the first, middle and last frame of the clip.
+// Usage: pelage-bench-lod [MODEL [STRANDS [WIDTHxHEIGHT [LEAST [PICTURES]]]]]. LEAST is in pixels. The dolly
+// begins at the distance at which the mean width of all strands is LEAST, and ends ten times as far away.
+// PICTURES is a prefix of names of PNG files: the first, middle and last frame of the clip.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -41,7 +42,7 @@ struct Options {
   std::string model;
   std::size_t strands = 0;
   int width = 0, height = 0;
-  double law = 1;
+  double least = 0.125;
   std::string pictures;
 };
 
@@ -116,6 +117,14 @@ class Views {
     return drawer_->read(queue_);
   }
   Picture draw(double distance, float fraction) { return draw(at(distance, fraction)); }
+  /// Returns the distance at which the mean width of all strands is `pixels` pixels.
+  double distance_of_width(double pixels) const {
+    return double(spread_.width) / (double(framed_.pixel) * double(framed_.row_w.w) * pixels);
+  }
+  /// Returns the part of the strands that the scene key strands.least_width leaves at a distance.
+  float fraction(double distance, double least) const {
+    return strands::fraction_on_screen(at(distance, 1).camera, spread_, float(least));
+  }
   bench::Time time(double distance, float fraction) {
     drawer_->set_view(at(distance, fraction));
     bench::Time least{1e30, 1e30};
@@ -141,12 +150,12 @@ class Views {
 void dolly(Views& views, Views& fine, const Options& a) {
   std::array<double, 4> pruned{}, all{};  // sums of squares per quarter of the clip
   std::vector<glm::vec4> pruned_before, all_before;
-  const double furthest = std::pow(10, 1 / a.law);
+  const double nearest = views.distance_of_width(a.least);
   for (int t = 0; t < frames; ++t) {
-    const double distance = std::pow(furthest, double(t) / (frames - 1));
-    const auto fraction = float(std::pow(distance, -a.law));
+    const double distance = nearest * std::pow(10, double(t) / (frames - 1));
+    const float fraction = views.fraction(distance, a.least);
     const Picture reference = averaged(fine.draw(distance, 1));
-    const Picture picture = views.draw(distance, std::min(fraction, 1.0f));
+    const Picture picture = views.draw(distance, fraction);
     const std::vector<glm::vec4> e = difference(picture, reference),
                                  e_all = difference(views.draw(distance, 1), reference);
     if (t > 0) {
@@ -185,10 +194,10 @@ int run(const Options& a) {
   const cl::Device device = cl::choose_device("");
   const cl::Queue queue(device);
   Views views(queue, a, *mesh, fur, reach, 1), fine(queue, a, *mesh, fur, reach, finer);
-  fmt::print("{}, {} strands, {}x{}, fraction = distance^-{}\n", a.model, a.strands, a.width, a.height,
-             a.law);
+  fmt::print("{}, {} strands, {}x{}, least width {} pixels\n", a.model, a.strands, a.width, a.height,
+             a.least);
   for (const float fraction : {1.0f, 0.5f, 0.25f, 0.1f}) {
-    const double far = std::pow(double(fraction), -1 / a.law);
+    const double far = views.distance_of_width(a.least) / double(fraction);
     const auto change = [&](double distance) {
       return 100 *
              (mean_coverage(views.draw(distance, fraction)) / mean_coverage(views.draw(distance, 1)) - 1);
@@ -216,10 +225,10 @@ int main(int argc, char** argv) {
   return bench::exit_code("pelage-bench-lod", argc, argv, [](bench::Arguments a) {
     Options o;
     const long strands = std::atol(a.at(2, "100000").c_str());
-    o.law = std::atof(a.at(4, "1").c_str());
+    o.least = std::atof(a.at(4, "0.125").c_str());
     if (std::sscanf(a.at(3, "320x240").c_str(), "%5dx%5d", &o.width, &o.height) != 2 || a.count > 6 ||
-        strands < 1 || strands > 4'000'000 || !(o.law > 0))
-      return bench::wrong_usage("pelage-bench-lod [MODEL [STRANDS [WIDTHxHEIGHT [LAW [PICTURES]]]]]");
+        strands < 1 || strands > 4'000'000 || !(o.least > 0))
+      return bench::wrong_usage("pelage-bench-lod [MODEL [STRANDS [WIDTHxHEIGHT [LEAST [PICTURES]]]]]");
     o.model = a.at(1, "bunny");
     o.strands = std::size_t(strands);
     o.pictures = a.at(5, "");

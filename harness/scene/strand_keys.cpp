@@ -17,6 +17,7 @@ std::vector<Key> strand_keys(StrandsScene& s) {
       {"strands.segments", &s.segments, "", 1, 7, "greatest number of straight segments that a drawn strand is divided into"},
       {.name = "strands.subdivision", .slot = &s.subdivision, .help = "number of segments of a drawn strand: \"fixed\" is strands.segments; \"screen\" is as many as the length of the strands on the screen needs, at most strands.segments", .choices = {"fixed", "screen"}},
       {"strands.fraction", &s.fraction, "", 0.001, 1, "part of the strands that is drawn; below 1, the drawn strands are wider, so that the fur covers the same area"},
+      {"strands.least_width", &s.least_width, "pixels", 0, 10, "mean width at the roots, at the distance of the object's centre, below which strands.fraction is lowered: fewer and wider strands are drawn; with 0.125, the change is hardly visible; 0: strands.fraction is kept"},
       {"strands.taper", &s.taper, "of the width", 0, 1, "part of the width that a strand loses from root to tip"},
       {"strands.opacity", &s.opacity, "", 0, 1, "alpha of a strand at its root; it falls to 0 at the tip"},
       {"strands.bands", &s.bands, "", 1, 2, "highest degree l of the spherical harmonics to which the fill lights are projected"},

@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t fading_part = 8;  // at most this part (1 / 8) of the drawn strands fades
 constexpr double farthest = 0.25;       // greatest distance between the curve and its segments, pixels
 constexpr int least_segments = 3;
+constexpr float least_fraction = 0.001f;
 
 // Constants of overlap_factor(), fitted to pictures of bunny, horse and torus (docs/strands.md).
 constexpr double overlap = 0.55, overlap_range = 1.5, pixel_blur = 1.2;
@@ -20,6 +21,11 @@ constexpr double overlap = 0.55, overlap_range = 1.5, pixel_blur = 1.2;
 double missing_overlap(double count, double width, double area, double pixel) {
   const double spacing = std::sqrt(area / count), blurred = std::hypot(width, pixel_blur * pixel);
   return overlap * width / blurred * (1 - std::exp(-overlap_range * blurred / spacing));
+}
+
+/// Returns the side of a pixel at the view depth of the object's origin, R.
+double pixel_at_origin(const Camera& camera) {
+  return double(camera.pixel) * std::max(double(camera.row_w.w), double(camera.near));
 }
 
 }  // namespace
@@ -44,14 +50,18 @@ Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh) {
 
 float overlap_factor(const Camera& camera, const Look& look, const Spread& spread) {
   if (!(look.fraction < 1) || spread.strands == 0) return 1;
-  const double depth = std::max(double(camera.row_w.w), double(camera.near));  // of the object's origin
-  const double pixel = double(camera.pixel) * depth,
-               width = double(spread.width) * (1 - double(look.taper) / 2);
+  const double pixel = pixel_at_origin(camera), width = double(spread.width) * (1 - double(look.taper) / 2);
   const auto missing = [&](double fraction) {
     return 1 + double(look.opacity) * missing_overlap(fraction * double(spread.strands), width / fraction,
                                                       double(spread.area), pixel);
   };
   return float(missing(1) / missing(double(look.fraction)));
+}
+
+float fraction_on_screen(const Camera& camera, const Spread& spread, float least_width) {
+  if (!(least_width > 0)) return 1;
+  const double pixels = double(spread.width) / pixel_at_origin(camera);
+  return std::clamp(float(pixels / double(least_width)), least_fraction, 1.0f);
 }
 
 int segments_on_screen(const Camera& camera, const DepthRange& range, float length, int most) {

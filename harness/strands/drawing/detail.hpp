@@ -1,4 +1,4 @@
-// Level of detail of pictures of strands (docs/strands.md, section Level of detail): the strands that are
+// Level of detail of pictures of strands (docs/level-of-detail.md): the strands that are
 // drawn, and the number of segments of a strand.
 #pragma once
 #include <cstddef>
@@ -34,10 +34,15 @@ struct Spread {
 Spread spread_of(const std::vector<KeyedStrand>& strands, const Mesh& mesh);
 
 /// Returns the factor of all widths with which a picture of a part of the strands has nearly the same mean
-/// coverage as a picture of all strands (docs/strands.md, section Level of detail): 1 if look.fraction is 1,
+/// coverage as a picture of all strands (docs/level-of-detail.md): 1 if look.fraction is 1,
 /// otherwise less, because the roots are blue noise, so that few wide strands overlap less than many thin
 /// strands. The function does not use look.width_factor.
 float overlap_factor(const Camera& camera, const Look& look, const Spread& spread);
+
+/// Returns the part of the strands that is drawn if their mean width at the roots must be at least
+/// `least_width` pixels at the view depth of the object's origin: the mean width in pixels divided by
+/// `least_width`, but at least 0.001 and at most 1. If `least_width` is 0, the result is 1.
+float fraction_on_screen(const Camera& camera, const Spread& spread, float least_width);
 
 /// Returns a number of segments, at most `most`, for strands of the length `length` (R) whose view depth is
 /// at least range.nearest. If such a strand lies parallel to the picture, and if its two segments are equally

@@ -1,5 +1,4 @@
-// The order of strands in memory. A picture of a part of the strands draws the first ones (docs/strands.md,
-// section Level of detail).
+// The order of strands in memory. A picture of a part of the strands draws the first ones (docs/level-of-detail.md).
 #pragma once
 #include <cstdint>
 #include <span>

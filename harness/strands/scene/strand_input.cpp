@@ -133,7 +133,9 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   const std::vector<std::uint8_t> ranks = layer_ranks(input->fur.bounds, input->camera, biases, offsets);
   for (std::size_t i = 0; i < ranks.size(); ++i) input->look.layers[i].rank = ranks[i];
   input->range = depth_range(input->camera, reach_of(*mesh) + length);
-  input->look.width_factor = overlap_factor(input->camera, input->look, spread_of(input->fur.strands, *mesh));
+  const Spread spread = spread_of(input->fur.strands, *mesh);
+  input->look.fraction *= fraction_on_screen(input->camera, spread, scene.strands.least_width);
+  input->look.width_factor = overlap_factor(input->camera, input->look, spread);
   if (scene.strands.subdivision == "screen")
     input->look.segments = segments_on_screen(input->camera, input->range, length, scene.strands.segments);
   input->mesh = std::move(mesh);

@@ -1,5 +1,4 @@
-// Tests that pictures of a part of the strands have the coverage of pictures of all strands (docs/strands.md,
-// section Level of detail).
+// Tests that pictures of a part of the strands have the coverage of pictures of all strands (docs/level-of-detail.md).
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Tests the level of detail of pictures of strands (docs/strands.md, section Level of detail).
+// Tests the level of detail of pictures of strands (docs/level-of-detail.md).
 #include "harness/strands/drawing/detail.hpp"
 
 #include <gtest/gtest.h>
@@ -163,6 +163,22 @@ TEST(StrandDetail, CoverageIsKept) {
     drawer.set_view(view_of(fraction, {0, 0, distance}));
     EXPECT_NEAR(mean_coverage(picture_of(drawer)), all, 0.01 * all) << fraction;
   }
+}
+
+TEST(StrandDetail, FewerStrandsAreDrawnWhereTheyWouldBeThin) {
+  const Spread spread{1000, 0.01f, 4.0f};
+  const auto fraction = [&](float distance, float least) {
+    return fraction_on_screen(view_of(1, {0, 0, distance}).camera, spread, least);
+  };
+  const double pixel = double(view_of(1, {0, 0, 5}).camera.pixel);
+  EXPECT_EQ(fraction(50, 0), 1.0f);
+  EXPECT_EQ(fraction(1e6f, 1), 0.001f);
+  // At the distance 20 the strands are `pixels` wide.
+  const auto pixels = float(0.01 / (20 * pixel));
+  EXPECT_NEAR(fraction(20, pixels), 1, 1e-5);
+  EXPECT_EQ(fraction(10, pixels), 1.0f);
+  EXPECT_NEAR(fraction(40, pixels), 0.5, 1e-5);
+  EXPECT_NEAR(fraction(200, pixels), 0.1, 1e-5);
 }
 
 TEST(StrandDetail, SegmentsFollowTheSizeOnTheScreen) {
