@@ -84,6 +84,7 @@ std::optional<FrameWork> strand_work_of(const cl::Device& device, const Scene& s
   }
   StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
   frame.curves = strands.curves();
+  frame.skin = strands.surface();
   if (!all_hold(which, check_strand_frame(*input, frame, 1).checks)) return {};
   return FrameWork{
       which.name, double(input->mesh->triangle.size()), median(wall), 0, 0, 0, kernels_of(timings, {})};
