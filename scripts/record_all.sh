@@ -50,21 +50,24 @@ record substeps topology-solvers --axis dynamics.substeps=16 --filter \
   '^(bunny|elephant)-.*(sticks|prisms)(-16)?$|^(bunny|elephant)-(.*sticks|separable.*)-16-backward_euler'
 record springs banisch2006-{work-precision,longest-step,energy,mesh-size,lean}
 record studies topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling}
-record strands shells-vs-strands demoreuille2011-{lod,scaling}
+record strands shells-vs-strands demoreuille2011-{lod,scaling} --repeat 3
+record ways strands-opengl-ways
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
 record rivals rivals
 record rivals-tori rivals --preset tori
 record rival-options rival-options
 part roofline "$PELAGE" roofline -o "$runs/roofline"
+part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/roofline-strands"
 
 rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
 scripts/record_report.sh docs/rivals "$runs"/{rivals,rivals-tori,rival-options}
-scripts/record_report.sh docs/strands "$runs/strands"
+scripts/record_report.sh docs/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
 cp "$runs"/roofline/roofline.{csv,svg,pdf} docs/roofline/
+for end in csv svg pdf; do cp "$runs/roofline-strands/roofline.$end" "docs/roofline/strands.$end"; done
 scripts/claims_table.py "$PELAGE"
 scripts/figures.py

@@ -34,16 +34,19 @@ struct RooflineOptions {
 /// Returns the kernels in the order in which a frame runs them. The time of a kernel in a frame is the
 /// sum over its launches. Each returned time is the median over the frames. The returned number of bytes of a
 /// kernel is the sum over its launches in the first frame.
+using strands::PhaseKernel;
+
+/// `operations` has the operations of the kernels in a frame; a kernel that is absent has none.
 std::vector<KernelWork> kernels_of(const std::vector<cl::FrameTiming>& timings,
-                                   const std::map<std::string, double>& operations) {
+                                   const std::map<PhaseKernel, double>& operations) {
   std::vector<KernelWork> kernels;
   std::vector<std::vector<double>> times;
   for (std::size_t i = 0; i < timings.size(); ++i)
     for (const cl::KernelTime& k : timings[i].kernels) {
       std::size_t at = 0;
-      while (at < kernels.size() && kernels[at].kernel != k.kernel) ++at;
+      while (at < kernels.size() && (kernels[at].kernel != k.kernel || kernels[at].phase != k.phase)) ++at;
       if (at == kernels.size()) {
-        const auto found = operations.find(k.kernel);
+        const auto found = operations.find({k.phase, k.kernel});
         kernels.push_back({k.kernel, k.phase, 0, 0, found == operations.end() ? 0 : found->second});
         times.emplace_back(timings.size(), 0.0);
       }
@@ -67,7 +70,7 @@ bool all_hold(const Case& which, const std::vector<Check>& checks) {
   return true;
 }
 
-/// As work_of(), for the strands of the case's scene. The operations of their kernels are not counted.
+/// As work_of(), for the strands of the case's scene.
 std::optional<FrameWork> strand_work_of(const cl::Device& device, const Scene& scene, const Case& which,
                                         const std::string& mapping, int frames) {
   const auto input = strands::prepare_strands(scene, load_scene_mesh(scene));
@@ -82,12 +85,20 @@ std::optional<FrameWork> strand_work_of(const cl::Device& device, const Scene& s
     timings.push_back(strands.frame());
     wall.push_back(timings.back().wall_ms);
   }
+  strands::StrandWork work = strands.work();
   StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
   frame.curves = strands.curves();
   frame.skin = strands.surface();
-  if (!all_hold(which, check_strand_frame(*input, frame, 1).checks)) return {};
-  return FrameWork{
-      which.name, double(input->mesh->triangle.size()), median(wall), 0, 0, 0, kernels_of(timings, {})};
+  const StrandCheck check = check_strand_frame(*input, frame, 1);
+  if (!all_hold(which, check.checks)) return {};
+  work.fragments = double(check.fragments);
+  return FrameWork{which.name,
+                   double(input->mesh->triangle.size()),
+                   median(wall),
+                   work.fragments,
+                   work.fragments,
+                   work.fragments,
+                   kernels_of(timings, frame_operations(work))};
 }
 
 /// Draws three warm-up frames, then times `frames` frames. If the picture fails its check against the
@@ -118,7 +129,11 @@ std::optional<FrameWork> work_of(const cl::Device& device, const Experiment& exp
                  double(tally.shaded),
                  double(tally.blended),
                  {}};
-  work.kernels = kernels_of(timings, shells.operations(tally, wet));
+  std::map<PhaseKernel, double> operations;
+  for (const cl::KernelTime& k : timings.front().kernels)
+    if (const auto all = shells.operations(tally, wet); all.contains(k.kernel))
+      operations[{k.phase, k.kernel}] = all.at(k.kernel);
+  work.kernels = kernels_of(timings, operations);
   return work;
 }
 

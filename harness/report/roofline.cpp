@@ -24,6 +24,13 @@ double share_of_roof(const KernelWork& k, const Ceilings& ceilings) {
   return roof > 0 ? per_second(k.operations, k.ms) / roof : 0;
 }
 
+/// Returns the name of the kernel, with its phase if another phase of the frame has the same kernel.
+std::string name_of(const FrameWork& frame, const KernelWork& kernel) {
+  const auto same = std::count_if(frame.kernels.begin(), frame.kernels.end(),
+                                  [&](const KernelWork& k) { return k.kernel == kernel.kernel; });
+  return same > 1 ? fmt::format("{}, {}", kernel.kernel, kernel.phase) : kernel.kernel;
+}
+
 std::string number(double value) {
   return fmt::format("{:.6g}", value);
 }
@@ -47,7 +54,7 @@ std::string text_of(const std::vector<FrameWork>& frames, const Ceilings& ceilin
     text += fmt::format("\n{:<24} {:>9} {:>7} {:>9} {:>8} {:>8} {:>9} {:>9} {:>8}\n", f.name, "ms", "of time",
                         "MB", "GB/s", "MFLOP", "FLOP/byte", "GFLOP/s", "of roof");
     for (const KernelWork& k : f.kernels) {
-      text += fmt::format("  {:<22} {:>9.3f} {:>6.1f}% {:>9.2f} {:>8.2f}", k.kernel, k.ms,
+      text += fmt::format("  {:<22} {:>9.3f} {:>6.1f}% {:>9.2f} {:>8.2f}", name_of(f, k), k.ms,
                           100 * k.ms / f.frame_ms, k.bytes * 1e-6, per_second(k.bytes, k.ms));
       if (k.operations > 0)
         text += fmt::format(" {:>8.1f} {:>9.2f} {:>9.2f} {:>7.1f}%", k.operations * 1e-6, intensity_of(k),

@@ -49,6 +49,15 @@ TEST(Roofline, TheTableHasRatesAndSharesOfTheRoof) {
   EXPECT_NE(text.find("between kernels            1.250   62.5%"), std::string::npos) << text;
 }
 
+TEST(Roofline, KernelsOfTwoPhasesAreNamedWithTheirPhase) {
+  std::vector<FrameWork> frames = one_frame();
+  frames[0].kernels.push_back({"bin_fill", "shadow", 0.125, 5e5, 0});
+  const std::string text = text_of(frames, ceilings);
+  EXPECT_NE(text.find("bin_fill, shadow"), std::string::npos) << text;
+  EXPECT_NE(text.find("bin_fill, bin"), std::string::npos) << text;
+  EXPECT_EQ(text.find("tile_shells, raster"), std::string::npos) << text;
+}
+
 TEST(Roofline, ThePlotIsDrawnFromTheTable) {
   std::string name = (fs::temp_directory_path() / "pelage-test-XXXXXX").string();
   const fs::path folder = mkdtemp(name.data());

@@ -156,7 +156,7 @@ def decorate(axis, title, categories, values, d):
         if d["x_scale"] == "linear":
             axis.xaxis.set_major_locator(matplotlib.ticker.FixedLocator(values) if 1 < len(values) <= 5 else
                                          matplotlib.ticker.MaxNLocator(5))
-            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
     if "guide" in d:
         axis.axhline(d["guide"], color="0.4", linewidth=0.8)
     axis.set_title(title, fontsize=9)
@@ -186,7 +186,7 @@ def plain_ticks(axis):
             continue
         steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
         ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
-        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
         ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 

@@ -31,6 +31,7 @@ class OpacityMap {
   /// The texels, row by row: least depth of the fragments in R (NO_DEPTH: none), 1 / D in 1/R
   /// (docs/strands.md, section Shadow), transmittance 1 - A, and 0.
   const cl::Buffer<glm::vec4>& texels() const { return texels_; }
+  std::size_t listed() const { return lists_.listed(); }  ///< see Drawer::listed()
   std::vector<const cl::Program*> programs() const;
 
  private:

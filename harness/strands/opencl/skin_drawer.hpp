@@ -30,6 +30,7 @@ class SkinDrawer {
   /// NO_DEPTH if the pixel has no skin.
   const cl::Buffer<glm::vec4>& pixels() const { return pixels_; }
   const cl::Program& program() const { return program_; }
+  std::size_t vertices() const { return std::size_t(vertices_); }
 
  private:
   int vertices_, triangles_, pixel_count_, lanes_;

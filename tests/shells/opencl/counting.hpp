@@ -40,6 +40,9 @@ inline real operator*(real a, real b) {
 inline real operator/(real a, real b) {
   return counted(a.value / b.value);
 }
+inline real& operator+=(real& a, real b) {
+  return a = a + b;
+}
 inline real operator-(real a) {
   return {-a.value};
 }
@@ -136,6 +139,9 @@ inline real load_real(const float* table, int block) {
 inline void read_soon(const void*, whole) {}
 inline real inverse_root(real x) {
   return real(1.0) / sqrt(x);
+}
+inline real inverse(real x) {
+  return real(1.0) / x;
 }
 inline bool some(truth m) {
   return m;
