@@ -67,7 +67,7 @@ std::vector<StageCheck> check_strands(const cl::Device& device, const CheckScene
     ChainStep step{strands.states(), {}, 0};
     step.number = strands.substep();
     step.after = strands.states();
-    if (strands.skin_frame() != nullptr) step.skin = *strands.skin_frame();
+    step.skin = strands.skin_frames();
     for (const Check& check : check_chain_step(*input, step, 1)) all.push_back({"chains", check});
   }
   return all;

@@ -24,6 +24,7 @@ namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
+using strands::PhaseKernel;
 
 struct RooflineOptions {
   std::string experiment = "silva2010-table1", preset = "quick", device, mapping, tuning = "defaults", output;
@@ -33,10 +34,8 @@ struct RooflineOptions {
 
 /// Returns the kernels in the order in which a frame runs them. The time of a kernel in a frame is the
 /// sum over its launches. Each returned time is the median over the frames. The returned number of bytes of a
-/// kernel is the sum over its launches in the first frame.
-using strands::PhaseKernel;
-
-/// `operations` has the operations of the kernels in a frame; a kernel that is absent has none.
+/// kernel is the sum over its launches in the first frame. `operations` has the operations of the kernels in
+/// a frame; a kernel that is absent has none.
 std::vector<KernelWork> kernels_of(const std::vector<cl::FrameTiming>& timings,
                                    const std::map<PhaseKernel, double>& operations) {
   std::vector<KernelWork> kernels;

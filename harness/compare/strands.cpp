@@ -75,7 +75,7 @@ std::vector<Check> check_chain_step(const StrandInput& input, const ChainStep& s
     const Chain& chain = input.fur.chains[i];
     const ChainState& found = step.after[i];
     std::optional<naive::SkinPoint> skin;
-    if (step.skin) skin = skin_point(*step.skin, *step.skin, i, 1);
+    if (step.skin) skin = skin_point(step.skin->first, step.skin->second, i, 0.5);
     const naive::State exact = naive::step(chain, input.dynamics, naive::in_double(step.before[i]),
                                            step.number, skin ? &*skin : nullptr);
     direction.push_back(std::max(glm::distance(glm::dvec3(found.direction[0]), exact.u),

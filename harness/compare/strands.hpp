@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "harness/compare/check.hpp"
@@ -26,7 +27,8 @@ struct StrandFrame {
 struct ChainStep {
   std::vector<strands::ChainState> before, after;
   long number = 0;
-  std::optional<strands::SkinFrame> skin = {};  ///< the skin at the end of the step if the mesh deforms
+  /// If the mesh deforms: the skin in two frames. The step ends in the middle between them.
+  std::optional<std::pair<strands::SkinFrame, strands::SkinFrame>> skin = {};
 };
 
 /// Compares the time step of about 2,000 chains, chosen by `seed`, with the reference. The checks are the

@@ -89,7 +89,8 @@ class Cells {
   }
 
  private:
-  glm::dvec3 cell(glm::dvec3 p) const { return glm::floor(p / side_); }
+  /// Adding 0 turns -0 to 0, whose bytes differ.
+  glm::dvec3 cell(glm::dvec3 p) const { return glm::floor(p / side_) + 0.0; }
   static std::uint64_t key(glm::dvec3 cell) { return Hash().bytes(&cell, sizeof cell).value(); }
   double side_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;
@@ -145,8 +146,8 @@ std::vector<Source> sources_of(const Mesh& mesh, const Points& first, const Plac
     if (!found)
       throw InputError(
           fmt::format("mesh.frames: {}: the preparation of this mesh moved, added or removed points, so its "
-                      "frames cannot be matched; give a mesh without holes, isolated points and parts that "
-                      "are dropped (`pelage mesh` lists the changes)",
+                      "frames cannot be matched; give a mesh whose preparation changes no points (`pelage "
+                      "mesh` lists the changes)",
                       file.string()));
     std::erase(source.others, source.nearest);
   }

@@ -8,9 +8,6 @@
 
 namespace pelage {
 
-/// Greatest number of frames.
-inline constexpr int most_mesh_frames = 10'000;
-
 /// Returns the file of frame `frame`, where `first` is the file of frame 0. The last number in the name of
 /// `first` counts up, and keeps its leading zeros: "walk-0009.obj" is followed by "walk-0010.obj". Throws
 /// InputError if the name contains no number.

@@ -99,6 +99,9 @@ struct WetnessScene {
   /// Approximate width, in R, of the areas on which random droplets may be placed. The wetness of the
   /// droplets decreases to 0 towards the border of an area.
   float patch_size = 0.6f;
+  /// Which wet texels of its disc a droplet is blended with: "near" (those whose clump's centre is not further
+  /// from the droplet's centre than the droplet's radius) | "overlap" (all).
+  std::string blend = "near";
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
   /// everywhere.
   std::filesystem::path image;
@@ -272,6 +275,8 @@ struct ImageScene {
   int height = 600;
   glm::vec3 background{0.30f, 0.34f, 0.39f};
 };
+
+inline constexpr int most_mesh_frames = 10'000;  ///< greatest MeshScene::frames
 
 /// Options of mesh preparation.
 struct MeshScene {

@@ -94,7 +94,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "mesh.up", .slot = &mesh.up, .unit = "", .help = "the axis that points up in the mesh file; in a scene y points up, so \"z\" rotates the model by -90 degrees about x before mesh.rotate", .choices = {"y", "z"}},
       {"mesh.rotate", &mesh.rotate, "degrees", -360, 360, "rotation of the model about the fixed axes x, then y, then z"},
       {.name = "mesh.components", .slot = &mesh.components, .unit = "", .help = "components of a mesh file that are kept: \"all\" keeps every component that is closed or large, each with its own chart in the UV map; \"largest\" keeps the component with the most faces", .choices = {"all", "largest"}},
-      {"mesh.frames", &mesh.frames, "", 1, 10000, "number of frames of a mesh that moves and deforms, for strands; the model is then the mesh file of the first frame, the number in its name counts up, and a new frame begins every dynamics.substeps time steps; 1: the mesh does not deform"},
+      {"mesh.frames", &mesh.frames, "", 1, most_mesh_frames, "number of frames of a mesh that moves and deforms, for strands; the model is then the mesh file of the first frame, the number in its name counts up, and a new frame begins every dynamics.substeps time steps; 1: the mesh does not deform"},
       {.name = "mesh.after_frames", .slot = &mesh.after_frames, .unit = "", .help = "what follows after the last frame: \"hold\" keeps the last frame, \"repeat\" begins again with the first frame", .choices = {"hold", "repeat"}},
 
       {"fur.length", &fur.length, "R", 0.001, 1, "strand length L0"},
@@ -142,6 +142,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"wetness.spacing", &wetness.spacing, "radii", 0, 100, "least distance between the centres of random droplets"},
       {"wetness.patch_cover", &wetness.patch_cover, "", 0, 1, "fraction of the surface on which random droplets may be placed; 1: everywhere"},
       {"wetness.patch_size", &wetness.patch_size, "R", 0.01, 10, "approximate width of the areas on which random droplets may be placed (wetness.patch_cover); wetness fades towards the borders of an area"},
+      {.name = "wetness.blend", .slot = &wetness.blend, .unit = "", .help = "which wet texels of its disc a droplet is blended with (S and W, Algorithm 1): \"near\" those whose clump's centre is at most the droplet's radius from the droplet's centre; \"overlap\" all, so that overlapping droplets form a new clump where they overlap; the droplet overwrites the other texels", .choices = {"near", "overlap"}},
       {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "picture in UV space: random droplets are placed only where its luma is at least 0.5; \"\": everywhere"},
 
       {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5, which determines how the displacement of the fur by a clump grows with the height; 0: linearly, 1: logarithmically"},

@@ -76,8 +76,8 @@ struct StrandsScene {
   /// strands on the screen needs, at most `segments`).
   std::string subdivision = "fixed";
   float fraction = 1.0f;  ///< part of the strands that is drawn; their width grows so that coverage is kept
-  /// Least mean width of the drawn strands at their roots, pixels. Where it would be less, fewer and wider
-  /// strands are drawn. 0: no limit.
+  /// Least mean width of the drawn strands at their roots, pixels. Where all strands are thinner, fewer and
+  /// wider strands are drawn. 0: no limit.
   float least_width = 0.0f;
   float taper = 0.85f;    ///< part of the width that a strand loses from root to tip
   float opacity = 0.85f;  ///< alpha of a strand at its root

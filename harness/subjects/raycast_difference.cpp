@@ -97,11 +97,15 @@ class RaycastDifference : public Subject {
   double psnr_ = 0, coarse_psnr_ = 0, mean_ = 0, hits_ = 0, pixels_ = 0;
 };
 
+void refuse_frames(const Mesh& mesh) {
+  if (!mesh.frames.empty())
+    throw InputError("mesh.frames: a ray-cast picture shows the strands at rest; give 1");
+}
+
 }  // namespace
 
 strands::RaycastResult raycast_strands(const strands::StrandInput& input) {
-  if (!input.mesh->frames.empty())
-    throw InputError("mesh.frames: a ray-cast picture shows the strands at rest; give 1");
+  refuse_frames(*input.mesh);
   const std::vector<strands::DrawnStrand> all_curves = reference_curves(input, input.fur.keys);
   std::vector<strands::DrawnStrand> curves;
   std::vector<std::uint32_t> number;
@@ -138,9 +142,11 @@ std::unique_ptr<Subject> against_raycast(SubjectContext& context, const Case& wh
                                          std::unique_ptr<Subject> drawn) {
   Scene scene = scene_of(context.experiment, which);
   scene.strands.fraction = 1;  // the ray-cast picture shows all strands
+  scene.strands.least_width = 0;
   scene.strands.shadow = "none";
   scene.fur = {};  // strands use no key of the fur of layers
   const auto mesh = context.mesh_of(scene);
+  refuse_frames(*mesh);
   // Cases that differ only in the fraction or in the layers share the ray-cast picture.
   const std::string key = "raycast " + scene_hash(scene) + mesh->hash;
   return std::make_unique<RaycastDifference>(std::move(drawn), [&context, scene, mesh, key] {

@@ -27,11 +27,12 @@ class StrandsSubject : public Subject {
     step_.before = strands_.states();
     step_.number = strands_.substep();
     step_.after = strands_.states();
-    if (strands_.skin_frame() != nullptr) step_.skin = *strands_.skin_frame();
+    step_.skin = strands_.skin_frames();
   }
 
   FrameSample frame() override {
     FrameSample sample;
+    if (!still_) strands_.follow_skin();
     const Cost cost = cost_of([&] {
       const cl::FrameTiming timing = still_ ? strands_.still() : strands_.frame();
       sample.wall_ms = timing.wall_ms;

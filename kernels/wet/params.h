@@ -5,6 +5,7 @@
 typedef struct {
   int size;    // number of texels per side of the mask
   int bucket;  // side, in texels, of a bucket (a square part of the mask that has its own list of droplets)
+  int overlap; // 1: a droplet is blended with all wet texels of its disc (wetness.blend = "overlap")
 } WetParams;
 
 // Columns of the droplet array, which has one row per droplet. DROP_U, DROP_V and DROP_RADIUS are the centre and the

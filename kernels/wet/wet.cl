@@ -28,7 +28,7 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
     drop.centre = vec2(d[DROP_U], d[DROP_V]);
     drop.radius = d[DROP_RADIUS];
     drop.wetness = d[DROP_WETNESS];
-    m = blend_droplet(m, drop);
+    m = blend_droplet(m, drop, s.overlap);
   }
   mask[4 * texel] = m.centre.x;
   mask[4 * texel + 1] = m.centre.y;

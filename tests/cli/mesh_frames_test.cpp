@@ -71,6 +71,23 @@ TEST(MeshFrames, TheDeviceAndTheReferenceDrawTheSamePictures) {
   EXPECT_LT(compare(held, repeated).psnr, 35);
 }
 
+TEST(MeshFrames, TheFirstPictureShowsTheFirstFile) {
+  const Folder folder;
+  write_frames(folder);
+  const std::string fixed =
+      "--pipeline strands --set strands.shadow=none --set camera.framed=false --set camera.eye=[2,2,4] --set "
+      "dynamics.time=";
+  const Picture rest = drawn(folder, fixed + "0 --set mesh.frames=1");
+  EXPECT_GT(compare(drawn(folder, fixed + "0"), rest).psnr, 70);
+  const Picture second = drawn(folder, fixed + "0.0167");
+  EXPECT_LT(compare(second, rest).psnr, 45);
+  // After the last file, the first one follows: the skin of the picture 7 is that of the picture 1.
+  EXPECT_LT(
+      compare(drawn(folder, fixed + "0.0834"), drawn(folder, fixed + "0.1 --set mesh.after_frames=repeat"))
+          .psnr,
+      35);
+}
+
 TEST(MeshFrames, AnExperimentTimesThemAndKnowsTheirFiles) {
   const Folder folder;
   write_frames(folder);

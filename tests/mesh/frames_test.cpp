@@ -89,6 +89,20 @@ TEST(MeshFrames, HaveThePlacementOfTheFirstFrame) {
   }
 }
 
+// Exporters print small negative numbers as -0.
+TEST(MeshFrames, MayHavePointsWithNegativeZeros) {
+  const TempFolder folder;
+  const Move centred = [](glm::dvec3 p) {
+    p -= glm::dvec3(30, -5, 11);
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(p[k]) < 1e-9) p[k] = -0.0;
+    return p;
+  };
+  for (const int frame : {1, 2}) folder.write(fmt::format("z{}.obj", frame), torus(centred));
+  EXPECT_NE(torus(centred).find(" -0 "), std::string::npos);
+  EXPECT_EQ(refusal(folder, "z1.obj", 2), "accepted");
+}
+
 TEST(MeshFrames, ThatDoNotMatchAreRefused) {
   const Move still = [](glm::dvec3 p) { return p; };
   const TempFolder folder;

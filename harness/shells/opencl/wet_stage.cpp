@@ -59,6 +59,7 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
 WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning)
     : size_(input.scene.wetness.size),
       bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      overlap_(input.scene.wetness.blend == "overlap"),
       droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
       mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
@@ -81,7 +82,7 @@ cl::Event WetStage::run(const cl::Queue& queue) {
     program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
     kernel_.emplace(*program_, "wetness_mask");
   }
-  kernel_->with(WetParams{size_, bucket_}, droplets_, row_, drop_, surface_, mask_);
+  kernel_->with(WetParams{size_, bucket_, int(overlap_)}, droplets_, row_, drop_, surface_, mask_);
   return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }
 

@@ -20,6 +20,7 @@ class WetStage {
 
  private:
   int size_, bucket_;  // sides, in texels, of the mask and of a bucket (a square block of texels)
+  bool overlap_;       ///< wetness.blend = "overlap"
   std::optional<cl::Program> program_;
   std::optional<cl::Kernel> kernel_;
   cl::Buffer<float> droplets_, surface_, mask_;

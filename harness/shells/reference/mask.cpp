@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 
 #include "harness/shells/reference/layers.hpp"
@@ -21,12 +22,13 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
-/// Applies one droplet to the mask (docs/frame.md, section 2). The droplet changes a texel if two distances
-/// are small enough. The distance in UV from the texel's centre to the droplet's centre must be at most
-/// droplet.radius. The distance from the texel's surface point to droplet.point must be at most
-/// droplet.reach.
-void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
-  const int size = mask.size;
+/// Calls change(texel) for the numbers of all texels that a droplet covers (docs/frame.md, section 2). The
+/// droplet covers a texel if two distances are small enough. The distance in UV from the texel's centre to
+/// the droplet's centre must be at most droplet.radius. The distance from the texel's surface point to
+/// droplet.point must be at most droplet.reach.
+template <class Change>
+void for_each_covered(const FrameInput& input, const Droplet& droplet, const Change& change) {
+  const int size = input.scene.wetness.size;
   // `first` and `last` compute the range of texel rows or columns that the droplet's disc can touch, plus one
   // texel on either side. `c` is the coordinate of the disc's centre.
   const auto first = [&](float c) {
@@ -42,16 +44,21 @@ void drop(const FrameInput& input, const Droplet& droplet, Mask& mask) {
       const std::size_t at = std::size_t(j) * std::size_t(size) + std::size_t(i);
       if (glm::length(glm::dvec3(input.mask_surface[at]) - glm::dvec3(droplet.point)) > double(droplet.reach))
         continue;
-      mask.texel[at] = blend(mask.texel[at], droplet);
+      change(at);
     }
 }
 
 }  // namespace
 
-Clump blend(const Clump& texel, const Droplet& droplet) {
+bool is_blended(const Clump& texel, const Droplet& droplet, const std::string& way) {
+  if (texel.wetness == 0.0) return false;
+  return way == "overlap" || glm::length(texel.centre - glm::dvec2(droplet.centre)) <= double(droplet.radius);
+}
+
+Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way) {
   const glm::dvec2 centre(droplet.centre);
   const double radius = double(droplet.radius), wetness = double(droplet.wetness);
-  if (texel.wetness == 0.0 || glm::length(texel.centre - centre) > radius) return {centre, radius, wetness};
+  if (!is_blended(texel, droplet, way)) return {centre, radius, wetness};
   Clump result = texel;
   result.wetness = std::clamp(texel.wetness + wetness, 0.0, 1.0);
   if (result.wetness != 0.0) {
@@ -81,8 +88,29 @@ Mask wetness_mask(const FrameInput& input, Mutant mutant) {
   mask.texel.resize(std::size_t(mask.size) * std::size_t(mask.size));
   std::vector<Droplet> droplets = input.droplets;
   if (mutant == Mutant::droplets_reversed) std::reverse(droplets.begin(), droplets.end());
-  for (const Droplet& droplet : droplets) drop(input, droplet, mask);
+  for (const Droplet& droplet : droplets)
+    for_each_covered(input, droplet, [&](std::size_t at) {
+      mask.texel[at] = blend(mask.texel[at], droplet, input.scene.wetness.blend);
+    });
   return mask;
+}
+
+double blended_share(const FrameInput& input) {
+  const std::size_t side = std::size_t(input.scene.wetness.size);
+  std::vector<Clump> texels(side * side);
+  std::vector<std::uint8_t> blended(texels.size(), 0);
+  for (const Droplet& droplet : input.droplets)
+    for_each_covered(input, droplet, [&](std::size_t at) {
+      blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
+      texels[at] = blend(texels[at], droplet, input.scene.wetness.blend);
+    });
+  double wet = 0, mixed = 0;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    if (texels[i].wetness == 0.0) continue;
+    ++wet;
+    mixed += blended[i];
+  }
+  return wet > 0 ? mixed / wet : 0;
 }
 
 double clump_shape(double h, double w, int layers, Mutant mutant) {

@@ -4,6 +4,7 @@
 #pragma once
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <string>
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
@@ -20,8 +21,12 @@ struct Clump {
   bool operator==(const Clump&) const = default;
 };
 
-/// Blends one droplet into a texel in the droplet's disc (docs/frame.md, section 2). Returns the new texel.
-Clump blend(const Clump& texel, const Droplet& droplet);
+/// Whether a droplet is blended with a texel in its disc, or overwrites it (docs/frame.md, section 2). `way`
+/// is the scene key wetness.blend.
+bool is_blended(const Clump& texel, const Droplet& droplet, const std::string& way);
+
+/// Applies one droplet to a texel in the droplet's disc (docs/frame.md, section 2). Returns the new texel.
+Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way);
 
 struct Mask {
   int size = 0;
@@ -34,6 +39,9 @@ struct Mask {
 };
 
 Mask wetness_mask(const FrameInput& input, Mutant mutant = Mutant::none);
+
+/// Returns the share of the mask's wet texels that are blends of several droplets, 0 to 1; 0 if none is wet.
+double blended_share(const FrameInput& input);
 
 /// Returns the factor of a clump's displacement at the height h (S Eq. 5): (1 - w) h + w (1 + ln h / ln N).
 /// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].

@@ -1,4 +1,5 @@
-// The order of strands in memory. A picture of a part of the strands draws the first ones (docs/level-of-detail.md).
+// The order of strands in memory. A picture of a part of the strands draws the first ones
+// (docs/level-of-detail.md).
 #pragma once
 #include <cstdint>
 #include <span>

@@ -36,6 +36,8 @@ struct Strands::State {
   Chains chains;
   Drawer drawer;
   std::optional<SkinFrames> skin;  ///< empty if the mesh does not deform
+  SkinFrame before;                ///< the skin at the beginning of the last frame
+  bool followed = false;           ///< the skin of the next frame is on the device
   int frames = 0;
 
   State(const cl::Device& device, std::shared_ptr<const StrandInput> from, const DrawerOptions& options)
@@ -46,20 +48,21 @@ struct Strands::State {
     if (input->mesh->frames.empty()) return;
     skin.emplace(input->scene, input->mesh, input->fur, input->skin);
     skin->advance();
+    before = skin->frame();
   }
 
-  /// Passes the next frame of a mesh that deforms to the device. It is input of the simulation, as the pose
-  /// of an animated character is, so frame() does not time it.
   void follow_skin() {
-    if (!skin) return;
-    const SkinFrame from = skin->frame();
+    if (!skin || followed) return;
+    before = skin->frame();
     skin->advance();
-    chains.set_skin(queue, from, skin->frame(), input->scene.dynamics.substeps);
+    chains.set_skin(queue, before, skin->frame(), input->scene.dynamics.substeps);
     if (skin->surface()) drawer.deform_skin(queue, *skin->surface());
     queue.finish();
+    followed = true;
   }
 
   void move(cl::PhaseEvents* events) {
+    followed = false;
     std::vector<cl::Event> launches;
     chains.enqueue(queue, input->scene.dynamics.substeps, events ? &launches : nullptr);
     for (cl::Event& event : launches) events->emplace_back("simulate", std::move(event));
@@ -118,15 +121,20 @@ std::vector<ChainState> Strands::states() const {
 }
 long Strands::substep() {
   const long index = state_->chains.steps();
-  // The skin of this substep does not move on: the next frame begins where the last one ended.
+  // This substep is the first half of the last frame's motion once more. The next frame begins where the last
+  // one ended.
   if (const auto& skin = state_->skin)
-    state_->chains.set_skin(state_->queue, skin->frame(), skin->frame(), 1);
+    state_->chains.set_skin(state_->queue, state_->before, skin->frame(), 2);
   state_->chains.enqueue(state_->queue, 1);
   state_->queue.finish();
   return index;
 }
-const SkinFrame* Strands::skin_frame() const {
-  return state_->skin ? &state_->skin->frame() : nullptr;
+std::optional<std::pair<SkinFrame, SkinFrame>> Strands::skin_frames() const {
+  if (!state_->skin) return {};
+  return std::pair(state_->before, state_->skin->frame());
+}
+void Strands::follow_skin() {
+  state_->follow_skin();
 }
 std::shared_ptr<const SkinSurface> Strands::surface() const {
   return state_->skin ? state_->skin->surface() : state_->input->skin;

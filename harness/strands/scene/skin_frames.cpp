@@ -1,7 +1,5 @@
 #include "harness/strands/scene/skin_frames.hpp"
 
-#include <algorithm>
-
 namespace pelage::strands {
 namespace {
 
@@ -23,9 +21,15 @@ SkinFrames::SkinFrames(const Scene& scene, std::shared_ptr<const Mesh> mesh, con
       repeat_(scene.mesh.after_frames == "repeat") {}
 
 void SkinFrames::advance() {
+  // The first drawn frame shows the first frame of the mesh, as the skin at rest does.
+  if (calls_++ == 1) return;
   const std::size_t count = mesh_->frames.size();
-  const std::vector<glm::vec3>& position =
-      mesh_->frames[repeat_ ? next_ % count : std::min(next_, count - 1)];
+  if (!repeat_ && next_ == count) {
+    frame_.velocity.assign(frame_.velocity.size(), glm::vec3(0));
+    frame_.acceleration.assign(frame_.acceleration.size(), glm::vec3(0));
+    return;
+  }
+  const std::vector<glm::vec3>& position = mesh_->frames[next_ % count];
   ++next_;
   frame_ = motion_.next(position, duration_);
   if (!surface_) return;

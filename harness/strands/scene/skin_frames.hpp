@@ -17,9 +17,9 @@ class SkinFrames {
   SkinFrames(const Scene& scene, std::shared_ptr<const Mesh> mesh, const Fur& fur,
              std::shared_ptr<const SkinSurface> surface);
 
-  /// Proceeds to the next frame. The first call proceeds to the frame at time 0, and every other call by
-  /// dynamics.substeps time steps. After the last frame of the mesh follows what the scene key
-  /// mesh.after_frames says.
+  /// Proceeds to the next drawn frame. The first call gives the skin at rest, and the call k + 2 gives the
+  /// skin of drawn frame k, which is frame k of the mesh. After the last frame of the mesh follows what the
+  /// scene key mesh.after_frames says; a skin that stays has the velocity 0.
   void advance();
 
   const SkinFrame& frame() const { return frame_; }  ///< at the roots of the key strands
@@ -33,7 +33,8 @@ class SkinFrames {
   std::shared_ptr<const SkinSurface> surface_;
   double duration_;  ///< of a frame, s
   bool repeat_;
-  std::size_t next_ = 0;  ///< number of the frame to which advance() proceeds
+  std::size_t next_ = 0;  ///< number of the mesh's frame that follows
+  int calls_ = 0;         ///< number of calls of advance()
   SkinFrame frame_;
 };
 

@@ -122,7 +122,7 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   for (const std::vector<glm::vec3>& frame : mesh->frames)
     extent.insert(extent.end(), frame.begin(), frame.end());
   for (const KeyStrand& key : input->fur.keys) extent.push_back(key.root + length * key.rest);
-  input->camera = make_camera(scene.camera, scene.image, extent, 0);
+  input->camera = make_camera(scene.camera, scene.image, extent, mesh->frames.empty() ? 0 : length);
   input->look.layers = input->fur.layers;
   std::vector<float> biases;
   std::vector<int> offsets;
@@ -134,7 +134,8 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   for (std::size_t i = 0; i < ranks.size(); ++i) input->look.layers[i].rank = ranks[i];
   input->range = depth_range(input->camera, reach_of(*mesh) + length);
   const Spread spread = spread_of(input->fur.strands, *mesh);
-  input->look.fraction *= fraction_on_screen(input->camera, spread, scene.strands.least_width);
+  input->look.fraction =
+      std::min(input->look.fraction, fraction_on_screen(input->camera, spread, scene.strands.least_width));
   input->look.width_factor = overlap_factor(input->camera, input->look, spread);
   if (scene.strands.subdivision == "screen")
     input->look.segments = segments_on_screen(input->camera, input->range, length, scene.strands.segments);

@@ -155,11 +155,13 @@ TEST(Equations, Algorithm1BlendsAndOverwritesLikeTheReference) {
     const reference::Clump texel{{positive(), positive()}, .2 * positive(), trial % 5 ? positive() : 0};
     const Droplet droplet{
         {float(positive()), float(positive())}, float(positive()), float(positive()), {}, 1};
-    const reference::Clump expected = reference::blend(texel, droplet);
+    const bool overlap = trial % 2 == 0;
+    const reference::Clump expected = reference::blend(texel, droplet, overlap ? "overlap" : "near");
     const shim::Clump result =
         shim::blend_droplet({shim::vec2(texel.centre.x, texel.centre.y), texel.radius, texel.wetness},
                             {shim::vec2(double(droplet.centre.x), double(droplet.centre.y)),
-                             double(droplet.radius), double(droplet.wetness)});
+                             double(droplet.radius), double(droplet.wetness)},
+                            overlap);
     EXPECT_NEAR(result.centre.x, expected.centre.x, tight);
     EXPECT_NEAR(result.centre.y, expected.centre.y, tight);
     EXPECT_NEAR(result.radius, expected.radius, tight);

@@ -6,7 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
+#include "harness/scene/scene_toml.hpp"
 #include "tests/support/synthetic.hpp"
 
 namespace pelage {
@@ -51,6 +55,32 @@ TEST(ReferenceMask, OneDropletWetsTheTexelsWhoseCentresItsDiscHolds) {
       }
     }
   EXPECT_EQ(wet, 12);  // the 4 x 4 texels around the centre without their corners
+}
+
+TEST(ReferenceMask, OverlappingDropletsBlendIfTheSceneSaysSo) {
+  // The centres are further apart than the second radius. The discs share the texel (4, 4).
+  FrameInput input = with({droplet(.5f, .5f, .3f, .4f), droplet(.75f, .5f, .2f, .4f)});
+  expect_clump(texel(wetness_mask(input), 4, 4), .75, .5, .2, .4);
+  EXPECT_EQ(blended_share(input), 0);
+  input.scene.wetness.blend = "overlap";
+  const Mask mask = wetness_mask(input);
+  expect_clump(texel(mask, 4, 4), .625, .5, .25, .8);
+  expect_clump(texel(mask, 6, 4), .75, .5, .2, .4);
+  const auto wet =
+      std::count_if(mask.texel.begin(), mask.texel.end(), [](const Clump& c) { return c.wetness > 0; });
+  const auto mixed =
+      std::count_if(mask.texel.begin(), mask.texel.end(), [](const Clump& c) { return c.wetness > 0.5; });
+  EXPECT_GT(mixed, 0);
+  EXPECT_DOUBLE_EQ(blended_share(input), double(mixed) / double(wet));
+}
+
+// The random droplets of a scene are one radius apart, so that none is "near" another one, but many overlap.
+TEST(ReferenceMask, DropletsOfTheWetSceneOverlap) {
+  Scene scene = read_scene(std::filesystem::path(PELAGE_SOURCE_DIR) / "examples" / "wet.toml");
+  const auto mesh = load_scene_mesh(scene, {});
+  EXPECT_LT(blended_share(*prepare(scene, mesh)), 0.001);
+  scene.wetness.blend = "overlap";
+  EXPECT_GT(blended_share(*prepare(scene, mesh)), 0.1);
 }
 
 TEST(ReferenceMask, CloseDropletsBlend) {
