@@ -22,7 +22,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(Animation, TheLoopDrawsFramesThatMoveAndJoin) {
   const Folder folder;
   const auto blocks = blocks_of(fs::path(PELAGE_SOURCE_DIR) / "docs/animation.md");
-  ASSERT_EQ(blocks.size(), 4u);
+  ASSERT_EQ(blocks.size(), 5u);
   ASSERT_EQ(blocks[3].language, "toml");  // the keyframes of a scene
   folder.write("keyframes.toml", blocks[3].text);
   EXPECT_EQ(pelage(folder, "scene keyframes.toml").code, 0) << folder.read("stderr");
