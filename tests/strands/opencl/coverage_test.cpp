@@ -1,4 +1,5 @@
-// Tests that pictures of a part of the strands have the coverage of pictures of all strands (docs/level-of-detail.md).
+// Tests that pictures of a part of the strands have the coverage of pictures of all strands
+// (docs/level-of-detail.md).
 #include <gtest/gtest.h>
 
 #include <cmath>
