@@ -28,7 +28,8 @@ struct DenseFur {
   strands::Look look;                         ///< its shadow is Shadow::exponential
 };
 
-/// Returns the fur of the look on the mesh. The opacity map of its look has `size` texels per side.
+/// Returns fur with the values of `look` on the mesh. DenseFur::look has an opacity map of `size` x `size`
+/// texels.
 DenseFur dense_fur(const Mesh& mesh, const DenseLook& look, int size);
 
 /// A fragment in the light's view.

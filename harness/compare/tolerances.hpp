@@ -32,8 +32,9 @@ inline constexpr double folded_psnr = 90.0;
 /// Largest accepted relative change of the mean coverage of a picture of strands if strands are left out
 /// (docs/level-of-detail.md).
 inline constexpr double kept_coverage = 0.01;
-/// Limit for the mean error of the key light if strands.shadow is "exp" (docs/strands.md, section Shadow).
-/// The value is a fraction of the unshadowed light. It applies to three looks of dense fur on the bunny.
+/// Greatest accepted mean error of the shadowed key light if strands.shadow is "exp" (docs/strands.md,
+/// section Shadow), as a fraction of the unshadowed light. Tests compare it for three looks of dense fur on
+/// the bunny.
 inline constexpr double shadow_error = 0.1;
 /// Smallest accepted PSNR of the OpenGL baseline against the reference, in dB. OpenGL drivers and the
 /// reference filter textures with different arithmetic. Therefore the 99.9th percentile of the baseline's

@@ -25,7 +25,8 @@ namespace fs = std::filesystem;
 // A surface point and the point of the file from which it comes are nearer than this distance, R. The
 // positions of a Mesh are rounded to single precision.
 constexpr double near = 1e-5;
-// Two points of the file that coincide in the first frame may part by this distance in a later frame, R.
+// If two points of the file coincide in the first frame, their distance in a later frame may be at most this
+// number, R.
 constexpr double together = 1e-4;
 constexpr std::uint64_t most_bytes = std::uint64_t(4) << 30;  ///< limit of the memory for all positions
 

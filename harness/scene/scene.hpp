@@ -99,7 +99,7 @@ struct WetnessScene {
   /// Approximate width, in R, of the areas on which random droplets may be placed. The wetness of the
   /// droplets decreases to 0 towards the border of an area.
   float patch_size = 0.6f;
-  /// Which wet texels of its disc a droplet is blended with: "near" (those whose clump's centre is not
+  /// A droplet is blended with some wet texels of its disc: "near" (those whose clump's centre is not
   /// further from the droplet's centre than the droplet's radius) | "overlap" (all).
   std::string blend = "near";
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:

@@ -40,7 +40,8 @@ struct Mask {
 
 Mask wetness_mask(const FrameInput& input, Mutant mutant = Mutant::none);
 
-/// Returns the share of the mask's wet texels that are blends of several droplets, 0 to 1; 0 if none is wet.
+/// Returns how many of the mask's wet texels were blended from several droplets, as a fraction of all wet
+/// texels. Returns 0 if no texel is wet.
 double blended_share(const FrameInput& input);
 
 /// Returns the factor of a clump's displacement at the height h (S Eq. 5): (1 - w) h + w (1 + ln h / ln N).

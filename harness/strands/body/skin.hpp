@@ -29,8 +29,9 @@ class SkinMotion {
   /// `rest` has the direction at rest of the strand at each surface point of the mesh as it was loaded.
   /// Throws InputError if the number of directions is wrong.
   SkinMotion(const Mesh& mesh, std::vector<glm::vec3> rest);
-  /// The same for strands at some surface points: strand i is at the surface point point[i] and has the
-  /// direction at rest rest[i]. The frames then have one element per strand.
+  /// As above, but for strands at some of the surface points. Strand i grows at the surface point point[i],
+  /// and its direction at rest is rest[i]. The frames have one element per strand. Throws InputError if the
+  /// two lists have different lengths, or if the mesh has no such surface point.
   SkinMotion(const Mesh& mesh, std::vector<std::uint32_t> point, std::vector<glm::vec3> rest);
 
   /// Returns the skin of the next frame, `duration` seconds after the last frame. `position` has the surface

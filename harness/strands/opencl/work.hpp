@@ -23,9 +23,11 @@ inline constexpr double chain_step = 665;
 inline constexpr double between_keys = 275;
 /// Response, twist and curvature. Per strand, if a strand has another value than the default.
 inline constexpr double style = 150;
-/// Fill lights, rim light and heights above the skin. Per drawn strand of a look with these lights.
+/// Fill lights, rim light, and the heights of a strand above the skin. Per drawn strand, if
+/// StrandWork::lights is true.
 inline constexpr double steady_light = 161;
-/// A vertex of a strip without and with these lights, and the additional operations of a shadow. Per vertex.
+/// A vertex of a strip without these lights, a vertex with these lights, and the operations that a shadow
+/// adds. Per vertex.
 inline constexpr double vertex = 161, lit_vertex = 196, shadow = 186;
 /// A vertex of a strip in the opacity map. Per vertex.
 inline constexpr double map_vertex = 42;

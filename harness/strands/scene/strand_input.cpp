@@ -28,7 +28,8 @@ Lengths lengths_of(const Fur& fur) {
   return {longest, float(sum / double(fur.strands.size()))};
 }
 
-/// Returns the radius of a sphere around the origin that contains the mesh in all its frames, R.
+/// Returns the greatest distance of a surface point from the origin in any frame of the mesh, R. The result
+/// is at least 1.
 float reach_of(const Mesh& mesh) {
   float reach = 1;
   for (const std::vector<glm::vec3>& frame : mesh.frames)
