@@ -34,18 +34,33 @@ const Layout& layout_of(const Device& device) {
 
 }  // namespace
 
+std::vector<ProgramText> PairSort::program_texts(const Device& device, int runs) {
+  const Layout& layout = layout_of(device);
+  std::vector<ProgramText> texts{
+      {"common/pair_sort.cl",
+       fmt::format("-D LANES=1 -D SORT_BITS={} -D SORT_ITEMS={}", layout.bits, layout.items)}};
+  if (checked(runs, layout) > few_runs) texts.push_back(RadixSort::program_text());
+  return texts;
+}
+
 PairSort::PairSort(const Device& device, int runs)
     : runs_(checked(runs, layout_of(device))),
       items_(layout_of(device).items),
       bits_(layout_of(device).bits),
-      scan_(device),
-      program_(device, "common/pair_sort.cl",
-               fmt::format("-D LANES=1 -D SORT_BITS={} -D SORT_ITEMS={}", bits_, items_)),
+      program_(device, program_texts(device, runs).front()),
       sum_(program_, "pair_total"),
       count_(program_, "pair_count"),
       move_(program_, "pair_move"),
       counts_(device, std::size_t(runs_) << bits_),
-      total_(device, 1) {}
+      total_(device, 1) {
+  if (runs_ > few_runs) scan_.emplace(device);
+}
+
+std::vector<const Program*> PairSort::programs() const {
+  std::vector<const Program*> all{&program_};
+  if (scan_) all.push_back(&scan_->program());
+  return all;
+}
 
 std::size_t PairSort::capacity(std::size_t count) const {
   return (count + std::size_t(runs_) - 1) / std::size_t(runs_);
@@ -65,7 +80,7 @@ void PairSort::sort(const Queue& queue, Buffer<Pair>& pair, const Buffer<std::in
   for (int shift = 0; shift < bits; shift += bits_) {
     count_.with(std::int32_t(runs_), gaps, shift, live, total_, pair, counts_);
     keep(count_.enqueue(queue, items, std::size_t(items_)));
-    if (runs_ > few_runs) scan_.scan(queue, counts_, counts_.size(), events, false);
+    if (scan_) scan_->scan(queue, counts_, counts_.size(), events, false);
     move_.with(std::int32_t(runs_), gaps, shift, std::int32_t(runs_ > few_runs), live, total_, counts_, pair,
                other_);
     keep(move_.enqueue(queue, items, std::size_t(items_)));

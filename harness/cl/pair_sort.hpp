@@ -1,6 +1,7 @@
 // A stable radix sort of pairs on a device (kernels/common/pair_sort.cl).
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "harness/cl/program.hpp"
@@ -20,6 +21,8 @@ class PairSort {
   /// `runs`: number of runs, 1 to 65536; 0: the default of the device. Throws InputError if `runs` is out of
   /// range.
   explicit PairSort(const Device& device, int runs = 0);
+  /// The programs that PairSort(device, runs) builds.
+  static std::vector<ProgramText> program_texts(const Device& device, int runs);
   int runs() const { return runs_; }
 
   /// Returns the capacity of a run for at most `count` pairs: run r begins at index r * capacity(count).
@@ -35,11 +38,11 @@ class PairSort {
 
   /// Number of the sorted pairs, on the device.
   const Buffer<std::int32_t>& total() const { return total_; }
-  const Program& program() const { return program_; }
+  std::vector<const Program*> programs() const;
 
  private:
   int runs_, items_, bits_;
-  RadixSort scan_;
+  std::optional<RadixSort> scan_;  ///< empty for few runs
   Program program_;
   Kernel sum_, count_, move_;
   Buffer<std::int32_t> counts_, total_;

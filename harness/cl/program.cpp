@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <utility>
 
+#include "harness/cl/build_ahead.hpp"
 #include "harness/cl/kernel_cache.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
@@ -73,6 +75,16 @@ void add_sources(const fs::path& folder, const std::string& file, Sources& found
   }
 }
 
+std::string cache_advice(const BuiltProgram& built) {
+  const fs::path folder = built.by_pocl ? kernel_cache() : fs::path();
+  if (folder.empty()) return {};
+  return fmt::format(
+      "; if the kernels are those of pelage, a file in PoCL's folder of compiled kernels is probably "
+      "damaged: "
+      "delete this folder and run the command again: {}",
+      folder.string());
+}
+
 }  // namespace
 
 Sources sources_of(const fs::path& file) {
@@ -99,72 +111,57 @@ std::map<std::string, std::string> hashes_by_file(const std::vector<const Progra
   return hashes;
 }
 
-Program::Program(const Device& device, const fs::path& file, const std::string& options) {
+BuiltProgram::~BuiltProgram() {
+  if (program != nullptr) clReleaseProgram(program);
+}
+
+std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text) {
+  // PoCL builds one program at a time anyway. The lock also protects the text that explain_aborts() sets.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   const fs::path folder = kernel_folder();
   const IncludePath include(folder);
-  const std::string source = read_source(folder / file);
-  file_ = file.generic_string();
-  by_pocl_ = device.info().platform.find("Portable Computing Language") != std::string::npos;
-  sources_ = sources_of(file);
-  const char* text = source.data();
+  const std::string source = read_source(folder / text.file);
+  auto built = std::make_shared<BuiltProgram>();
+  built->file = text.file;
+  built->by_pocl = device.info().platform.find("Portable Computing Language") != std::string::npos;
+  built->sources = sources_of(text.file);
+  const char* source_text = source.data();
   const std::size_t length = source.size();
   std::string all =
-      fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), options.empty() ? "" : " ", options);
+      fmt::format("-cl-std=CL1.2 -I {}{}{}", include.text(), text.options.empty() ? "" : " ", text.options);
   // NVIDIA's cache of binaries does not detect changes in included files. The hash of these files is part of
   // the options, so the driver compiles again after a change.
   if (device.info().platform.find("NVIDIA") != std::string::npos)
-    all += " -D PELAGE_KERNELS=0x" + hash_of(sources_);
+    all += " -D PELAGE_KERNELS=0x" + hash_of(built->sources);
 
   const auto start = std::chrono::steady_clock::now();
   cl_int code = CL_SUCCESS;
-  program_ = clCreateProgramWithSource(device.context(), 1, &text, &length, &code);
+  built->program = clCreateProgramWithSource(device.context(), 1, &source_text, &length, &code);
   check(code, "clCreateProgramWithSource");
   const cl_device_id id = device.id();
   // PoCL uses LLVM, which replaces the signal handlers when it is loaded and when it compiles.
   // explain_aborts() therefore installs pelage's handlers again before and after the compilation.
   explain_aborts();
-  code = clBuildProgram(program_, 1, &id, all.c_str(), nullptr, nullptr);
+  code = clBuildProgram(built->program, 1, &id, all.c_str(), nullptr, nullptr);
   explain_aborts();
-  build_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  log_ = build_log(program_, id);
-  if (code != CL_SUCCESS) {
-    clReleaseProgram(std::exchange(program_, nullptr));
-    throw DeviceError(fmt::format(
-        "clBuildProgram: {}: {} does not build on {} with options '{}'; the log:\n{}", error_name(code),
-        (folder / file).string(), device.info().name, all, log_.empty() ? "(empty)" + cache_advice() : log_));
-  }
+  built->build_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  built->log = build_log(built->program, id);
+  if (code != CL_SUCCESS)
+    throw DeviceError(
+        fmt::format("clBuildProgram: {}: {} does not build on {} with options '{}'; the log:\n{}",
+                    error_name(code), (folder / text.file).string(), device.info().name, all,
+                    built->log.empty() ? "(empty)" + cache_advice(*built) : built->log));
+  return built;
 }
 
-Program::~Program() {
-  if (program_ != nullptr) clReleaseProgram(program_);
-}
-
-Program::Program(Program&& other) noexcept
-    : program_(std::exchange(other.program_, nullptr)),
-      log_(std::move(other.log_)),
-      file_(std::move(other.file_)),
-      sources_(std::move(other.sources_)),
-      build_ms_(other.build_ms_),
-      by_pocl_(other.by_pocl_) {}
-
-Program& Program::operator=(Program&& other) noexcept {
-  std::swap(program_, other.program_);
-  std::swap(log_, other.log_);
-  std::swap(file_, other.file_);
-  std::swap(sources_, other.sources_);
-  std::swap(build_ms_, other.build_ms_);
-  std::swap(by_pocl_, other.by_pocl_);
-  return *this;
+Program::Program(const Device& device, const ProgramText& text) : built_(BuildAhead::take(device, text)) {
+  if (!built_) built_ = build_program(device, text);
 }
 
 std::string Program::cache_advice() const {
-  const fs::path folder = by_pocl_ ? kernel_cache() : fs::path();
-  if (folder.empty()) return {};
-  return fmt::format(
-      "; if the kernels are those of pelage, a file in PoCL's folder of compiled kernels is probably "
-      "damaged: "
-      "delete this folder and run the command again: {}",
-      folder.string());
+  return cl::cache_advice(*built_);
 }
 
 Event::~Event() {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -32,30 +33,51 @@ Sources sources_of(const std::filesystem::path& file);
 /// Returns 16 hex digits: the FNV-1a hash of the paths and contents of the files.
 std::string hash_of(const Sources& sources);
 
+/// What identifies a program: its file in the kernel folder and its build options.
+struct ProgramText {
+  std::string file, options;
+  bool operator==(const ProgramText&) const = default;
+};
+
+/// A program after its build.
+struct BuiltProgram {
+  BuiltProgram() = default;
+  ~BuiltProgram();
+  BuiltProgram(const BuiltProgram&) = delete;
+  BuiltProgram& operator=(const BuiltProgram&) = delete;
+  cl_program program = nullptr;
+  std::string file, log;
+  Sources sources;
+  double build_ms = 0;
+  bool by_pocl = false;
+};
+
+/// Builds kernels/<text.file> with the options -I kernels and `text.options`. If the build fails, throws
+/// DeviceError with the build log and the options. Several threads may call this function; the builds run one
+/// at a time.
+std::shared_ptr<const BuiltProgram> build_program(const Device& device, const ProgramText& text);
+
 class Program {
  public:
-  /// Builds kernels/<file> with the options -I kernels and `options`. If the build fails, throws DeviceError
-  /// with the build log and the options.
-  Program(const Device& device, const std::filesystem::path& file, const std::string& options = {});
-  ~Program();
-  Program(Program&& other) noexcept;
-  Program& operator=(Program&& other) noexcept;
-  cl_program get() const { return program_; }
-  const std::string& log() const { return log_; }
-  double build_ms() const { return build_ms_; }
-  const std::string& file() const { return file_; }  ///< path of the program's file in the kernel folder
-  const Sources& sources() const { return sources_; }
+  /// Builds the program like build_program(), unless a BuildAhead (build_ahead.hpp) has built it or is about
+  /// to. In this case, the constructor waits for that build.
+  Program(const Device& device, const ProgramText& text);
+  Program(const Device& device, const std::string& file, const std::string& options = {})
+      : Program(device, ProgramText{file, options}) {}
+  Program(Program&&) noexcept = default;
+  Program& operator=(Program&&) noexcept = default;
+  cl_program get() const { return built_->program; }
+  const std::string& log() const { return built_->log; }
+  double build_ms() const { return built_->build_ms; }
+  const std::string& file() const { return built_->file; }  ///< path of the file in the kernel folder
+  const Sources& sources() const { return built_->sources; }
   /// Text to append to the error message if the driver does not find a kernel. PoCL does not find a kernel if
   /// a file in its folder of compiled kernels is damaged; the text advises the user to delete this folder.
   /// The text is empty for other drivers.
   std::string cache_advice() const;
 
  private:
-  cl_program program_ = nullptr;
-  std::string log_, file_;
-  Sources sources_;
-  double build_ms_ = 0;
-  bool by_pocl_ = false;
+  std::shared_ptr<const BuiltProgram> built_;
 };
 
 /// Returns 16 hex digits: the hash of the source files of all programs in `programs`.

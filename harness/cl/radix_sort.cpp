@@ -29,10 +29,14 @@ void grow(const Queue& queue, Buffer<std::int32_t>& buffer, std::size_t count) {
   if (count > buffer.size()) buffer = Buffer<std::int32_t>(queue.device(), count + count / 4);
 }
 
+ProgramText RadixSort::program_text() {
+  return {"common/radix_sort.cl",
+          fmt::format("-D LANES=1 -D SCAN_ITEMS={} -D SCAN_EACH={} -D SORT_BITS={} -D SORT_RUN={}",
+                      scan_items, scan_block / scan_items, sort_bits, sort_run)};
+}
+
 RadixSort::RadixSort(const Device& device)
-    : program_(device, "common/radix_sort.cl",
-               fmt::format("-D LANES=1 -D SCAN_ITEMS={} -D SCAN_EACH={} -D SORT_BITS={} -D SORT_RUN={}",
-                           scan_items, scan_block / scan_items, sort_bits, sort_run)),
+    : program_(device, program_text()),
       blocks_(program_, "scan_blocks"),
       add_(program_, "scan_add"),
       count_(program_, "sort_count"),

@@ -14,6 +14,7 @@ namespace pelage::cl {
 class RadixSort {
  public:
   explicit RadixSort(const Device& device);
+  static ProgramText program_text();
   /// Replaces value[i] by the sum of the values before it. If `read_sum` is true, the function waits for the
   /// kernels to end and returns the sum of all `count` values, or 2^31 - 1 if the sum is larger. If
   /// `read_sum` is false, the function does not wait and returns 0.

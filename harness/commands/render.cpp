@@ -26,8 +26,8 @@ int render(const RenderOptions& options) {
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
   // name only after the preparation, which may take minutes.
-  const DrawPicture draw = open_renderer(options.renderer);
-  const DrawnFrame frame = draw(scene, load_scene_mesh(scene));
+  const DrawPicture draw = open_renderer(options.renderer, scene);
+  const DrawnFrame frame = draw(load_scene_mesh(scene));
   write_picture(options.output, frame.image);
   if (!options.dump.empty()) frame.dump(options.dump);
   return 0;

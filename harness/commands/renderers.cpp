@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "harness/cl/build_ahead.hpp"
 #include "harness/compare/frame_output.hpp"
 #include "harness/compare/strands.hpp"
 #include "harness/dump/dump.hpp"
@@ -13,6 +14,7 @@
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/strands.hpp"
 #include "harness/subjects/raycast_difference.hpp"
 
@@ -44,11 +46,11 @@ DrawnFrame drawn(std::shared_ptr<const strands::StrandInput> input, StrandFrame 
   return result;
 }
 
-DrawPicture open_shells(const RendererOptions& options) {
+DrawPicture open_shells(const RendererOptions& options, const Scene& scene) {
   ShellOptions shell_options;
   shell_options.mapping = options.mapping;
-  return [device = cl::choose_device(options.device), shell_options](
-             const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+  return [device = cl::choose_device(options.device), shell_options,
+          scene](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = prepare(scene, mesh);
     Shells shells(device, input, shell_options);
     shells.advance(frames_before(scene.dynamics));
@@ -59,16 +61,16 @@ DrawPicture open_shells(const RendererOptions& options) {
   };
 }
 
-DrawPicture open_reference(const RendererOptions& options) {
-  return [eight_bits = options.bits == 8](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+DrawPicture open_reference(const RendererOptions& options, const Scene& scene) {
+  return [eight_bits = options.bits == 8, scene](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = prepare(scene, mesh);
     return drawn(input, reference_output(*input, frames_before(scene.dynamics) + 1, eight_bits));
   };
 }
 
-DrawPicture open_opengl(const RendererOptions& given) {
-  return [options = opengl_options(given.opengl), renderer = opengl_renderer()](
-             const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+DrawPicture open_opengl(const RendererOptions& given, const Scene& scene) {
+  return [options = opengl_options(given.opengl), renderer = opengl_renderer(),
+          scene](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = prepare(scene, mesh);
     FrameOutput output = reference_motion(*input, frames_before(scene.dynamics) + 1);
     OpenGl opengl(input, output.mask, options);
@@ -80,33 +82,38 @@ DrawPicture open_opengl(const RendererOptions& given) {
   };
 }
 
-DrawPicture open_strands(const RendererOptions& options) {
+DrawPicture open_strands(const RendererOptions& options, const Scene& scene) {
   strands::DrawerOptions drawer;
   drawer.mapping = strands::drawing_named(options.mapping);
-  return [device = cl::choose_device(options.device), drawer](const Scene& scene,
-                                                              const std::shared_ptr<const Mesh>& mesh) {
+  const cl::Device device = cl::choose_device(options.device);
+  auto ahead = std::make_shared<cl::BuildAhead>(device, strands::expected_programs(device, scene, drawer));
+  return [device, drawer, scene, ahead](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
-    strands::Strands strands(device, input, drawer);
-    strands.advance(frames_before(scene.dynamics));
-    report_first_frame(device.info().name, strands.frame().wall_ms);
-    StrandFrame frame{strands.keys(), {}, strands.order(), strands.read()};
-    frame.curves = strands.curves();
-    frame.skin = strands.surface();
-    return drawn(input, std::move(frame), fmt::format("strands on {}", device.info().name),
-                 strands.frames_simulated());
+    const auto drawn = std::make_shared<strands::Strands>(device, input, drawer);
+    drawn->advance(frames_before(scene.dynamics));
+    report_first_frame(device.info().name, drawn->frame().wall_ms);
+    DrawnFrame frame{drawn->read(), {}};
+    frame.dump = [input, drawn, image = frame.image,
+                  name = device.info().name](const std::filesystem::path& path) {
+      StrandFrame arrays{drawn->keys(), {}, drawn->order(), image};
+      arrays.curves = drawn->curves();
+      arrays.skin = drawn->surface();
+      dump_strands(path, *input, arrays, fmt::format("strands on {}", name), drawn->frames_simulated());
+    };
+    return frame;
   };
 }
 
-DrawPicture open_strands_reference(const RendererOptions&) {
-  return [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+DrawPicture open_strands_reference(const RendererOptions&, const Scene& scene) {
+  return [scene](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
     const int frames = frames_before(scene.dynamics) + 1;
     return drawn(input, reference_strands(*input, frames), "strands-reference", frames);
   };
 }
 
-DrawPicture open_strands_raycast(const RendererOptions&) {
-  return [](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+DrawPicture open_strands_raycast(const RendererOptions&, const Scene& scene) {
+  return [scene](const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
     StrandFrame frame{
         input->fur.keys, reference_curves(*input, input->fur.keys), {}, raycast_strands(*input).picture};
@@ -138,7 +145,7 @@ std::span<const Renderer> renderers() {
   return table;
 }
 
-DrawPicture open_renderer(const RendererOptions& options) {
+DrawPicture open_renderer(const RendererOptions& options, const Scene& scene) {
   const auto chosen = std::find_if(std::begin(table), std::end(table),
                                    [&](const Renderer& r) { return r.name == options.pipeline; });
   if (chosen == std::end(table))
@@ -149,7 +156,7 @@ DrawPicture open_renderer(const RendererOptions& options) {
   if (!options.opengl.empty() && !chosen->has_variants)
     throw InputError(fmt::format("--opengl: works only with the OpenGL baseline; add --pipeline {}",
                                  pipeline_with(&Renderer::has_variants)));
-  return chosen->open(options);
+  return chosen->open(options, scene);
 }
 
 }  // namespace pelage

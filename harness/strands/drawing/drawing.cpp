@@ -33,6 +33,10 @@ std::array<double, 9> basis_at(glm::dvec3 n) {
   return {1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
 }
 
+bool has_lights(const Look& look) {
+  return !look.fills.empty() || look.rim != glm::vec3(0) || look.skin_shadow != 0 || !look.film.empty();
+}
+
 Irradiance irradiance_of(const Look& look) {
   using std::numbers::pi;
   // A_l times the square of the normalization of Y_lm, for each polynomial of basis_at().

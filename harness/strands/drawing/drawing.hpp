@@ -101,6 +101,9 @@ DepthRange depth_range(const Camera& camera, float radius);
 /// sh[3] to l = 1 and sh[4] to sh[8] to l = 2. irradiance() multiplies them with a basis() of a normal n.
 using Irradiance = std::array<glm::vec3, 9>;
 
+/// Returns whether the look has more than a key light and ambient light.
+bool has_lights(const Look& look);
+
 /// Returns the coefficients of F of docs/strands.md, section Light. Coefficients above look.bands are 0.
 Irradiance irradiance_of(const Look& look);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "harness/error.hpp"
+#include "harness/strands/opencl/program_texts.hpp"
 #include "kernels/strands/draw/params.h"
 
 namespace pelage::strands {
@@ -42,19 +43,14 @@ std::vector<ChainState> all_at_rest(const std::vector<Chain>& chains) {
 
 }  // namespace
 
-std::string Chains::options(bool skin) const {
-  return fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}", lanes_,
-                     int(!skin && turns(dynamics_)), int(dynamics_.body != nullptr), int(skin));
-}
-
 Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const ChainDynamics& dynamics,
                const ChainOptions& options)
     : strands_(chains.size()),
       dynamics_(dynamics),
       params_((check(dynamics), params(dynamics))),
       lanes_(lanes_of(queue, options.lanes)),
-      program_(queue.device(), "strands/chain/chain.cl", this->options(false)),
-      key_program_(queue.device(), "strands/draw/chain_keys.cl", fmt::format("-D LANES={}", lanes_)),
+      program_(queue.device(), chain_text(dynamics, lanes_, false)),
+      key_program_(queue.device(), chain_keys_text(lanes_)),
       frame_(program_, "chain_frame"),
       write_keys_(key_program_, "chain_keys"),
       constants_(uploaded(queue, strand_columns(chains, dynamics.wind))),
@@ -74,8 +70,8 @@ Chains::Chains(const cl::Queue& queue, const std::vector<Chain>& chains, const C
   some_body_ = cl::Buffer<float>(queue.device(), room_ * BODY_COLUMNS);
 }
 
-Chains::MovingSkin::MovingSkin(const cl::Device& device, const std::string& options, std::size_t room)
-    : program(device, "strands/chain/chain.cl", options),
+Chains::MovingSkin::MovingSkin(const cl::Device& device, const cl::ProgramText& text, std::size_t room)
+    : program(device, text),
       frame(program, "chain_frame"),
       some_from(device, room * STRAND_COLUMNS),
       some_to(device, room * STRAND_COLUMNS) {}
@@ -88,7 +84,7 @@ void Chains::set_skin(const cl::Queue& queue, const SkinFrame& from, const SkinF
   if (turns(dynamics_) || m.velocity != glm::vec3(0) || m.shake != glm::vec3(0))
     throw InputError("skin of the strands: its frames contain the motion, so the object must not move");
   const std::vector<float> first = skin_columns(from, strands_), last = skin_columns(to, strands_);
-  if (!skin_) skin_.emplace(queue.device(), options(true), room_);
+  if (!skin_) skin_.emplace(queue.device(), chain_text(dynamics_, lanes_, true), room_);
   skin_->from = uploaded(queue, first);
   skin_->to = uploaded(queue, last);
   skin_->first_step = steps_;

@@ -57,14 +57,12 @@ class Chains {
  private:
   /// The two frames of the skin between which the strands move, and the kernel that follows them.
   struct MovingSkin {
-    MovingSkin(const cl::Device& device, const std::string& options, std::size_t room);
+    MovingSkin(const cl::Device& device, const cl::ProgramText& text, std::size_t room);
     cl::Program program;
     cl::Kernel frame;
     cl::Buffer<float> from, to, some_from, some_to;
     long first_step = 0, last_step = 0;  ///< the frames are those of the steps first_step to last_step - 1
   };
-
-  std::string options(bool skin) const;
 
   std::size_t strands_;
   std::vector<Chain> chains_;  ///< empty without ChainDynamics::body

@@ -17,40 +17,11 @@ namespace {
 constexpr std::size_t slice = 16;
 constexpr int most_chunks = 65536, most_layers = 256;
 
-int lanes_of(const cl::Device& device, int wanted) {
-  if (wanted != 0 && wanted != 1 && wanted != 16)
-    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
-  return wanted != 0 ? wanted : device.info().lanes;
-}
-
 int chunks_of(const cl::Device& device, int wanted) {
   if (wanted < 0 || wanted > most_chunks)
     throw InputError(fmt::format("chunks: {}; give 1 to {}, or 0 for the default", wanted, most_chunks));
   if (wanted > 0) return wanted;
   return device.info().cpu ? 16 : 1024;
-}
-
-bool is_group(const cl::Device& device, Drawing mapping) {
-  return mapping == Drawing::standard ? !device.info().cpu : mapping == Drawing::group;
-}
-
-int tile_lanes_of(int wanted) {
-  if (wanted != 0 && wanted != 8 && wanted != 16)
-    throw InputError(fmt::format("tile_lanes: {}; it must be 8 or 16", wanted));
-  return wanted == 0 ? 16 : wanted;
-}
-
-int tile_of(const cl::Device& device, const Camera& camera, bool group, int wanted) {
-  if (wanted != 0 && wanted != 16 && wanted != 32 && wanted != 64 && wanted != 128)
-    throw InputError(fmt::format("tile: {} pixels; it must be 16, 32, 64 or 128", wanted));
-  if (group && wanted > 16)
-    throw InputError(fmt::format("tile: {} pixels; the mapping for GPUs needs 16", wanted));
-  if (wanted != 0) return wanted;
-  if (group) return 16;
-  // A strand is processed once per tile that it touches, so large tiles need less work. Small tiles are
-  // distributed more evenly over many cores.
-  const long large = long((camera.width + 127) / 128) * ((camera.height + 127) / 128);
-  return large >= 8L * device.info().compute_units ? 128 : 64;
 }
 
 /// The exponent if it is an integer from 1 to 1024, else 0.
@@ -114,11 +85,6 @@ DrawParams params_of(const DrawingScene& scene, int tile, int chunks) {
   return p;
 }
 
-/// True if the look has more than a key light and ambient light.
-bool has_lights(const Look& look) {
-  return !look.fills.empty() || look.rim != glm::vec3(0) || look.skin_shadow != 0 || !look.film.empty();
-}
-
 /// The film strip in the kernels' layout. Without a film strip, the result has one frame of factors 1.
 std::vector<std::int32_t> film_table(const Look& look) {
   std::vector<std::int32_t> table;
@@ -152,16 +118,8 @@ std::vector<std::int32_t> layer_table(const std::vector<LayerLook>& layers) {
   return table;
 }
 
-std::string options_of(const Look& look, const std::vector<KeyedStrand>& strands) {
-  const int shadow = look.shadow.reading == Shadow::none     ? SHADOW_NONE
-                     : look.shadow.reading == Shadow::linear ? SHADOW_LINEAR
-                                                             : SHADOW_EXPONENTIAL;
-  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}", int(has_lights(look)),
-                     int(has_styles(strands)), shadow);
-}
-
-std::string with(std::string options, int lanes, int tile) {
-  return fmt::format("{} -D LANES={} -D STRAND_TILE={}", options, lanes, tile);
+PictureKinds kinds_of(const Look& look, const std::vector<KeyedStrand>& strands) {
+  return {has_lights(look), has_styles(strands), look.shadow.reading};
 }
 
 }  // namespace
@@ -171,18 +129,16 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
     : strands_(strands),
       scene_(scene),
       layers_(layers_of(scene.look)),
-      group_(is_group(queue.device(), options.mapping)),
-      tile_(tile_of(queue.device(), scene.camera, group_, options.tile)),
-      lanes_(lanes_of(queue.device(), options.lanes)),
+      kinds_(kinds_of(scene.look, strands)),
+      layout_(layout_of(queue.device().info(), scene.camera.width, scene.camera.height, options)),
+      texts_(picture_texts(kinds_, layout_, false, scene.skin != nullptr)),
       sort_(queue.device(), options.runs),
-      params_(params_of(scene, tile_, chunks_of(queue.device(), options.chunks))),
-      key_program_(queue.device(), "strands/draw/keys.cl", with(kernel_options(), lanes_, tile_)),
-      draw_program_(queue.device(), group_ ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-                    with(fmt::format("{} -D STRAND_SKIN={}", kernel_options(), int(scene.skin != nullptr)),
-                         group_ ? 1 : tile_lanes_of(options.tile_lanes), tile_)),
+      params_(params_of(scene, layout_.tile, chunks_of(queue.device(), options.chunks))),
+      key_program_(queue.device(), texts_.keys),
+      draw_program_(queue.device(), texts_.draw),
       make_keys_(key_program_, "strand_keys"),
-      draw_(draw_program_, group_ ? "strand_group" : "strand_tiles"),
-      lists_(queue, params_, with(kernel_options(), 1, tile_)),
+      draw_(draw_program_, layout_.group ? "strand_group" : "strand_tiles"),
+      lists_(queue, params_, texts_.lists),
       key_bits_(key_bits_of(strands_, layers_)) {
   if (strands.empty()) throw InputError("strands: there are none; at least one is needed");
   const cl::Device& device = queue.device();
@@ -192,7 +148,7 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   const std::size_t padded = (strands.size() + slice - 1) / slice * slice;
   params_.runs = sort_.runs();
   set_pruning(Look{});
-  params_.capacity = params_.units_per_run * lanes_;
+  params_.capacity = params_.units_per_run * layout_.lanes;
   set_pruning(scene.look);
   rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
   const std::vector<std::int32_t> film = film_table(scene.look);
@@ -205,13 +161,9 @@ Drawer::Drawer(const cl::Queue& queue, const DrawingScene& scene, const std::vec
   no_map_ = cl::Buffer<glm::vec4>(device, 1);
   no_skin_ = cl::Buffer<glm::vec4>(device, 1);
   if (scene.look.shadow.reading != Shadow::none)
-    map_.emplace(queue, params_, light_view(scene.look), group_, lanes_, kernel_options(), padded);
-  if (scene.skin) skin_.emplace(queue, params_, *scene.skin, lanes_, kernel_options());
+    map_.emplace(queue, params_, light_view(scene.look), kinds_, layout_, padded);
+  if (scene.skin) skin_.emplace(queue, params_, *scene.skin, layout_.lanes, skin_text(kinds_, layout_.lanes));
   image_ = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
-}
-
-std::string Drawer::kernel_options() const {
-  return options_of(scene_.look, strands_);
 }
 
 void Drawer::set_pruning(const Look& look) {
@@ -221,7 +173,7 @@ void Drawer::set_pruning(const Look& look) {
   params_.per_fade = pruning.per_fade;
   // The constants of the strands have slices of 16 strands.
   const std::size_t padded = (std::size_t(pruning.drawn) + slice - 1) / slice * slice;
-  params_.units = int(padded / std::size_t(lanes_));
+  params_.units = int(padded / std::size_t(layout_.lanes));
   params_.units_per_run = (params_.units + params_.runs - 1) / params_.runs;
 }
 
@@ -230,12 +182,11 @@ void Drawer::set_view(const DrawingScene& scene) {
   if (camera.width != old.width || camera.height != old.height)
     throw InputError(fmt::format("view: a picture of {}x{} pixels; the drawer was made for {}x{}",
                                  camera.width, camera.height, old.width, old.height));
-  if (film_table(scene.look) != film_table(scene_.look) ||
-      options_of(scene.look, strands_) != kernel_options() ||
+  if (film_table(scene.look) != film_table(scene_.look) || kinds_of(scene.look, strands_) != kinds_ ||
       scene.look.shadow.size != scene_.look.shadow.size || scene.skin != scene_.skin)
     throw InputError(
         "view: another film strip, other kinds of light, another shadow or another skin need a new drawer");
-  DrawParams p = params_of(scene, tile_, params_.chunks);
+  DrawParams p = params_of(scene, layout_.tile, params_.chunks);
   p.runs = params_.runs;
   p.capacity = params_.capacity;
   params_ = p;
@@ -274,7 +225,7 @@ void Drawer::enqueue(const cl::Queue& queue, cl::PhaseEvents* events) {
   if (events)
     for (cl::Event& event : sorted) events->emplace_back("sort", std::move(event));
   lists_.enqueue(queue, params_, sort_.total(), blocks_, pairs_, "bin", events);
-  cl::Event event = lists_.draw(queue, draw_, group_, tile_, params_, rows_, film_,
+  cl::Event event = lists_.draw(queue, draw_, layout_.group, layout_.tile, params_, rows_, film_,
                                 map_ ? map_->texels() : no_map_, skin_ ? skin_->pixels() : no_skin_, image_);
   if (events) events->emplace_back("raster", std::move(event));
 }
@@ -348,7 +299,8 @@ void Drawer::deform_skin(const cl::Queue& queue, const SkinSurface& skin) {
 }
 
 std::vector<const cl::Program*> Drawer::programs() const {
-  std::vector<const cl::Program*> all{&key_program_, &sort_.program(), &lists_.program(), &draw_program_};
+  std::vector<const cl::Program*> all{&key_program_, &lists_.program(), &draw_program_};
+  for (const cl::Program* program : sort_.programs()) all.push_back(program);
   if (map_)
     for (const cl::Program* program : map_->programs()) all.push_back(program);
   if (skin_) all.push_back(&skin_->program());

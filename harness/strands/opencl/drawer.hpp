@@ -11,6 +11,7 @@
 #include "harness/picture/picture.hpp"
 #include "harness/strands/drawing/drawing.hpp"
 #include "harness/strands/drawing/keyed.hpp"
+#include "harness/strands/opencl/drawer_options.hpp"
 #include "harness/strands/opencl/opacity_map.hpp"
 #include "harness/strands/opencl/skin_drawer.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
@@ -25,21 +26,6 @@ struct DrawingScene {
   DepthRange range;                         ///< see depth_range()
   float first_segment = 0.5f;               ///< length of the first segment, in lengths of the strand
   std::shared_ptr<const SkinSurface> skin;  ///< null: the picture has no skin
-};
-
-/// How the work-items of a device draw a picture. `item`: a work-item draws a tile, for CPUs. `group`: a
-/// work-group draws a tile, for GPUs. `standard`: the device's default.
-enum class Drawing { standard, item, group };
-
-struct DrawerOptions {
-  Drawing mapping = Drawing::standard;
-  int lanes = 0;  ///< strands that a work-item computes at a time: 1 or 16; 0: the device's default
-  /// Lanes of Drawing::item: 8 or 16; 0: the device's default. On processors without AVX-512, 16 means 8.
-  int tile_lanes = 0;
-  int runs = 0;    ///< number of runs of the sort; 0: the device's default (harness/cl/pair_sort.hpp)
-  int chunks = 0;  ///< number of chunks of the sorted list, 1 to 65536; 0: the device's default
-  /// Width and height of a tile in pixels: 16, 32, 64 or 128; 0: the default. Drawing::group needs 16.
-  int tile = 0;
 };
 
 class Drawer {
@@ -87,14 +73,12 @@ class Drawer {
   void set_pruning(const Look& look);
   /// Writes layers_ to layer_table_ if set_view() has changed them.
   void write_layers(const cl::Queue& queue);
-  /// Build options of the kernels, without LANES and STRAND_TILE.
-  std::string kernel_options() const;
-
   std::vector<KeyedStrand> strands_;
   DrawingScene scene_;
   std::vector<LayerLook> layers_;  ///< of all 256 possible fur layers
-  bool group_;                     ///< the mapping is Drawing::group
-  int tile_, lanes_;
+  PictureKinds kinds_;
+  DrawerLayout layout_;
+  PictureTexts texts_;
   cl::PairSort sort_;
   DrawParams params_;
   cl::Program key_program_, draw_program_;

@@ -10,8 +10,6 @@
 namespace pelage::strands {
 namespace {
 
-constexpr int item_tile = 64, group_tile = 16;
-
 void copy(float* to, glm::vec4 v) {
   for (int i = 0; i < 4; ++i) to[i] = v[i];
 }
@@ -34,20 +32,15 @@ DrawParams map_params(DrawParams params, const LightView& view, int lanes, int t
 
 }  // namespace
 
-OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view, bool group,
-                       int lanes, const std::string& options, std::size_t padded)
-    : group_(group),
-      lanes_(lanes),
-      tile_(group ? group_tile : item_tile),
-      key_program_(queue.device(), "strands/draw/keys.cl",
-                   fmt::format("{} -D STRAND_MAP=1 -D LANES={} -D STRAND_TILE={}", options, lanes_, tile_)),
-      draw_program_(
-          queue.device(), group ? "strands/draw/group.cl" : "strands/draw/tile.cl",
-          fmt::format("{} -D STRAND_MAP=1 -D LANES={} -D STRAND_TILE={}", options, group ? 1 : 16, tile_)),
+OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+                       const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded)
+    : layout_(map_layout(picture)),
+      texts_(picture_texts(kinds, layout_, true, false)),
+      key_program_(queue.device(), texts_.keys),
+      draw_program_(queue.device(), texts_.draw),
       make_keys_(key_program_, "strand_keys"),
-      draw_(draw_program_, group ? "strand_group" : "strand_tiles"),
-      lists_(queue, map_params(params, view, lanes_, tile_),
-             fmt::format("{} -D STRAND_MAP=1 -D LANES=1 -D STRAND_TILE={}", options, tile_)) {
+      draw_(draw_program_, layout_.group ? "strand_group" : "strand_tiles"),
+      lists_(queue, map_params(params, view, layout_.lanes, layout_.tile), texts_.lists) {
   const cl::Device& device = queue.device();
   rows_ = cl::Buffer<float>(device, padded * STRAND_ROW);
   curves_ = cl::Buffer<float>(device, 1);
@@ -62,7 +55,7 @@ OpacityMap::OpacityMap(const cl::Queue& queue, const DrawParams& params, const L
 
 void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
                          const PictureBuffers& buffers, cl::PhaseEvents* events) {
-  const DrawParams p = map_params(params, view, lanes_, tile_);
+  const DrawParams p = map_params(params, view, layout_.lanes, layout_.tile);
   if (p.strands != strands_) {
     const std::array<std::int32_t, 1> total{p.strands};
     total_.write(queue, total);
@@ -75,8 +68,8 @@ void OpacityMap::enqueue(const cl::Queue& queue, const DrawParams& params, const
   if (events) events->emplace_back("shadow", std::move(made));
   lists_.enqueue(queue, p, total_, blocks_, pairs_, "shadow", events);
   // The kernels that draw the map read neither a map nor a skin.
-  cl::Event drawn =
-      lists_.draw(queue, draw_, group_, tile_, p, rows_, buffers.film, no_map_, no_skin_, texels_);
+  cl::Event drawn = lists_.draw(queue, draw_, layout_.group, layout_.tile, p, rows_, buffers.film, no_map_,
+                                no_skin_, texels_);
   if (events) events->emplace_back("shadow", std::move(drawn));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "harness/strands/drawing/light_view.hpp"
+#include "harness/strands/opencl/program_texts.hpp"
 #include "harness/strands/opencl/tile_lists.hpp"
 
 namespace pelage::strands {
@@ -18,11 +19,10 @@ struct PictureBuffers {
 
 class OpacityMap {
  public:
-  /// `group`, `tile`: see TileLists::draw(). `lanes`: strands that a work-item computes at a time. `options`:
-  /// build options of the kernels without LANES and STRAND_TILE. params.chunks and runs must be set, and
+  /// `kinds`, `picture`: of the picture for which the map is made. params.chunks and runs must be set, and
   /// `padded` is the number of strands, rounded up to a multiple of 16.
-  OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view, bool group, int lanes,
-             const std::string& options, std::size_t padded);
+  OpacityMap(const cl::Queue& queue, const DrawParams& params, const LightView& view,
+             const PictureKinds& kinds, const DrawerLayout& picture, std::size_t padded);
 
   /// Enqueues the kernels that draw the map, all in the phase `shadow`. `params` describes the picture.
   void enqueue(const cl::Queue& queue, const DrawParams& params, const LightView& view,
@@ -35,8 +35,8 @@ class OpacityMap {
   std::vector<const cl::Program*> programs() const;
 
  private:
-  bool group_;
-  int lanes_, tile_;
+  DrawerLayout layout_;
+  PictureTexts texts_;
   cl::Program key_program_, draw_program_;
   cl::Kernel make_keys_, draw_;
   TileLists lists_;

@@ -41,12 +41,12 @@ std::size_t padded(std::size_t count) {
 }  // namespace
 
 SkinDrawer::SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
-                       const std::string& options)
+                       const cl::ProgramText& text)
     : vertices_(int(skin.position.size())),
       triangles_(int(skin.triangle.size())),
       pixel_count_(params.width * params.height),
       lanes_(lanes),
-      program_(queue.device(), "strands/draw/skin.cl", fmt::format("{} -D LANES={}", options, lanes)),
+      program_(queue.device(), text),
       make_vertices_(program_, "skin_vertices"),
       clear_(program_, "skin_clear"),
       find_depth_(program_, "skin_depth"),

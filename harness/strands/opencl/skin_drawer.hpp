@@ -13,10 +13,10 @@ namespace pelage::strands {
 class SkinDrawer {
  public:
   /// `params.width` and `params.height` must be set. `lanes`: number of vertices, triangles or pixels that a
-  /// work-item computes at a time, 1 or 16. `options`: build options of the kernels, without LANES and
-  /// STRAND_TILE. Throws InputError if the surface has no triangles.
+  /// work-item computes at a time, 1 or 16. `text`: skin_text() with the same `lanes`. Throws InputError if
+  /// the surface has no triangles.
   SkinDrawer(const cl::Queue& queue, const DrawParams& params, const SkinSurface& skin, int lanes,
-             const std::string& options);
+             const cl::ProgramText& text);
 
   /// Enqueues the kernels that draw the skin. Their launches belong to the phase `skin`. `map` has the texels
   /// of the opacity map.

@@ -8,8 +8,8 @@
 
 namespace pelage::strands {
 
-TileLists::TileLists(const cl::Queue& queue, const DrawParams& params, const std::string& options)
-    : program_(queue.device(), "strands/draw/bins.cl", options),
+TileLists::TileLists(const cl::Queue& queue, const DrawParams& params, const cl::ProgramText& text)
+    : program_(queue.device(), text),
       count_(program_, "strand_bin_count"),
       sum_(program_, "strand_bin_sum"),
       start_(program_, "strand_bin_start"),

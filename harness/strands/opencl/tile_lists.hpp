@@ -15,7 +15,7 @@ namespace pelage::strands {
 class TileLists {
  public:
   /// `options`: build options of the kernels, for one lane. params.tiles_x, tiles_y and chunks must be set.
-  TileLists(const cl::Queue& queue, const DrawParams& params, const std::string& options);
+  TileLists(const cl::Queue& queue, const DrawParams& params, const cl::ProgramText& text);
 
   /// Enqueues the kernels that write the lists. They read the first total[0] pairs. The launches belong to
   /// the phase `phase`. The host waits once, because it needs the total length of the lists to allocate them.

@@ -51,11 +51,11 @@ void check_frames(const Scene& scene) {
         "give \"plane\"");
 }
 
+}  // namespace
+
 Shadow shadow_named(const std::string& name) {
   return name == "none" ? Shadow::none : name == "linear" ? Shadow::linear : Shadow::exponential;
 }
-
-}  // namespace
 
 Look look_of(const Scene& scene) {
   const StrandsScene& strands = scene.strands;

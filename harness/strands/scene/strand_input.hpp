@@ -25,6 +25,9 @@ struct StrandInput {
 /// that the scene names. Throws InputError if the mesh has no triangles, or if a picture cannot be read.
 std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shared_ptr<const Mesh> mesh);
 
+/// Returns the reading of the opacity map that strands.shadow names.
+Shadow shadow_named(const std::string& name);
+
 /// Converts the scene's keys to the look of a picture. The first light of the scene is the key light. The
 /// second light becomes a white fill light.
 Look look_of(const Scene& scene);

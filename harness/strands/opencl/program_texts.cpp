@@ -1,0 +1,123 @@
+#include "harness/strands/opencl/program_texts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "harness/cl/pair_sort.hpp"
+#include "harness/error.hpp"
+#include "harness/strands/scene/strand_input.hpp"
+#include "kernels/strands/draw/params.h"
+
+namespace pelage::strands {
+namespace {
+
+constexpr int item_map_tile = 64, group_map_tile = 16;
+
+int lanes_of(const cl::DeviceInfo& device, int wanted) {
+  if (wanted != 0 && wanted != 1 && wanted != 16)
+    throw InputError(fmt::format("lanes: {}; it must be 0, 1 or 16", wanted));
+  return wanted != 0 ? wanted : device.lanes;
+}
+
+bool is_group(const cl::DeviceInfo& device, Drawing mapping) {
+  return mapping == Drawing::standard ? !device.cpu : mapping == Drawing::group;
+}
+
+int tile_lanes_of(int wanted) {
+  if (wanted != 0 && wanted != 8 && wanted != 16)
+    throw InputError(fmt::format("tile_lanes: {}; it must be 8 or 16", wanted));
+  return wanted == 0 ? 16 : wanted;
+}
+
+int tile_of(const cl::DeviceInfo& device, int width, int height, bool group, int wanted) {
+  if (wanted != 0 && wanted != 16 && wanted != 32 && wanted != 64 && wanted != 128)
+    throw InputError(fmt::format("tile: {} pixels; it must be 16, 32, 64 or 128", wanted));
+  if (group && wanted > 16)
+    throw InputError(fmt::format("tile: {} pixels; the mapping for GPUs needs 16", wanted));
+  if (wanted != 0) return wanted;
+  if (group) return 16;
+  // A strand is processed once per tile that it touches, so large tiles need less work. Small tiles are
+  // distributed more evenly over many cores.
+  const long large = long((width + 127) / 128) * ((height + 127) / 128);
+  return large >= 8L * device.compute_units ? 128 : 64;
+}
+
+std::string options_of(const PictureKinds& kinds) {
+  const int shadow = kinds.shadow == Shadow::none     ? SHADOW_NONE
+                     : kinds.shadow == Shadow::linear ? SHADOW_LINEAR
+                                                      : SHADOW_EXPONENTIAL;
+  return fmt::format("-D STRAND_LIGHTS={} -D STRAND_STYLES={} -D STRAND_SHADOW={}", int(kinds.lights),
+                     int(kinds.styles), shadow);
+}
+
+/// What prepare_strands() and grow() will find for this scene, without growing the fur.
+PictureKinds expected_kinds(const Scene& scene) {
+  const std::vector<StrandLayerScene>& layers = scene.strands.layers;
+  const bool film =
+      std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) { return !l.film.empty(); });
+  const bool styles = std::any_of(layers.begin(), layers.end(), [](const StrandLayerScene& l) {
+    return l.response != 1 || l.twist != 0 || l.twist_spread != 0 || l.curvature != 0 ||
+           l.curvature_spread != 0;
+  });
+  return {film || has_lights(look_of(scene)), styles, shadow_named(scene.strands.shadow)};
+}
+
+}  // namespace
+
+DrawerLayout layout_of(const cl::DeviceInfo& device, int width, int height, const DrawerOptions& options) {
+  const bool group = is_group(device, options.mapping);
+  return {group, tile_of(device, width, height, group, options.tile), lanes_of(device, options.lanes),
+          group ? 1 : tile_lanes_of(options.tile_lanes)};
+}
+
+DrawerLayout map_layout(const DrawerLayout& picture) {
+  return {picture.group, picture.group ? group_map_tile : item_map_tile, picture.lanes,
+          picture.group ? 1 : 16};
+}
+
+PictureTexts picture_texts(const PictureKinds& kinds, const DrawerLayout& layout, bool map, bool skin) {
+  const std::string base = options_of(kinds) + (map ? " -D STRAND_MAP=1" : "");
+  const auto with = [&](const std::string& options, int lanes) {
+    return fmt::format("{} -D LANES={} -D STRAND_TILE={}", options, lanes, layout.tile);
+  };
+  return {{"strands/draw/keys.cl", with(base, layout.lanes)},
+          {"strands/draw/bins.cl", fmt::format("-D LANES=1 -D STRAND_TILE={}", layout.tile)},
+          {layout.group ? "strands/draw/group.cl" : "strands/draw/tile.cl",
+           with(map ? base : fmt::format("{} -D STRAND_SKIN={}", base, int(skin)), layout.tile_lanes)}};
+}
+
+cl::ProgramText skin_text(const PictureKinds& kinds, int lanes) {
+  return {"strands/draw/skin.cl", fmt::format("{} -D LANES={}", options_of(kinds), lanes)};
+}
+
+cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows) {
+  return {"strands/chain/chain.cl",
+          fmt::format("-D LANES={} -D TURNING={} -D CHAIN_BODY={} -D CHAIN_SKIN={}", lanes,
+                      int(!follows && turns(dynamics)), int(dynamics.body != nullptr), int(follows))};
+}
+
+cl::ProgramText chain_keys_text(int lanes) {
+  return {"strands/draw/chain_keys.cl", fmt::format("-D LANES={}", lanes)};
+}
+
+std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const Scene& scene,
+                                               const DrawerOptions& options) {
+  const DrawerLayout layout = layout_of(device.info(), scene.image.width, scene.image.height, options);
+  const PictureKinds kinds = expected_kinds(scene);
+  ChainDynamics dynamics = chain_dynamics(scene);
+  if (scene.strands.chain.collision == "body") dynamics.body = std::make_shared<DistanceField>();
+  std::vector<cl::ProgramText> texts{chain_text(dynamics, device.info().lanes, false),
+                                     chain_keys_text(device.info().lanes)};
+  for (const cl::ProgramText& text : cl::PairSort::program_texts(device, options.runs)) texts.push_back(text);
+  const auto add = [&](const PictureTexts& picture) {
+    texts.insert(texts.end(), {picture.keys, picture.draw, picture.lists});
+  };
+  add(picture_texts(kinds, layout, false, scene.strands.skin));
+  if (kinds.shadow != Shadow::none) add(picture_texts(kinds, map_layout(layout), true, false));
+  if (scene.strands.skin) texts.push_back(skin_text(kinds, layout.lanes));
+  if (scene.mesh.frames > 1) texts.push_back(chain_text(dynamics, device.info().lanes, true));
+  return texts;
+}
+
+}  // namespace pelage::strands

@@ -1,0 +1,56 @@
+// The OpenCL programs that draw and simulate strands. The classes of this folder build the programs of these
+// texts. The kernels of a program are specialized by build options, because a test that the compiler
+// removes costs nothing in the loop over the fragments.
+#pragma once
+#include <vector>
+
+#include "harness/cl/program.hpp"
+#include "harness/scene/scene.hpp"
+#include "harness/strands/chain/chain.hpp"
+#include "harness/strands/drawing/drawing.hpp"
+#include "harness/strands/opencl/drawer_options.hpp"
+
+namespace pelage::strands {
+
+/// The kinds of light and of strands that the kernels of a picture must compute.
+struct PictureKinds {
+  bool lights = false;  ///< the look has more than a key light and ambient light
+  bool styles = false;  ///< has_styles() of keyed.hpp
+  Shadow shadow = Shadow::none;
+  bool operator==(const PictureKinds&) const = default;
+};
+
+/// How the work-items of a device draw a picture. Every value is chosen: none is 0.
+struct DrawerLayout {
+  bool group = false;  ///< the mapping is Drawing::group
+  int tile = 0, lanes = 0, tile_lanes = 0;
+};
+
+/// Throws InputError if an option is not valid. `width` and `height`: size of the picture in pixels.
+DrawerLayout layout_of(const cl::DeviceInfo& device, int width, int height, const DrawerOptions& options);
+
+/// The layout of the opacity map for pictures with the layout `picture`.
+DrawerLayout map_layout(const DrawerLayout& picture);
+
+/// The programs that compute the strands' curves and sort keys, list the strands of each tile, and draw the
+/// tiles: of a picture, or of an opacity map if `map` is true. `skin`: the picture has a skin.
+struct PictureTexts {
+  cl::ProgramText keys, lists, draw;
+};
+PictureTexts picture_texts(const PictureKinds& kinds, const DrawerLayout& layout, bool map, bool skin);
+
+/// The program that draws the skin.
+cl::ProgramText skin_text(const PictureKinds& kinds, int lanes);
+
+/// The program that simulates chains. `follows`: the roots follow the frames of a mesh.
+cl::ProgramText chain_text(const ChainDynamics& dynamics, int lanes, bool follows);
+
+/// The program that converts chains to key strands.
+cl::ProgramText chain_keys_text(int lanes);
+
+/// Returns the programs that Strands will need for this scene, in the order of their first use. `device` is
+/// the device on which the scene is drawn. Throws InputError if an option is not valid.
+std::vector<cl::ProgramText> expected_programs(const cl::Device& device, const Scene& scene,
+                                               const DrawerOptions& options);
+
+}  // namespace pelage::strands
