@@ -1,6 +1,15 @@
 // Draws a fragment of layer n (S sections 3.3 and 4, "fragment shader"; docs/frame.md, section 6). S = Silva et al.
 // 2010, Curling and Clumping Fur Represented by Texture Layers; W = Silva et al. 2010, Real-Time Rendering of Wet Fur.
 // The host puts the constants, shaders/layers.glsl and shaders/light.glsl before this file.
+#define CLUMP_RELATIVE 0
+#define CLUMP_LITERAL 1
+#define CLUMP_DISTANCE 2
+#define CLUMP_CONVERGE 3
+#define TANGENT_PAPER 0
+#define TANGENT_DRAWN 1
+#define TANGENT_STRAND 2
+#define TANGENT_PRINTED 3
+
 in vec2 uv;
 in vec3 normal, rise;
 #ifdef WET_MODEL
@@ -66,18 +75,30 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
 void main() {
   vec2 at = uv;
   float rho = 0.0;
-  vec2 pull = vec2(0.0);  // shift of the texture position by the clump, divided by look.x = f(h) (docs/frame.md)
+  // The clump shifts the texture position by amount * pull. In the layer below, it shifts it by change * pull less. The
+  // drawn strand moves by -drawn * pull from the layer below to this one (docs/frame.md, section 6).
+  vec2 pull = vec2(0.0);
+  float amount = look.x, change = look.y, drawn = look.y, stretch = 1.0;
 #ifdef CLUMPS
   // Computes S Eq. 5 and S Algorithm 2. rho is the wetness in the mask at uv. If rho is 0 (dry), the shift is 0.
   vec4 here = textureLod(mask, uv, 0.0);
   vec2 from = uv - here.xy;
   rho = here.w;
-#ifdef LITERAL_CLUMPS
-  pull = rho * here.z * from;
+#if CLUMP_READING == CLUMP_CONVERGE
+  float near = min(rho * look.x, 0.98), below = min(rho * (look.x - look.y), 0.98);
+  stretch = 1.0 / (1.0 - near);
+  pull = from;
+  amount = near * stretch;
+  drawn = (near - below) * stretch;
+  change = drawn / (1.0 - below);
+#elif CLUMP_READING == CLUMP_DISTANCE
+  pull = rho * here.z * from * inversesqrt(max(dot(from, from), 1e-30));
 #else
-  pull = rho * CLUMP_GAIN * from;
+  float factor = rho * (CLUMP_READING == CLUMP_LITERAL ? here.z : CLUMP_GAIN);
+  pull = factor * from;
+  drawn = look.y / (1.0 + (look.x - look.y) * factor);
 #endif
-  at = uv + look.x * pull;
+  at = uv + amount * pull;
   vec4 there = textureLod(mask, at, 0.0);
   bool other = dot(from, from) > here.z * here.z || there.w == 0.0;
 #ifdef SEPARATE_CELLS
@@ -89,15 +110,22 @@ void main() {
   vec3 nu = unit(normal), e = view();
   // `level` is log2 of the size of a pixel's footprint on the surface, in texels of mip level 0, plus fur.lod_bias.
   // LEVEL is the part of this sum that is constant in a picture. gl_FragCoord.w is 1/w.
-  float level = LEVEL - log2(gl_FragCoord.w * max(abs(dot(nu, e)), 0.1));
+  float level = LEVEL - log2(gl_FragCoord.w / stretch * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
   if (texel.r == 0.0) discard;
 
   vec3 t = rise;
   float exponent = EXPONENT;
 #ifdef WET_MODEL
-  vec2 drift = TANGENT_SIGN * look.y * pull;  // W Eq. 4
+  // W Eq. 4
+#if TANGENT_READING == TANGENT_PRINTED
+  vec2 drift = change * pull;
+  t = drift.x * unit(along_u) + drift.y * unit(along_v) + nu / float(LAYERS);
+#else
+  float step = TANGENT_READING == TANGENT_STRAND ? -drawn : TANGENT_READING == TANGENT_DRAWN ? -change : change;
+  vec2 drift = step * pull;
   t += drift.x * along_u + drift.y * along_v;
+#endif
   exponent *= 1.0 + WET_SPECULAR * (rho - 1.0);
 #endif
   t = unit(t);

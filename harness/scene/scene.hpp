@@ -107,12 +107,17 @@ struct WetnessScene {
   std::filesystem::path image;
 };
 
+inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};
+inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
+
 struct ClumpScene {
   /// w of S Eq. 5. With the height, the displacement of the fur by a clump grows linearly if w is 0 and
   /// logarithmically if w is 1.
   float shape = 0.0f;
   float gain = 3.5f;
-  /// Factor of the displacement by a clump: "relative" (`gain`) | "literal" (r_mask of S).
+  /// Reading of S Eq. 5, one of clump_scales: factor of the displacement by a clump "relative" (`gain`) or
+  /// "literal" (r_mask of S) | "distance" (r_mask is the distance by which the tip of a fully wet strand
+  /// moves) | "converge" (all strands of a clump lean by the same share of their distance from its centre).
   std::string scale = "relative";
   std::string cells = "separate";  ///< rule to discard fragments at a clump's border: "separate" | "literal"
 };
@@ -240,8 +245,9 @@ struct ShadingScene {
   float occlusion = 0.85f;    ///< sigma_occ of W Eq. 5, the strength of the self-shadow
   float darkening = 0.3f;     ///< sigma_wet of W Eq. 5, the darkening by wetness
   float wet_specular = 0.5f;  ///< sigma_spec of W Eq. 3, the influence of wetness on the highlight, < 1
-  /// Sign of the clump term in the tangent of W Eq. 4: "paper" (the printed sign) | "drawn" (the opposite
-  /// sign, so that the tangent tilts in the same direction as the drawn strands).
+  /// Reading of W Eq. 4, one of tangent_readings: "paper" (the printed sign, in R) | "drawn" (the opposite
+  /// sign, so that the tangent tilts in the same direction as the drawn strands) | "strand" (the direction of
+  /// the strand as drawn) | "printed" (the printed sign and the printed units).
   std::string tangent = "paper";
   std::string sides = "one";  ///< sides of the surface that receive light: "one" (outside) | "two"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two lights

@@ -40,9 +40,7 @@ typedef struct {
   int mask_size;
   float clump_shape;                          // w of S Eq. 5
   float clump_gain;
-  // Selects the factor by which a clump's displacement is multiplied. 1: the clump's radius r_mask, as in S; 0:
-  // clump_gain.
-  int clump_literal;
+  int clump_reading;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
   float log_layers;                           // k = ln N, for S Eq. 5
   // Textures.
@@ -64,7 +62,7 @@ typedef struct {
   int whole_exponent;
   float ambient, wrap;
   float occlusion, darkening, wet_specular;   // sigma_occ, sigma_wet, sigma_spec
-  float drawn;                                // sign of the clump term in W Eq. 4 (+1: as printed; -1: the opposite)
+  int tangent;                                // TANGENT_PAPER, ...: the reading of W Eq. 4 (scene key shading.tangent)
   int lights;
   union {                                     // unit vectors towards the lights
     // rusticl (Mesa 22.3) uses a wrong size for the array light[2][3]: it takes 2, the first dimension, as the number
@@ -75,6 +73,13 @@ typedef struct {
   float intensity[2];
   float skin[3], background[3];
 } RasterParams;
+
+// Readings of S Eq. 5, in the order of the values of the scene key clump.scale.
+enum { CLUMP_RELATIVE, CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };
+// Readings of W Eq. 4, in the order of the values of the scene key shading.tangent.
+enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
+// Greatest rho f(h) with CLUMP_CONVERGE. Strands with rho f(h) = 1 would meet in one point.
+#define CLOSEST 0.98f
 
 // Columns of the layer table: h, cos(omega h), sin(omega h), ln h, and the power of h in B Eq. 4. Only the host
 // computes these values, so that all devices use the same bits.

@@ -1,13 +1,21 @@
 #include "harness/shells/opencl/params.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numbers>
 
 #include "harness/scene/shading_models.hpp"
 
 namespace pelage::shells {
 namespace {
+
+/// Returns the index of a name in a list. The enumerations of kernels/rasterize/params.h have the same order.
+template <class List>
+int place_of(const std::string& name, const List& list) {
+  return int(std::find(std::begin(list), std::end(list), name) - std::begin(list));
+}
 
 template <class V>
 void copy(const V& from, float* to, int count) {
@@ -89,7 +97,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.mask_size = scene.wetness.size;
   p.clump_shape = scene.clump.shape;
   p.clump_gain = scene.clump.gain;
-  p.clump_literal = scene.clump.scale == "literal";
+  p.clump_reading = place_of(scene.clump.scale, clump_scales);
   p.clump_separate = scene.clump.cells == "separate";
   p.log_layers = float(std::log(double(scene.fur.layers)));
   p.fur_size = input.fur.size;
@@ -112,7 +120,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.occlusion = scene.shading.occlusion;
   p.darkening = scene.shading.darkening;
   p.wet_specular = scene.shading.wet_specular;
-  p.drawn = scene.shading.tangent == "drawn" ? -1.0f : 1.0f;
+  p.tangent = place_of(scene.shading.tangent, tangent_readings);
   p.lights = int(scene.shading.lights.size());
   for (std::size_t i = 0; i < scene.shading.lights.size() && i < 2; ++i) {
     copy(glm::normalize(scene.shading.lights[i].direction), p.light[i], 3);

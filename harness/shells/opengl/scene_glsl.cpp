@@ -2,6 +2,7 @@
 // and 6).
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -30,6 +31,11 @@ std::vector<float> scaled(const glm::vec4& row, double factor) {
 glm::dvec2 bezier_at(double h, const std::string& spacing) {
   const double t = spacing == "uniform" ? 1.0 - std::sqrt(1.0 - h) : h;
   return {2.0 * t * (1.0 - t), t * t};
+}
+
+std::string upper_case(std::string text) {
+  for (char& letter : text) letter = char(std::toupper(static_cast<unsigned char>(letter)));
+  return text;
 }
 
 }  // namespace
@@ -63,7 +69,6 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"OCCLUSION", {shading.occlusion}},
       {"DARKENING", {shading.darkening}},
       {"WET_SPECULAR", {shading.wet_specular}},
-      {"TANGENT_SIGN", {shading.tangent == "drawn" ? -1.0f : 1.0f}},
   };
   for (std::size_t i = 0; i < shading.lights.size(); ++i) {
     const glm::dvec3 direction(shading.lights[i].direction);
@@ -94,7 +99,8 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
       fmt::format("WHOLE_EXPONENT {}", int(exponent)));
   define(scene.curl.radius > 0.0f, "CURLS");
   define(wet, "CLUMPS");
-  define(scene.clump.scale == "literal", "LITERAL_CLUMPS");
+  define(true, fmt::format("CLUMP_READING CLUMP_{}", upper_case(scene.clump.scale)));
+  define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));
   define(scene.clump.cells == "separate", "SEPARATE_CELLS");
   define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
   define(scene.shading.sides == "two", "TWO_SIDED");

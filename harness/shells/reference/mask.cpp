@@ -113,6 +113,44 @@ double blended_share(const FrameInput& input) {
   return wet > 0 ? mixed / wet : 0;
 }
 
+namespace {
+
+/// The displacement of a point p by a clump, in a layer with the factor f of S Eq. 5.
+struct ClumpReading {
+  std::string scale;  ///< clump.scale
+  double gain = 0;    ///< clump.gain
+  Clump clump;
+
+  /// rho f, limited to .98: the share of its distance from the centre by which a strand leans
+  double share(double f) const { return std::min(clump.wetness * f, 0.98); }
+  /// Returns d, in UV units.
+  glm::dvec2 displacement(double f, const glm::dvec2& p) const {
+    const glm::dvec2 away = p - clump.centre;
+    const double distance = glm::length(away);
+    if (scale == "converge") return share(f) / (1.0 - share(f)) * away;
+    if (scale == "distance")
+      return distance > 0.0 ? f * clump.wetness * clump.radius * away / distance : away;
+    return f * clump.wetness * (scale == "literal" ? clump.radius : gain) * away;
+  }
+  /// Returns the point p at which the strand with the root q is drawn: p + displacement(f, p) = q. With
+  /// "distance", q is further from the centre than the strand moves.
+  glm::dvec2 drawn(double f, const glm::dvec2& q) const {
+    const glm::dvec2 away = q - clump.centre;
+    const double distance = glm::length(away);
+    if (scale == "converge") return clump.centre + (1.0 - share(f)) * away;
+    if (scale == "distance")
+      return distance > 0.0 ? q - f * clump.wetness * clump.radius * away / distance : q;
+    return clump.centre + away / (1.0 + f * clump.wetness * (scale == "literal" ? clump.radius : gain));
+  }
+  double stretch(double f) const { return scale == "converge" ? 1.0 / (1.0 - share(f)) : 1.0; }
+};
+
+ClumpReading clump_reading(const ClumpScene& scene, const Clump& clump) {
+  return {scene.scale, double(scene.gain), clump};
+}
+
+}  // namespace
+
 double clump_shape(double h, double w, int layers, Mutant mutant) {
   const double k = (mutant == Mutant::log_negated ? -1.0 : 1.0) * std::log(double(layers));
   // The maximum avoids ln 0, because h is 0 on the first layer with Mutant::height_without_one.
@@ -131,15 +169,16 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   result.wetness = here.wetness;
   if (!(here.wetness > 0.0)) return result;
 
-  const double scale = scene.scale == "literal" ? here.radius : double(scene.gain);
-  const auto d = [&](int layer) {
-    if (layer < 0) return glm::dvec2(0.0);
-    const double shape =
-        clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, mutant);
-    return shape * here.wetness * scale * (uv - here.centre);
+  const auto f = [&](int layer) {
+    if (layer < 0) return 0.0;
+    return clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, mutant);
   };
-  result.d = d(n);
-  result.delta_d = d(n) - d(n - 1);
+  const ClumpReading reading = clump_reading(scene, here);
+  const glm::dvec2 root = uv + reading.displacement(f(n), uv);
+  result.d = root - uv;
+  result.delta_d = result.d - reading.displacement(f(n - 1), uv);
+  result.moved = reading.drawn(f(n), root) - reading.drawn(f(n - 1), root);
+  result.stretch = reading.stretch(f(n));
 
   if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
   const Clump there = look(uv + result.d);

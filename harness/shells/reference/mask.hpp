@@ -54,7 +54,13 @@ struct Displacement {
   bool discarded = false;
   glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, in UV units
   glm::dvec2 delta_d{0.0};  ///< d minus the value of d on the layer below (W Eq. 4); on layer 0 equal to d
-  double wetness = 0.0;     ///< rho at uv
+  /// How far the clump moves the drawn strand from the layer below to this layer, in UV units. A strand with
+  /// the root q is drawn at the point p with p + d(p) = q.
+  glm::dvec2 moved{0.0};
+  /// Distance between the roots of two strands, divided by the distance of the strands in this layer. 1 if
+  /// the reading of S Eq. 5 has no such factor for the texture lookup.
+  double stretch = 1.0;
+  double wetness = 0.0;  ///< rho at uv
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);

@@ -206,14 +206,15 @@ class Painter {
     const Bend strand = bend(face, sample);
     const glm::dvec3 normal = unit(strand.a), eye = view(sample);
     const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
-    const FurSample fur = look(where, clump, level_of_detail(sample, normal, eye), [&] {
-      const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
-      return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
-    });
+    const FurSample fur =
+        look(where, clump, level_of_detail(sample, normal, eye) + std::log2(clump.stretch), [&] {
+          const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
+          return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
+        });
     if (!(fur.coverage > 0.0)) return;
 
     const glm::dvec3 along =
-        strand_direction(scene.shading, step, tangent(face, sample), bitangent(face, sample), clump.delta_d);
+        strand_direction(scene, step, tangent(face, sample), bitangent(face, sample), normal, clump);
     const Fragment fragment{sample_coat(input_.coat, where + clump.d) * fur.shade,
                             along,
                             lit_normal(scene.shading, normal, eye),

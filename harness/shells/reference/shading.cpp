@@ -108,16 +108,21 @@ glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& f) {
   return shadow * lambert(shading, f);
 }
 
-glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
-                       const glm::dvec3& b, const glm::dvec2& delta_d) {
-  const double sigma = shading.tangent == "drawn" ? -1.0 : 1.0;
-  return unit(sigma * (delta_d.x * t + delta_d.y * b) + bend);
+glm::dvec3 wet_tangent(const Scene& scene, const glm::dvec3& bend, const glm::dvec3& t, const glm::dvec3& b,
+                       const glm::dvec3& normal, const Displacement& clump) {
+  const std::string& reading = scene.shading.tangent;
+  const auto on_surface = [&](const glm::dvec2& shift) { return shift.x * t + shift.y * b; };
+  if (reading == "strand") return unit(on_surface(clump.moved) + bend);
+  if (reading == "drawn") return unit(on_surface(-clump.delta_d) + bend);
+  if (reading == "printed")
+    return unit(clump.delta_d.x * unit(t) + clump.delta_d.y * unit(b) + normal / double(scene.fur.layers));
+  return unit(on_surface(clump.delta_d) + bend);
 }
 
-glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
-                            const glm::dvec3& b, const glm::dvec2& delta_d) {
-  const ShadingModel& model = shading_model(shading.model);
-  return model.surface_light && !model.plain ? wet_tangent(shading, bend, t, b, delta_d) : unit(bend);
+glm::dvec3 strand_direction(const Scene& scene, const glm::dvec3& bend, const glm::dvec3& t,
+                            const glm::dvec3& b, const glm::dvec3& normal, const Displacement& clump) {
+  const ShadingModel& model = shading_model(scene.shading.model);
+  return model.surface_light && !model.plain ? wet_tangent(scene, bend, t, b, normal, clump) : unit(bend);
 }
 
 }  // namespace pelage::reference

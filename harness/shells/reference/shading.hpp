@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "harness/scene/scene.hpp"
+#include "harness/shells/reference/mask.hpp"
 
 namespace pelage::reference {
 
@@ -50,15 +51,14 @@ glm::dvec3 skin_colour(const ShadingScene& shading, const Fragment& fragment);
 
 /// Returns the unit direction T_ws of the strand in object space (W Eq. 4). `bend` is the vector from the
 /// strand's point on the layer below to the strand's point on the fragment's layer, in R. `t` and `b` are the
-/// surface tangents dX/du and dX/dv, in R per unit of UV. `delta_d` is the clump's displacement at the
-/// fragment's layer minus the clump's displacement at the layer below, in UV.
-glm::dvec3 wet_tangent(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
-                       const glm::dvec3& b, const glm::dvec2& delta_d);
+/// surface tangents dX/du and dX/dv, in R per unit of UV. `normal` is the unit normal of the surface.
+glm::dvec3 wet_tangent(const Scene& scene, const glm::dvec3& bend, const glm::dvec3& t, const glm::dvec3& b,
+                       const glm::dvec3& normal, const Displacement& clump);
 
 /// Returns the unit direction of the strand in object space, at a fragment of a layer. For the model "wet" it
 /// returns wet_tangent(). For all other models it returns the direction of `bend`. The arguments are those of
 /// wet_tangent().
-glm::dvec3 strand_direction(const ShadingScene& shading, const glm::dvec3& bend, const glm::dvec3& t,
-                            const glm::dvec3& b, const glm::dvec2& delta_d);
+glm::dvec3 strand_direction(const Scene& scene, const glm::dvec3& bend, const glm::dvec3& t,
+                            const glm::dvec3& b, const glm::dvec3& normal, const Displacement& clump);
 
 }  // namespace pelage::reference

@@ -56,7 +56,7 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
     for (const char* cells : {"separate", "literal"})
-      for (const char* scale : {"relative", "literal"}) {
+      for (const char* scale : clump_scales) {
         const auto input = std::make_shared<FrameInput>(*frame);
         input->scene.clump.cells = cells;
         input->scene.clump.scale = scale;

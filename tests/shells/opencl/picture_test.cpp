@@ -72,6 +72,24 @@ TEST_P(Mappings, OtherReadings) {
   expect_same(drawn_by_reference(*curling), drawn_by_device(curling, GetParam()), 5000);
 }
 
+TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
+  FrameInput input = *small_frame("wet");
+  for (const auto& [scale, tangent] : {std::pair{"relative", "strand"},
+                                       {"distance", "strand"},
+                                       {"converge", "strand"},
+                                       {"converge", "paper"},
+                                       {"distance", "printed"}}) {
+    SCOPED_TRACE(std::string(scale) + ", " + tangent);
+    input.scene.clump.scale = scale;
+    input.scene.shading.tangent = tangent;
+    const auto given = std::make_shared<FrameInput>(input);
+    expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+  }
+  input.scene.fur.substeps = 4;
+  const auto many = std::make_shared<FrameInput>(input);
+  expect_same(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
+}
+
 TEST_P(Mappings, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that the square's triangles cross the near plane and the guard band.
   Scene scene = synthetic::lively_scene();

@@ -224,6 +224,45 @@ TEST(Equations, ClumpsShapeIsZeroOnTheFirstLayerAndOneOnTheLast) {
   EXPECT_NEAR(d.y, .5 * .8 * 3.5 * -.2, tight);
 }
 
+TEST(Equations, ShiftsByAClumpAreTheReferences) {
+  const int layers = 16;
+  for (std::uint32_t trial = 0; trial < 400; ++trial) {
+    Any any{trial};
+    const char* scale = clump_scales[trial % clump_scales.size()];
+    FrameInput input;
+    input.scene.fur.layers = layers;
+    input.scene.clump.scale = scale;
+    input.scene.clump.shape = float(std::abs(any()));
+    const double w = double(input.scene.clump.shape), rho = std::abs(any()), r = .2 + .1 * any();
+    const double distance = .19 * std::abs(any()) + 1e-3;
+    const glm::dvec2 away = distance * glm::normalize(glm::dvec2(any(), any()) + 1e-9), centre(.45, .55);
+    const int n = int(trial / 4) % layers;
+    const auto f = [&](int layer) {
+      return layer < 0 ? 0 : reference::clump_shape((1. + layer) / layers, w, layers);
+    };
+    // A mask with one texel, which the clump covers.
+    reference::Mask mask{1, {{centre, r, rho}}};
+    const reference::Displacement expected = reference::clump_displacement(input, mask, centre + away, n);
+    const bool converging = std::string_view(scale) == "converge";
+    const double factor = std::string_view(scale) == "relative"  ? double(input.scene.clump.gain)
+                          : std::string_view(scale) == "literal" ? r
+                                                                 : r / distance;
+    const shim::Shift shift =
+        converging ? shim::converging_shift(f(n), f(n) - f(n - 1), rho)
+                   : shim::linear_shift(f(n), f(n) - f(n - 1),
+                                        std::string_view(scale) == "distance" ? 0 : rho * factor);
+    const glm::dvec2 pull = converging ? away : rho * factor * away;
+    const auto expect_same = [&](double found, glm::dvec2 value, const char* what) {
+      EXPECT_NEAR(found * pull.x, value.x, 1e-9) << scale << ", " << what;
+      EXPECT_NEAR(found * pull.y, value.y, 1e-9) << scale << ", " << what;
+    };
+    expect_same(shift.amount, expected.d, "d");
+    expect_same(shift.change, expected.delta_d, "change");
+    expect_same(-shift.drawn, expected.moved, "strand");
+    EXPECT_NEAR(shift.stretch, expected.stretch, 1e-9 * expected.stretch);
+  }
+}
+
 /// Returns the factor of the highlight colour C_s in Eq. 6 of paper S. All vectors are unit vectors.
 double strand_specular(const real3& tangent, const real3& light, const real3& eye, double exponent) {
   return shim::power(shim::strand_mirror(shim::angle_with(tangent, light), shim::angle_with(tangent, eye)),
@@ -337,16 +376,18 @@ TEST(Equations, SubStepsShiftLikeTheReferences) {
 }
 
 TEST(Equations, TheWetTangentIsTheReferences) {
-  ShadingScene shading;
+  Scene scene;
   for (std::uint32_t trial = 0; trial < 200; ++trial) {
     Any any{trial};
     const glm::dvec3 rise = any.vector(), t = any.vector(), b = any.vector();
     const glm::dvec2 drift(any(), any());
-    shading.tangent = trial % 2 ? "paper" : "drawn";
+    scene.shading.tangent = trial % 2 ? "paper" : "drawn";
     const double sign = trial % 2 ? 1 : -1;
+    reference::Displacement clump;
+    clump.delta_d = drift;
     expect_near(glm_of(shim::wet_tangent(shim::vec2(sign * drift.x, sign * drift.y), shim_of(t), shim_of(b),
                                          shim_of(rise))),
-                reference::wet_tangent(shading, rise, t, b, drift));
+                reference::wet_tangent(scene, rise, t, b, any.direction(), clump));
   }
   expect_near(glm_of(shim::wet_tangent(shim::vec2(0, 0), shim::vec3(4, 0, 0), shim::vec3(0, 2, 0),
                                        shim::vec3(0, 0, .3))),

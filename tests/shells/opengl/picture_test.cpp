@@ -84,6 +84,20 @@ TEST(OpenGlPicture, OtherReadings) {
   expect_same(input, 5000);
 }
 
+TEST(OpenGlPicture, ReadingsOfClumpsAndTheirTangents) {
+  FrameInput input = *small_frame("wet");
+  for (const auto& [scale, tangent] : {std::pair{"relative", "strand"},
+                                       {"distance", "strand"},
+                                       {"converge", "strand"},
+                                       {"converge", "paper"},
+                                       {"distance", "printed"}}) {
+    SCOPED_TRACE(std::string(scale) + ", " + tangent);
+    input.scene.clump.scale = scale;
+    input.scene.shading.tangent = tangent;
+    expect_same(input, 5000);
+  }
+}
+
 TEST(OpenGlPicture, PlainShells) {
   // This scene has no curls and no clumps, so the baseline compiles its shaders without the equations of
   // curls and clumps.

@@ -144,13 +144,27 @@ TEST(ReferenceWet, OcclusionAndDarkeningAreTheirFactors) {
 }
 
 TEST(ReferenceWet, TheTangentLeansWithTheClump) {
-  ShadingScene shading = bare();
+  Scene scene;
+  scene.shading = bare();
+  scene.fur.layers = 20;
   const glm::dvec3 bend(0, 0, .3), t(4, 0, 0), b(0, 2, 0);
-  expect_colour(wet_tangent(shading, bend, t, b, {0, 0}), z);
-  expect_colour(wet_tangent(shading, bend, t, b, {.1, 0}), {.8, 0, .6});  // (.4, 0, .3) in R
-  expect_colour(wet_tangent(shading, bend, t, b, {0, -.2}), {0, -.8, .6});
-  shading.tangent = "drawn";
-  expect_colour(wet_tangent(shading, bend, t, b, {.1, 0}), {-.8, 0, .6});
+  const auto tangent = [&](glm::dvec2 delta_d, glm::dvec2 moved = glm::dvec2(0)) {
+    Displacement clump;
+    clump.delta_d = delta_d;
+    clump.moved = moved;
+    return wet_tangent(scene, bend, t, b, z, clump);
+  };
+  scene.shading.tangent = "paper";
+  expect_colour(tangent({0, 0}), z);
+  expect_colour(tangent({.1, 0}), {.8, 0, .6});  // (.4, 0, .3) in R
+  expect_colour(tangent({0, -.2}), {0, -.8, .6});
+  scene.shading.tangent = "drawn";
+  expect_colour(tangent({.1, 0}), {-.8, 0, .6});
+  scene.shading.tangent = "strand";
+  expect_colour(tangent({.3, .3}, {0, .2}), {0, .8, .6});
+  // The printed units: .0375 in UV, and a height of 1/20 = .05.
+  scene.shading.tangent = "printed";
+  expect_colour(tangent({.0375, 0}), {.6, 0, .8});
 }
 
 TEST(ReferenceSkin, IsTheWetModelsDiffuseTermAtTheRoot) {
