@@ -1,5 +1,5 @@
 // Functions that write the datasets of a dump (an HDF5 file with the data of one frame), one function per
-// group of datasets. docs/frame.md, section 8, lists the datasets.
+// group of datasets. docs/dump.md lists the datasets.
 #pragma once
 #include <span>
 #include <vector>

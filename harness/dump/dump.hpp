@@ -7,7 +7,7 @@
 
 namespace pelage {
 
-/// Writes the datasets of docs/frame.md, section 8, as HDF5, each with the attributes "units" and
+/// Writes the datasets of docs/dump.md as HDF5, each with the attributes "units" and
 /// "description". `output` holds tips, velocities, mask and image of the frame that `input` describes. If
 /// writing fails, no partial file remains. Throws InputError if the file cannot be written.
 void dump_frame(const std::filesystem::path& path, const FrameInput& input, const FrameOutput& output);

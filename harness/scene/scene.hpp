@@ -122,6 +122,16 @@ struct ClumpScene {
   std::string cells = "separate";  ///< rule to discard fragments at a clump's border: "separate" | "literal"
 };
 
+inline constexpr std::array face_orders{"all", "front", "back-then-front"};
+
+/// Which triangles of the layers are drawn, and in which order.
+struct BlendScene {
+  /// One of face_orders. A triangle faces away from the eye if its base does. "all": all triangles of a
+  /// layer, in the mesh's order | "front": only those that face the eye | "back-then-front": all layers of
+  /// the triangles that face away, then all layers of those that face the eye.
+  std::string faces = "all";
+};
+
 struct WindScene {
   glm::vec3 direction{1.0f, 0.0f, 0.0f};
   float strength = 0.0f;    ///< force on a strand's mass in N
@@ -302,6 +312,7 @@ struct Scene {
   CurlScene curl;
   WetnessScene wetness;
   ClumpScene clump;
+  BlendScene blend;
   DynamicsScene dynamics;
   ShadingScene shading;
   CoatScene coat;

@@ -36,6 +36,11 @@ typedef struct {
   // 1: every triangle is drawn in all layers. 0: a triangle is not drawn in the outer layers in which the clumps (S
   // Algorithm 2) discard all fragments of the triangle.
   int every_layer;
+  int faces;                                  // FACES_ALL, ...: the scene key blend.faces
+  // Sweeps over the layers: from first_sweep to end_sweep - 1 in this launch, of `sweeps` in the whole picture. With
+  // FACES_BACK_THEN_FRONT, sweep 0 draws the triangles that face the eye and sweep 1 the others. Otherwise there is one
+  // sweep.
+  int first_sweep, end_sweep, sweeps;
   // Clumps (S Eq. 5, Algorithm 2).
   int mask_size;
   float clump_shape;                          // w of S Eq. 5
@@ -73,6 +78,13 @@ typedef struct {
   float intensity[2];
   float skin[3], background[3];
 } RasterParams;
+
+// Triangles of the layers that are drawn, in the order of the values of the scene key blend.faces.
+enum { FACES_ALL, FACES_FRONT, FACES_BACK_THEN_FRONT };
+// The fourth number of a triangle's row in the table `corners`: the reach (reach.clh), plus FACES_AWAY if the base of the
+// triangle faces away from the eye and blend.faces is not "all".
+#define REACH_BITS 0xffff
+#define FACES_AWAY 0x10000
 
 // Readings of S Eq. 5, in the order of the values of the scene key clump.scale.
 enum { CLUMP_RELATIVE, CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };

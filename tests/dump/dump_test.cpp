@@ -1,4 +1,4 @@
-// Tests that a dump has the datasets of docs/frame.md, section 8, with the same shapes and units.
+// Tests that a dump has the datasets of docs/dump.md, with the same shapes and units.
 #include "harness/dump/dump.hpp"
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 Datasets documented() {
-  std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
+  std::ifstream file(fs::path(PELAGE_SOURCE_DIR) / "docs/dump.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   const auto begin = text.find("<!-- dump begins"), end = text.find("<!-- dump ends");
   Datasets found;
@@ -62,7 +62,7 @@ FrameInput frame_of(const std::string& topology, const std::string& binding) {
   return synthetic::frame(scene, synthetic::torus(), 12, 8, 5);
 }
 
-/// Returns the name under which the table of docs/frame.md describes `dataset`.
+/// Returns the name under which the table of docs/dump.md describes `dataset`.
 std::string row_of(const std::string& dataset) {
   return dataset.starts_with("fur_mip/") ? "fur_mip/L" : dataset;
 }
@@ -126,11 +126,10 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
                            return text;
                          });
 
-// The sections of docs/frame.md before the table of datasets may name only datasets of this table.
+// docs/frame.md may name only datasets of the table of docs/dump.md.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
   std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::string rules = text.substr(0, text.find("<!-- dump begins"));
+  const std::string rules{std::istreambuf_iterator<char>(stream), {}};
   static const std::regex name("`((?:mesh|tangent|curl|strand|weight|stick|droplet|layer|camera)/\\w+)`");
   const Datasets table = documented();
   std::size_t named = 0;

@@ -234,6 +234,7 @@ std::vector<std::string> members() {
                                                   {"CurlScene", "curl."},
                                                   {"WetnessScene", "wetness."},
                                                   {"ClumpScene", "clump."},
+                                                  {"BlendScene", "blend."},
                                                   {"WindScene", "dynamics.wind."},
                                                   {"DynamicsScene", "dynamics."},
                                                   {"ShadingScene", "shading."},

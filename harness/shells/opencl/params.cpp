@@ -92,6 +92,8 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.layers = scene.fur.layers;
   p.uniform_spacing = scene.fur.layer_spacing == "uniform";
   p.sticks = has_springs(scene.dynamics);
+  p.faces = place_of(scene.blend.faces, face_orders);
+  p.sweeps = p.end_sweep = p.faces == FACES_BACK_THEN_FRONT ? 2 : 1;
   p.length = scene.fur.length;
   p.curl_radius = scene.curl.radius;
   p.mask_size = scene.wetness.size;

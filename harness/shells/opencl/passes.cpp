@@ -1,6 +1,7 @@
 // If the screen positions of all layers need too much memory, the layers are drawn in several passes. The
 // first pass draws the outermost layers, the last pass the innermost. Each pass transforms and bins its own
-// layers, and then blends them with the pixel values of the previous pass.
+// layers, and then blends them with the pixel values of the previous pass. With two sweeps (params.h), the
+// passes of the triangles that face the eye come first.
 #include <algorithm>
 #include <utility>
 
@@ -26,11 +27,15 @@ int layers_at_once(const RasterParams& p, int wanted, const cl::Device& device) 
 }
 
 int RasterStage::passes() const {
-  return (params_.layers + layers_at_once_ - 1) / layers_at_once_;
+  const int parts = (params_.layers + layers_at_once_ - 1) / layers_at_once_;
+  return parts == 1 ? 1 : parts * params_.sweeps;
 }
 
 void RasterStage::set_pass(int number) {
-  params_.first_layer = number * layers_at_once_;
+  const int parts = (params_.layers + layers_at_once_ - 1) / layers_at_once_;
+  params_.first_sweep = parts == 1 ? 0 : params_.sweeps - 1 - number / parts;
+  params_.end_sweep = parts == 1 ? params_.sweeps : params_.first_sweep + 1;
+  params_.first_layer = number % parts * layers_at_once_;
   params_.end_layer = std::min(params_.first_layer + layers_at_once_, params_.layers);
   const int layers = params_.end_layer - params_.first_layer;
   params_.layer_batches = 1 + (layers + params_.layer_batch - 1) / params_.layer_batch;
@@ -42,6 +47,15 @@ void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mappin
   layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);
   cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));
+  if (params_.faces != FACES_ALL) {
+    facing_.with(params_, b.corner, b.screen, b.vertex, *b.tip, b.dry, b.layer_table);
+    const std::size_t blocks = std::size_t((params_.triangles + lanes_ - 1) / lanes_);
+    // PoCL copies the parameters for every work-item, so on a CPU a work-item processes many blocks.
+    const cl::DeviceInfo& device = queue.device().info();
+    cl::Event turned = facing_.enqueue(
+        queue, device.cpu ? std::min(blocks, 32 * std::size_t(device.compute_units)) : blocks);
+    if (events) events->emplace_back("transform", std::move(turned));
+  }
   mapping.bin(queue, params_, buffers_, events);
 }
 

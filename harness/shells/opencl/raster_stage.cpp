@@ -65,6 +65,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       geometry_(queue.device(), "rasterize/geometry/geometry.cl", build_options(lanes_, tuning_)),
       strand_tips_(geometry_, "vertex_tips"),
       layers_(geometry_, "layer_vertices"),
+      facing_(geometry_, "triangle_facing"),
       records_(geometry_, "vertex_records") {
   const cl::Device& device = queue.device();
   // A second thread packs the fur texture while this thread builds the OpenCL programs of the mapping (tile,

@@ -48,8 +48,8 @@ class RasterStage {
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
   MappingSetup setup(const cl::Device& device, const std::string& options) const;
   // Returns the number of passes. There are several passes if the screen positions of all layers do not fit
-  // in memory. Passes with higher numbers contain layers farther outside and are drawn earlier. Pass 0
-  // contains the innermost layers and is drawn last.
+  // in memory. Passes with higher numbers are drawn earlier: first the passes of sweep 0 (params.h), then
+  // those of sweep 1. Within a sweep, passes with higher numbers contain layers farther outside.
   int passes() const;
   void set_pass(int number);
   // Transforms and bins the layers of pass `number`. The caller then calls mapping.draw().
@@ -60,7 +60,7 @@ class RasterStage {
   RasterParams params_;
   int lanes_, layers_at_once_;
   cl::Program geometry_;
-  cl::Kernel strand_tips_, layers_, records_;
+  cl::Kernel strand_tips_, layers_, facing_, records_;
   std::unique_ptr<Mapping> mapping_;
   RasterBuffers buffers_;
   cl::Buffer<float> uv_, weight_, tip_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 
 #include "harness/error.hpp"
 #include "harness/parallel.hpp"
@@ -57,6 +58,27 @@ class Painter {
     });
   }
 
+  /// Finds the faces that face away from the eye, after move_to(-1). The sum of the signed areas of the
+  /// clipped and snapped base decides.
+  void find_facing(const std::vector<char>& wanted) {
+    away_.assign(wanted.size(), 0);
+    for (std::uint32_t face = 0; face < wanted.size(); ++face) {
+      if (!wanted[face]) continue;
+      const std::vector<ClippedVertex> polygon = clip(
+          {point_[geometry_.slot(face, 0)], point_[geometry_.slot(face, 1)], point_[geometry_.slot(face, 2)]},
+          double(input_.camera.near));
+      std::int64_t area = 0;
+      for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Snapped p = snap(polygon[i].point), q = snap(polygon[(i + 1) % polygon.size()].point);
+        area += p.x * q.y - q.x * p.y;
+      }
+      away_[face] = area > 0;
+    }
+  }
+
+  /// Draws only the faces that face away from the eye, or only the others; all faces without a value.
+  void only_away(std::optional<bool> away) { only_away_ = away; }
+
   void draw(Tile& tile) const {
     const bool reversed = layer_ >= 0 && options_.mutant == Mutant::triangles_reversed;
     for (std::size_t i = 0; i < tile.faces.size(); ++i)
@@ -69,6 +91,7 @@ class Painter {
 
  private:
   void draw_face(Tile& tile, std::uint32_t face) const {
+    if (only_away_ && *only_away_ != (away_[face] != 0)) return;
     const std::array<ClipPoint, 3> corners{point_[geometry_.slot(face, 0)], point_[geometry_.slot(face, 1)],
                                            point_[geometry_.slot(face, 2)]};
     const auto inside = [&](const ClipPoint& p) {
@@ -240,8 +263,18 @@ class Painter {
   const Mask& mask_;
   const Geometry& geometry_;
   int layer_ = -1;
+  std::vector<char> away_;  ///< for each face: 1 if it faces away from the eye
+  std::optional<bool> only_away_;
   std::vector<ClipPoint> point_;  ///< projected position of each vertex or triangle corner on layer layer_
 };
+
+/// Returns the sweeps over the layers in the order in which they are drawn: each draws the faces that face
+/// away from the eye (true), the others (false), or all faces (no value).
+std::vector<std::optional<bool>> sweeps(const std::string& faces) {
+  if (faces == "front") return {false};
+  if (faces == "back-then-front") return {true, false};
+  return {std::nullopt};
+}
 
 void check(bool fits, const char* what) {
   if (!fits) throw InputError(fmt::format("a frame cannot be drawn: {}", what));
@@ -308,10 +341,19 @@ Picture render(const FrameInput& input, const Options& options) {
   const Geometry geometry(input, mask, options.frames, wanted, options.mutant, options.sticks);
   Painter painter(input, options, mask, geometry);
   const int layers = input.scene.fur.layers;
-  for (int n = -1; n < layers; ++n) {
-    if (options.mutant == Mutant::layer_missing && n == layers / 2) continue;
+  const auto draw_layer = [&](int n) {
+    if (options.mutant == Mutant::layer_missing && n == layers / 2) return;
     painter.move_to(n);
     for_each_index(tiles.size(), [&](std::size_t i) { painter.draw(tiles[i]); });
+  };
+  draw_layer(-1);
+  for (const std::optional<bool> away : sweeps(input.scene.blend.faces)) {
+    if (away) {
+      painter.move_to(-1);
+      painter.find_facing(wanted);
+    }
+    painter.only_away(away);
+    for (int n = 0; n < layers; ++n) draw_layer(n);
   }
 
   for (const Tile& tile : tiles)

@@ -2,6 +2,7 @@
 // layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
 // work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
 // compiled program. To save this time, the kernels of bin.clh and reach.clh are part of this program.
+#include "rasterize/coverage/fan.clh"
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/reach.clh"
 #include "rasterize/geometry/transform.clh"
@@ -108,6 +109,49 @@ __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) t
     all = both(all, bounds);
   }
   store_bounds(all, box + (size_t)s.layer_batches * s.vertices * 4, block);
+}
+
+// Returns whether the polygon that is left of a clipped triangle of the base faces away from the eye. The polygon is
+// convex, so all triangles of its fan have the same winding.
+static bool clipped_away(const RasterParams *s, Geometry m, int v0, int v1, int v2) {
+  Cut polygon[POLYGON];
+  int corners = clipped_triangle(s, m, layer_at(s, m.layer_table, -1), v0, v1, v2, polygon);
+  long sum = 0;
+  for (int i = 0; i < corners; ++i) {
+    int lanes[4][LANES];
+    Screen p = cut_on_screen(polygon[i], 0, 0), q = cut_on_screen(polygon[i + 1 == corners ? 0 : i + 1], 0, 0);
+    spill_whole(p.x, lanes[0]);
+    spill_whole(p.y, lanes[1]);
+    spill_whole(q.x, lanes[2]);
+    spill_whole(q.y, lanes[3]);
+    sum += (long)lanes[0][0] * lanes[3][0] - (long)lanes[2][0] * lanes[1][0];
+  }
+  return sum > 0;
+}
+
+// Finds the triangles whose base faces away from the eye, after layer_vertices. The corners of a triangle are in
+// counter-clockwise order, seen from outside, so their signed area is below 0 in the picture (y down) if the base faces
+// the eye. The area is that of the rounded screen positions. A triangle of area 0 counts as facing the eye. Sets or
+// clears FACES_AWAY in the fourth number of the triangle's row.
+__kernel void triangle_facing(RasterParams s, __global int *corners, TABLE(float) screen, TABLE(float) vertex, TABLE(float) tip,
+                              TABLE(float) dry, TABLE(float) table) {
+  Geometry m = {0, screen, vertex, tip, dry, table, 0};
+  for (int block = (int)get_global_id(0); block * LANES < s.triangles; block += (int)get_global_size(0)) {
+    __global int *row = corners + 4 * (size_t)block * LANES;
+    int v[3][LANES], away[LANES];
+    for (int k = 0; k < LANES; ++k)
+      for (int c = 0; c < 3; ++c) v[c][k] = row[4 * k + c];
+    real4 a = gather_rows(screen, fill_whole(v[0])), b = gather_rows(screen, fill_whole(v[1])), c = gather_rows(screen, fill_whole(v[2]));
+    whole ax = bits_as_whole(a.x), ay = bits_as_whole(a.y);
+    wide area = to_wide(bits_as_whole(b.x) - ax) * to_wide(bits_as_whole(c.y) - ay) -
+                to_wide(bits_as_whole(c.x) - ax) * to_wide(bits_as_whole(b.y) - ay);
+    spill_whole(to_real(area) > REAL(0.0f) ? WHOLE(1) : WHOLE(0), away);
+    uint clipped = bits_of(lesser(a.z, lesser(b.z, c.z)) == REAL(0.0f));
+    for (int k = 0; k < LANES; ++k) {
+      if (clipped >> k & 1) away[k] = clipped_away(&s, m, v[0][k], v[1][k], v[2][k]);
+      row[4 * k + 3] = (row[4 * k + 3] & REACH_BITS) | (away[k] ? FACES_AWAY : 0);
+    }
+  }
 }
 
 // Writes the attribute row of each vertex: the texture coordinates u, v, and the vectors A and B of docs/frame.md,

@@ -84,16 +84,20 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
   }
 
   size_t at = (size_t)j * s.width + i;
-  bool resumed = s.end_layer < s.layers;
+  bool resumed = resumes(&s);
   float4 front = resumed ? image[at] : (float4)(0.0f, 0.0f, 0.0f, 1.0f);
   uint fragments = 0, shaded = 0, blended = 0;
-  for (int n = s.end_layer - 1; n >= s.first_layer; --n) {
+  int layers = s.end_layer - s.first_layer;
+  for (int step = layers * s.first_sweep; step < layers * s.end_sweep; ++step) {
+    int n = s.end_layer - 1 - step % layers, sweep = step / layers;
     Layer l = layer_at(&s, layer_table, n);
     for (int k = list_start[tile + 1] - 1; k >= list_start[tile]; --k) {
+      int word = as_int(corners[4 * (size_t)list[k] + 3]), reach = word & REACH_BITS;
+      bool away = (word & FACES_AWAY) != 0;
+      if (!in_sweep(&s, away, sweep) || (s.faces == FACES_FRONT && away)) continue;
       Hit h = triangle_hit(&s, of.geometry, l, n, list[k], origin_x, origin_y, vertices);
       if (!h.covered) continue;
       ++fragments;
-      int reach = as_int(corners[4 * (size_t)list[k] + 3]);
       if (h.at.iw < nearest.at.iw || front.w <= OPAQUE || n >= reach) continue;
       ++shaded;
       Surface p = surface_at(&s, of.attributes, h.at, vertices, x, y);
@@ -107,7 +111,7 @@ __kernel void pixel_shells(RasterParams s, RASTER_BUFFERS) {
 #else
   covered[at] = fragments + (resumed ? covered[at] : 0);
 #endif
-  if (s.first_layer > 0) {
+  if (suspends(&s)) {
     image[at] = front;
     return;
   }

@@ -5,7 +5,8 @@
 // file uses the 'under' operator. It draws the layers from the outermost to the innermost, and the triangles
 // of each layer from the last to the first. Both orders blend the same fragments, because layers write no
 // depth. Therefore both operators give the same result. A pixel is complete when its transmittance is at most
-// OPAQUE. If the data of all layers need too much memory, several passes draw the layers. w is the view
+// OPAQUE. With blend.faces "back-then-front", two such sweeps draw first the triangles that face the eye
+// and then the others. If the data of all layers need too much memory, several passes draw the layers. w is the view
 // depth. These functions draw a tile:
 //
 //   draw_layer() sets up the triangles of a layer (this file, coverage/).
@@ -199,32 +200,38 @@ static uint draw_tile(Pass *pass, Geometry m, int number, TABLE(int) list_start,
   draw_layer(pass, m, &listed, entries, &batch, &drawn, &tile);
 #ifndef COUNT_FRAGMENTS
   find_hidden(&tile, place, &pass->hidden);
-  if (s->end_layer < s->layers) resume(s, place, &tile, image);
+  if (resumes(s)) resume(s, place, &tile, image);
 #endif
 
   uint fragments = 0;
   if (entries > 0) find_eyes(pass, &tile);
-  for (int g = s->layer_batches - 1; g > 0; --g) {
 #ifdef COUNT_FRAGMENTS
-    Entries drawn_here = listed;
-    int count = entries;
+  int end_sweep = s->first_sweep + (s->first_sweep == 0);    // the first sweep counts the triangles of all sweeps
 #else
-    __global int *columns = shown + 4 * ((size_t)first + LANES * (size_t)number);
-    Entries drawn_here = {0, columns, entries + LANES};
-    int count = may_be_seen(pass, m, g, listed.list, entries, columns, drawn_here.stride);
+  int end_sweep = s->end_sweep;
 #endif
-    int inner = s->first_layer + (g - 1) * s->layer_batch;
-    for (int n = min(inner + s->layer_batch, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
-      pass->n = n;
-      pass->layer = layer_at(s, m.layer_table, n);
-      pass->slice = slice_of(s, n);
-      fragments += (uint)draw_layer(pass, m, &drawn_here, count, &batch, &drawn, &tile);
+  for (int sweep = s->first_sweep; sweep < end_sweep; ++sweep)
+    for (int g = s->layer_batches - 1; g > 0 && anything_seen_through(&tile); --g) {
+#ifdef COUNT_FRAGMENTS
+      Entries drawn_here = listed;
+      int count = entries;
+#else
+      __global int *columns = shown + 4 * ((size_t)first + LANES * (size_t)number);
+      Entries drawn_here = {0, columns, entries + LANES};
+      int count = may_be_seen(pass, m, g, sweep, listed.list, entries, columns, drawn_here.stride);
+#endif
+      int inner = s->first_layer + (g - 1) * s->layer_batch;
+      for (int n = min(inner + s->layer_batch, s->end_layer) - 1; n >= inner && anything_seen_through(&tile); --n) {
+        pass->n = n;
+        pass->layer = layer_at(s, m.layer_table, n);
+        pass->slice = slice_of(s, n);
+        fragments += (uint)draw_layer(pass, m, &drawn_here, count, &batch, &drawn, &tile);
+      }
     }
-  }
 #ifndef COUNT_FRAGMENTS
   pass->n = -1;
   pass->layer = layer_at(s, m.layer_table, -1);
-  if (s->first_layer > 0)
+  if (suspends(s))
     suspend(s, place, &tile, image);
   else
     resolve(pass, &tile, image);
@@ -245,7 +252,7 @@ __kernel void tile_shells(RasterParams s, RASTER_BUFFERS, __global int *shown, _
   for (int number = atomic_inc(next); number < s.tiles_x * s.tiles_y; number = atomic_inc(next)) {
     uint fragments = draw_tile(&pass, m, number, list_start, list, shown, image);
 #ifdef COUNT_FRAGMENTS
-    covered[number] = fragments + (s.end_layer < s.layers ? covered[number] : 0);
+    covered[number] = fragments + (resumes(&s) ? covered[number] : 0);
 #endif
   }
 }

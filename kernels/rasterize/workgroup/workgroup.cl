@@ -96,7 +96,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   p.from_centre_x = (float)(first_x + p.x) + (0.5f - 0.5f * (float)s.width);
   p.from_centre_y = (float)(first_y + p.y) + (0.5f - 0.5f * (float)s.height);
   p.depth = 0.0f;
-  bool inside = p.x < width && p.y < height, finished = false, resumed = s.end_layer < s.layers;
+  bool inside = p.x < width && p.y < height, finished = false, resumed = resumes(&s);
   size_t at = (size_t)(first_y + p.y) * s.width + first_x + p.x;
   p.front = (float4)(0.0f, 0.0f, 0.0f, 1.0f);
 #ifndef COUNT_FRAGMENTS
@@ -112,9 +112,10 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   int turn = 0;
 
   // Step -1 draws the base (n = -1) in the mesh's order. The next steps draw the layers of this pass from the
-  // outermost to the innermost, and the triangles of each layer from the last to the first.
-  for (int step = -1; step < s.end_layer - s.first_layer; ++step) {
-    int n = step < 0 ? -1 : s.end_layer - 1 - step;
+  // outermost to the innermost, and the triangles of each layer from the last to the first, in every sweep.
+  int layers = s.end_layer - s.first_layer;
+  for (int step = -1; step < layers * (s.end_sweep - s.first_sweep); ++step) {
+    int n = step < 0 ? -1 : s.end_layer - 1 - step % layers, sweep = step < 0 ? 0 : s.first_sweep + step / layers;
     int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
     int first = list_start[g * tiles + tile], last = list_start[g * tiles + tile + 1];
     pass.n = n;
@@ -126,7 +127,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
       if (item == 0) clear(&work, 1 - turn);
       if (first + done + item < last) {
         int entry = n < 0 ? first + done + item : last - 1 - done - item;
-        put_triangle(&work, turn, item, n, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
+        put_triangle(&s, &work, turn, item, n, sweep, triangles_at(&s, m, n, gather_rows(m.corners, list[entry]), origin_x, origin_y), width, height, least_iw);
       }
       barrier(CLK_LOCAL_MEM_FENCE);
       ulong fans = raised(work.clipped[turn]), mine = 0;
@@ -173,7 +174,7 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
 #ifdef COUNT_FRAGMENTS
   covered[at] = p.fragments + (resumed ? covered[at] : 0);
 #else
-  if (s.first_layer > 0) {
+  if (suspends(&s)) {
     image[at] = p.front;
     return;
   }

@@ -15,8 +15,9 @@ using namespace pictures;
 
 constexpr int layers = 16;
 
-std::shared_ptr<const FrameInput> wet_frame() {
+std::shared_ptr<const FrameInput> wet_frame(const char* faces) {
   Scene scene = synthetic::lively_scene();
+  scene.blend.faces = faces;
   scene.shading.model = "wet";
   scene.fur.layers = layers;
   scene.image.width = 61;
@@ -54,16 +55,15 @@ bool same_bits(const Picture& a, const Picture& b) {
 
 struct Passes : testing::TestWithParam<const char*> {};
 
-TEST_P(Passes, ArePartsOfOnePicture) {
-  const auto input = wet_frame();
-  const Drawn whole = drawn(input, GetParam(), layers);
+void expect_parts_of_one_picture(const std::shared_ptr<const FrameInput>& input, const char* mapping) {
+  const Drawn whole = drawn(input, mapping, layers);
   EXPECT_GT(whole.tally.blended, 1000u);
   // The 16 layers are drawn with at most 7, 3 or 1 layers per pass. pelage rounds 7 down to 4, the size of a
   // layer batch. With 3 layers per pass, a pass has fewer layers than a layer batch, and the sixth pass has
   // only one layer.
   for (const int at_once : {7, 3, 1}) {
     SCOPED_TRACE(at_once);
-    const Drawn parts = drawn(input, GetParam(), at_once);
+    const Drawn parts = drawn(input, mapping, at_once);
     EXPECT_TRUE(same_bits(parts.picture, whole.picture));
     EXPECT_TRUE(same_bits(parts.after, whole.after));
     EXPECT_EQ(parts.counted, whole.counted);
@@ -71,6 +71,14 @@ TEST_P(Passes, ArePartsOfOnePicture) {
     EXPECT_EQ(parts.tally.shaded, whole.tally.shaded);
     EXPECT_EQ(parts.tally.blended, whole.tally.blended);
   }
+}
+
+TEST_P(Passes, ArePartsOfOnePicture) {
+  expect_parts_of_one_picture(wet_frame("all"), GetParam());
+}
+
+TEST_P(Passes, OfTwoSweepsAreOnePicture) {
+  expect_parts_of_one_picture(wet_frame("back-then-front"), GetParam());
 }
 
 INSTANTIATE_TEST_SUITE_P(Device, Passes, testing::Values("tile", "pixel", "group"),

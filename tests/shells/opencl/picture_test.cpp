@@ -90,6 +90,26 @@ TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
   expect_same(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
 }
 
+TEST_P(Mappings, OrdersOfFaces) {
+  for (const char* faces : {"front", "back-then-front"})
+    for (const char* binding : {"shared", "separate"}) {
+      SCOPED_TRACE(std::string(faces) + ", " + binding);
+      FrameInput input = *small_frame("wet", binding);
+      input.scene.blend.faces = faces;
+      const auto given = std::make_shared<FrameInput>(input);
+      expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+    }
+  // The camera is so near that triangles of the base are clipped.
+  Scene scene = synthetic::lively_scene();
+  scene.blend.faces = "back-then-front";
+  scene.fur.layers = 8;
+  scene.camera.eye = {1.05f, .04f, 0};
+  scene.camera.target = {1, 0, 1};
+  scene.camera.fov = 80;
+  const auto input = std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 30));
+  expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
+}
+
 TEST_P(Mappings, FurThatRunsBehindTheEye) {
   // The camera is so near to a square that the square's triangles cross the near plane and the guard band.
   Scene scene = synthetic::lively_scene();

@@ -98,6 +98,16 @@ TEST(OpenGlPicture, ReadingsOfClumpsAndTheirTangents) {
   }
 }
 
+TEST(OpenGlPicture, OrdersOfFaces) {
+  for (const char* faces : {"front", "back-then-front"})
+    for (const char* binding : {"shared", "separate"}) {
+      SCOPED_TRACE(std::string(faces) + ", " + binding);
+      FrameInput input = *small_frame("wet", binding);
+      input.scene.blend.faces = faces;
+      expect_same(input, 5000);
+    }
+}
+
 TEST(OpenGlPicture, PlainShells) {
   // This scene has no curls and no clumps, so the baseline compiles its shaders without the equations of
   // curls and clumps.
