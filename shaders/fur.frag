@@ -81,7 +81,7 @@ void main() {
   float amount = look.x, change = look.y, drawn = look.y, stretch = 1.0;
 #ifdef CLUMPS
   // Computes S Eq. 5 and S Algorithm 2. rho is the wetness in the mask at uv. If rho is 0 (dry), the shift is 0.
-  vec4 here = textureLod(mask, uv, 0.0);
+  vec4 here = clump_at(mask, uv);
   vec2 from = uv - here.xy;
   rho = here.w;
 #if CLUMP_READING == CLUMP_CONVERGE
@@ -99,12 +99,14 @@ void main() {
   drawn = look.y / (1.0 + (look.x - look.y) * factor);
 #endif
   at = uv + amount * pull;
-  vec4 there = textureLod(mask, at, 0.0);
+  vec4 there = clump_at(mask, at);
+#ifndef CONSISTENT_CELLS
   bool other = dot(from, from) > here.z * here.z || there.w == 0.0;
 #ifdef SEPARATE_CELLS
   other = other || there.x != here.x || there.y != here.y;
 #endif
   if (rho > 0.0 && other) discard;
+#endif
 #endif
 
   vec3 nu = unit(normal), e = view();
@@ -112,6 +114,20 @@ void main() {
   // LEVEL is the part of this sum that is constant in a picture. gl_FragCoord.w is 1/w.
   float level = LEVEL - log2(gl_FragCoord.w / stretch * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
+#if defined(CLUMPS) && defined(CONSISTENT_CELLS)
+  // The clump at the root `at` draws this strand at at - share (at - c). The coverage falls from 1 to 0 while that is up to
+  // the footprint of a pixel away.
+  vec2 root_from = at - there.xy;
+#if CLUMP_READING == CLUMP_CONVERGE
+  float share = min(there.w * look.x, 0.98);
+#elif CLUMP_READING == CLUMP_DISTANCE
+  float share = look.x * there.w * there.z * inversesqrt(max(dot(root_from, root_from), 1e-30));
+#else
+  float k = look.x * there.w * (CLUMP_READING == CLUMP_LITERAL ? there.z : CLUMP_GAIN), share = k / (1.0 + k);
+#endif
+  vec2 misplaced = (at - share * root_from - uv) * FUR_SCALE * FUR_TEXELS;
+  if (rho > 0.0) texel.r *= max(0.0, 1.0 - length(misplaced) / (exp2(level) / stretch));
+#endif
   if (texel.r == 0.0) discard;
 
   vec3 t = rise;

@@ -5,6 +5,16 @@ vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zer
 // Returns the unit vector from the eye to the surface. RAY is the view ray through the origin of window coordinates.
 vec3 view() { return unit(RAY + gl_FragCoord.x * RAY_DX + gl_FragCoord.y * RAY_DY); }
 
+// Returns the mask's texel at p: c_u, c_v, r, rho. With CONSISTENT_CELLS, a point outside the disc of the clump is dry.
+vec4 clump_at(sampler2D mask, vec2 p) {
+  vec4 clump = textureLod(mask, p, 0.0);
+#ifdef CONSISTENT_CELLS
+  vec2 from = p - clump.xy;
+  if (dot(from, from) > clump.z * clump.z) clump.w = 0.0;
+#endif
+  return clump;
+}
+
 // Returns the normal for lighting. With TWO_SIDED, a normal that faces away from the eye is reversed. e points from the
 // eye to the surface.
 vec3 lit_normal(vec3 nu, vec3 e) {

@@ -108,6 +108,7 @@ struct WetnessScene {
 };
 
 inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};
+inline constexpr std::array clump_borders{"separate", "literal", "consistent"};
 inline constexpr std::array tangent_readings{"paper", "drawn", "strand", "printed"};
 
 struct ClumpScene {
@@ -119,7 +120,7 @@ struct ClumpScene {
   /// "literal" (r_mask of S) | "distance" (r_mask is the distance by which the tip of a fully wet strand
   /// moves) | "converge" (all strands of a clump lean by the same share of their distance from its centre).
   std::string scale = "relative";
-  std::string cells = "separate";  ///< rule to discard fragments at a clump's border: "separate" | "literal"
+  std::string cells = "separate";  ///< rule for fragments at a clump's border, one of clump_borders
 };
 
 inline constexpr std::array face_orders{"all", "front", "back-then-front"};

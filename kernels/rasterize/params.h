@@ -46,7 +46,7 @@ typedef struct {
   float clump_shape;                          // w of S Eq. 5
   float clump_gain;
   int clump_reading;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
-  int clump_separate;                         // 1: discard a fragment whose clump shifts it into another clump
+  int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
   // Textures.
   int fur_size, fur_levels;
@@ -88,6 +88,8 @@ enum { FACES_ALL, FACES_FRONT, FACES_BACK_THEN_FRONT };
 
 // Readings of S Eq. 5, in the order of the values of the scene key clump.scale.
 enum { CLUMP_RELATIVE, CLUMP_LITERAL, CLUMP_DISTANCE, CLUMP_CONVERGE };
+// Borders of clumps, in the order of the values of the scene key clump.cells.
+enum { CELLS_SEPARATE, CELLS_LITERAL, CELLS_CONSISTENT };
 // Readings of W Eq. 4, in the order of the values of the scene key shading.tangent.
 enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
 // Greatest rho f(h) with CLUMP_CONVERGE. Strands with rho f(h) = 1 would meet in one point.

@@ -21,14 +21,20 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
     TABLE(float) d = droplets + DROP_COLUMNS * bucket_drop[k];
     float du = u - d[DROP_U], dv = v - d[DROP_V];
     float dx = surface[3 * texel] - d[DROP_X], dy = surface[3 * texel + 1] - d[DROP_Y], dz = surface[3 * texel + 2] - d[DROP_Z];
-    bool covered = sqrt(fma(dv, dv, du * du)) <= d[DROP_RADIUS] &&
-                   sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
-    if (!covered) continue;
+    float from_centre = sqrt(fma(dv, dv, du * du));
+    bool inside = from_centre <= d[DROP_RADIUS], near = sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
+    // The disc may touch a texel without covering the texel's centre. The wettest droplets come first, so a droplet that
+    // dries leaves no trace in a texel in which clumps meet.
+    bool touched = s.consistent && from_centre <= d[DROP_RADIUS] + s.half_diagonal && m.wetness == 0.0f;
+    if (!near || !(inside || touched)) continue;
     Clump drop;
     drop.centre = vec2(d[DROP_U], d[DROP_V]);
     drop.radius = d[DROP_RADIUS];
     drop.wetness = d[DROP_WETNESS];
-    m = blend_droplet(m, drop, s.overlap);
+    if (inside)
+      m = blend_droplet(m, drop, s.overlap, s.consistent ? s.half_diagonal : 0.0f);
+    else
+      m = drop;
   }
   mask[4 * texel] = m.centre.x;
   mask[4 * texel + 1] = m.centre.y;

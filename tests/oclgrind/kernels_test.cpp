@@ -130,8 +130,19 @@ TEST(DISABLED_Tiny, Group) {
   draw(tiny("silva", "semi-implicit-euler", 1), "group", true);
   draw(tiny("silva", "semi-implicit-euler", 2), "group", false);
 }
+TEST(DISABLED_Tiny, FacesAndBordersOfClumps) {
+  FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
+  input.scene.blend.faces = "back-then-front";
+  input.scene.clump.cells = "consistent";
+  for (const char* scale : {"converge", "distance"}) {
+    input.scene.clump.scale = scale;
+    for (const char* mapping : {"tile", "pixel", "group"})
+      draw(std::make_shared<FrameInput>(input), mapping, true);
+  }
+}
 TEST(DISABLED_Tiny, GroupAcrossTheNearPlane) {
   FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
+  input.scene.blend.faces = "back-then-front";
   input.scene.camera.eye = {.6f, .3f, .1f};
   input.scene.camera.target = {.8f, -.2f, .6f};
   input.camera = synthetic::camera(input.scene.camera, 16, 12);

@@ -100,7 +100,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.clump_shape = scene.clump.shape;
   p.clump_gain = scene.clump.gain;
   p.clump_reading = place_of(scene.clump.scale, clump_scales);
-  p.clump_separate = scene.clump.cells == "separate";
+  p.clump_cells = place_of(scene.clump.cells, clump_borders);
   p.log_layers = float(std::log(double(scene.fur.layers)));
   p.fur_size = input.fur.size;
   p.fur_levels = int(input.fur.level.size());

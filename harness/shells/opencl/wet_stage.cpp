@@ -54,16 +54,26 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
   return values;
 }
 
+/// Returns the droplets in the order in which they are blended into the mask.
+std::vector<Droplet> in_order(const FrameInput& input) {
+  std::vector<Droplet> droplets = input.droplets;
+  if (input.scene.clump.cells == "consistent")
+    std::stable_sort(droplets.begin(), droplets.end(),
+                     [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });
+  return droplets;
+}
+
 }  // namespace
 
 WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning)
     : size_(input.scene.wetness.size),
       bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      consistent_(input.scene.clump.cells == "consistent"),
       overlap_(input.scene.wetness.blend == "overlap"),
-      droplets_(queue, std::span<const float>(droplet_rows(input.droplets))),
+      droplets_(queue, std::span<const float>(droplet_rows(in_order(input)))),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
       mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
-  const Buckets buckets = in_buckets(input.droplets, size_, bucket_);
+  const Buckets buckets = in_buckets(in_order(input), size_, bucket_);
   row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
   drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
   if (input.droplets.empty()) return;
@@ -82,7 +92,8 @@ cl::Event WetStage::run(const cl::Queue& queue) {
     program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
     kernel_.emplace(*program_, "wetness_mask");
   }
-  kernel_->with(WetParams{size_, bucket_, int(overlap_)}, droplets_, row_, drop_, surface_, mask_);
+  kernel_->with(WetParams{size_, bucket_, int(consistent_), int(overlap_), float(std::sqrt(0.5) / size_)},
+                droplets_, row_, drop_, surface_, mask_);
   return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }
 

@@ -19,8 +19,8 @@ class WetStage {
   double mask_ms() const { return mask_ms_; }  ///< wall time of the mask's kernel in ms; 0 without droplets
 
  private:
-  int size_, bucket_;  // sides, in texels, of the mask and of a bucket (a square block of texels)
-  bool overlap_;       ///< wetness.blend = "overlap"
+  int size_, bucket_;          // sides, in texels, of the mask and of a bucket (a square block of texels)
+  bool consistent_, overlap_;  ///< clump.cells = "consistent", wetness.blend = "overlap"
   std::optional<cl::Program> program_;
   std::optional<cl::Kernel> kernel_;
   cl::Buffer<float> droplets_, surface_, mask_;

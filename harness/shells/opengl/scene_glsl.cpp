@@ -59,6 +59,7 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"RAY_DY", list(camera.ray_dy)},
       {"FUR_SCALE", {input.fur_scale.x, input.fur_scale.y}},
       {"LEVEL", {float(std::log2(footprint) + double(scene.fur.lod_bias))}},
+      {"FUR_TEXELS", {float(input.fur.size)}},
       {"CLUMP_GAIN", {scene.clump.gain}},
       {"SKIN_COLOUR", list(scene.coat.skin)},
       {"SPECULAR", list(shading.specular)},
@@ -102,6 +103,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(true, fmt::format("CLUMP_READING CLUMP_{}", upper_case(scene.clump.scale)));
   define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));
   define(scene.clump.cells == "separate", "SEPARATE_CELLS");
+  define(scene.clump.cells == "consistent", "CONSISTENT_CELLS");
   define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
   define(scene.shading.sides == "two", "TWO_SIDED");
   return text;

@@ -7,12 +7,15 @@
 namespace pelage::rivals {
 namespace {
 
-/// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1.
-float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv) {
+/// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1. `discs`: a
+/// point outside the disc of its texel's clump is dry.
+float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv, bool discs) {
   const auto texel = [size](float u) {
     return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));
   };
-  return mask[texel(uv.y) * std::size_t(size) + texel(uv.x)].w;
+  const glm::vec4& clump = mask[texel(uv.y) * std::size_t(size) + texel(uv.x)];
+  const float du = uv.x - clump.x, dv = uv.y - clump.y;
+  return discs && du * du + dv * dv > clump.z * clump.z ? 0.0f : clump.w;
 }
 
 }  // namespace
@@ -43,10 +46,11 @@ Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, 
     std::iota(copy_.begin(), copy_.end(), 0u);
   }
   const double length = double(input.scene.fur.length);
+  const bool discs = input.scene.clump.cells == "consistent";
   for (std::size_t i = 0; i < copy_.size(); ++i) {
     const std::uint32_t copy = copy_[i], point = mesh.weld[copy];
-    const float radius = input.scene.curl.radius *
-                         (1.0f - wetness_at(mask, input.scene.wetness.size, input.curl.mask_uv[point]));
+    const float radius = input.scene.curl.radius * (1.0f - wetness_at(mask, input.scene.wetness.size,
+                                                                      input.curl.mask_uv[point], discs));
     const glm::dvec3 normal = mean(i, [&](std::size_t f) { return input.strands.normal[f]; });
     fixed_.push_back({mesh.position[copy], mesh.uv[copy], glm::vec3(length * normal),
                       radius * input.curl.u[point], radius * input.curl.v[point], input.tangents.t[copy],

@@ -26,9 +26,14 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
 /// droplet covers a texel if two distances are small enough. The distance in UV from the texel's centre to
 /// the droplet's centre must be at most droplet.radius. The distance from the texel's surface point to
 /// droplet.point must be at most droplet.reach.
+///
+/// With clump.cells "consistent", the droplet also touches texels whose centres are up to half of a texel's
+/// diagonal outside the disc. `change` receives as its second argument whether the disc contains the texel's
+/// centre.
 template <class Change>
 void for_each_covered(const FrameInput& input, const Droplet& droplet, const Change& change) {
   const int size = input.scene.wetness.size;
+  const double more = input.scene.clump.cells == "consistent" ? std::sqrt(0.5) / double(size) : 0.0;
   // `first` and `last` compute the range of texel rows or columns that the droplet's disc can touch, plus one
   // texel on either side. `c` is the coordinate of the disc's centre.
   const auto first = [&](float c) {
@@ -40,12 +45,23 @@ void for_each_covered(const FrameInput& input, const Droplet& droplet, const Cha
   for (int j = first(droplet.centre.y); j < last(droplet.centre.y); ++j)
     for (int i = first(droplet.centre.x); i < last(droplet.centre.x); ++i) {
       const glm::dvec2 centre((double(i) + 0.5) / double(size), (double(j) + 0.5) / double(size));
-      if (glm::length(centre - glm::dvec2(droplet.centre)) > double(droplet.radius)) continue;
+      const double distance = glm::length(centre - glm::dvec2(droplet.centre));
+      if (distance > double(droplet.radius) + more) continue;
       const std::size_t at = std::size_t(j) * std::size_t(size) + std::size_t(i);
       if (glm::length(glm::dvec3(input.mask_surface[at]) - glm::dvec3(droplet.point)) > double(droplet.reach))
         continue;
-      change(at);
+      change(at, distance <= double(droplet.radius));
     }
+}
+
+/// Returns the droplets in the order in which they are blended into the mask: with clump.cells "consistent"
+/// the wettest first, else as given.
+std::vector<Droplet> in_order(const FrameInput& input) {
+  std::vector<Droplet> droplets = input.droplets;
+  if (input.scene.clump.cells == "consistent")
+    std::stable_sort(droplets.begin(), droplets.end(),
+                     [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });
+  return droplets;
 }
 
 }  // namespace
@@ -55,7 +71,7 @@ bool is_blended(const Clump& texel, const Droplet& droplet, const std::string& w
   return way == "overlap" || glm::length(texel.centre - glm::dvec2(droplet.centre)) <= double(droplet.radius);
 }
 
-Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way) {
+Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way, double margin) {
   const glm::dvec2 centre(droplet.centre);
   const double radius = double(droplet.radius), wetness = double(droplet.wetness);
   if (!is_blended(texel, droplet, way)) return {centre, radius, wetness};
@@ -64,9 +80,24 @@ Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way) 
   if (result.wetness != 0.0) {
     const double alpha = wetness / result.wetness;
     result.centre = (1.0 - alpha) * texel.centre + alpha * centre;
-    result.radius = (1.0 - alpha) * texel.radius + alpha * radius;
+    result.radius = (1.0 - alpha) * texel.radius + alpha * radius + 4.0 * alpha * (1.0 - alpha) * margin;
   }
   return result;
+}
+
+Clump applied(const Clump& texel, const Droplet& droplet, bool inside, const Scene& scene) {
+  const bool consistent = scene.clump.cells == "consistent";
+  if (inside)
+    return blend(texel, droplet, scene.wetness.blend,
+                 consistent ? std::sqrt(0.5) / double(scene.wetness.size) : 0.0);
+  if (texel.wetness > 0.0) return texel;
+  return {glm::dvec2(droplet.centre), double(droplet.radius), double(droplet.wetness)};
+}
+
+Clump Mask::wet_at(const glm::dvec2& uv, const std::string& cells) const {
+  const Clump clump = nearest(uv);
+  if (cells == "consistent" && glm::length(uv - clump.centre) > clump.radius) return {};
+  return clump;
 }
 
 const Clump& Mask::nearest(const glm::dvec2& uv) const {
@@ -86,11 +117,11 @@ Clump Mask::bilinear(const glm::dvec2& uv) const {
 Mask wetness_mask(const FrameInput& input, Mutant mutant) {
   Mask mask{input.scene.wetness.size, {}};
   mask.texel.resize(std::size_t(mask.size) * std::size_t(mask.size));
-  std::vector<Droplet> droplets = input.droplets;
+  std::vector<Droplet> droplets = in_order(input);
   if (mutant == Mutant::droplets_reversed) std::reverse(droplets.begin(), droplets.end());
   for (const Droplet& droplet : droplets)
-    for_each_covered(input, droplet, [&](std::size_t at) {
-      mask.texel[at] = blend(mask.texel[at], droplet, input.scene.wetness.blend);
+    for_each_covered(input, droplet, [&](std::size_t at, bool inside) {
+      mask.texel[at] = applied(mask.texel[at], droplet, inside, input.scene);
     });
   return mask;
 }
@@ -99,10 +130,10 @@ double blended_share(const FrameInput& input) {
   const std::size_t side = std::size_t(input.scene.wetness.size);
   std::vector<Clump> texels(side * side);
   std::vector<std::uint8_t> blended(texels.size(), 0);
-  for (const Droplet& droplet : input.droplets)
-    for_each_covered(input, droplet, [&](std::size_t at) {
-      blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
-      texels[at] = blend(texels[at], droplet, input.scene.wetness.blend);
+  for (const Droplet& droplet : in_order(input))
+    for_each_covered(input, droplet, [&](std::size_t at, bool inside) {
+      if (inside) blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
+      texels[at] = applied(texels[at], droplet, inside, input.scene);
     });
   double wet = 0, mixed = 0;
   for (std::size_t i = 0; i < texels.size(); ++i) {
@@ -162,7 +193,7 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   const ClumpScene& scene = input.scene.clump;
   const int layers = input.scene.fur.layers;
   const auto look = [&](const glm::dvec2& at) {
-    return mutant == Mutant::mask_bilinear ? mask.bilinear(at) : mask.nearest(at);
+    return mutant == Mutant::mask_bilinear ? mask.bilinear(at) : mask.wet_at(at, scene.cells);
   };
   Displacement result;
   const Clump here = look(uv);
@@ -180,9 +211,13 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   result.moved = reading.drawn(f(n), root) - reading.drawn(f(n - 1), root);
   result.stretch = reading.stretch(f(n));
 
+  const Clump there = look(root);
+  if (scene.cells == "consistent") {
+    result.misplaced = clump_reading(scene, there).drawn(f(n), root) - uv;
+    return result;
+  }
   if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
-  const Clump there = look(uv + result.d);
-  if (!(there.wetness > 0.0)) result.discarded = true;  // a dry area
+  if (!(there.wetness > 0.0)) result.discarded = true;                       // a dry area
   if (scene.cells == "separate" && there.centre != here.centre) result.discarded = true;
   return result;
 }

@@ -26,13 +26,21 @@ struct Clump {
 bool is_blended(const Clump& texel, const Droplet& droplet, const std::string& way);
 
 /// Applies one droplet to a texel in the droplet's disc (docs/frame.md, section 2). Returns the new texel.
-Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way);
+/// `margin`: times 4 alpha (1 - alpha), it is added to a blended radius, in UV units.
+Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way, double margin = 0.0);
+
+/// Applies a droplet to a texel that it touches. `inside`: the droplet's disc contains the texel's centre.
+/// Otherwise a wet texel stays as it is.
+Clump applied(const Clump& texel, const Droplet& droplet, bool inside, const Scene& scene);
 
 struct Mask {
   int size = 0;
   std::vector<Clump> texel;  ///< size x size texels; row j is at v = (j + .5) / size
   /// Returns the texel that contains uv. The mask repeats outside 0..1.
   const Clump& nearest(const glm::dvec2& uv) const;
+  /// Returns the clump at uv. With clump.cells "consistent", a point outside the disc of its texel's clump is
+  /// dry.
+  Clump wet_at(const glm::dvec2& uv, const std::string& cells) const;
   /// Returns the mask at uv with bilinear interpolation. The mask repeats outside 0..1. Only the deliberate
   /// mistake Mutant::mask_bilinear needs this function.
   Clump bilinear(const glm::dvec2& uv) const;
@@ -52,6 +60,9 @@ double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none)
 /// coordinates.
 struct Displacement {
   bool discarded = false;
+  /// With clump.cells "consistent": the position, minus the fragment's, at which the clump at the strand's
+  /// root draws the strand, in UV units.
+  glm::dvec2 misplaced{0.0};
   glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, in UV units
   glm::dvec2 delta_d{0.0};  ///< d minus the value of d on the layer below (W Eq. 4); on layer 0 equal to d
   /// How far the clump moves the drawn strand from the layer below to this layer, in UV units. A strand with

@@ -215,7 +215,7 @@ class Painter {
                             normal,
                             eye,
                             shows_back(shading, outwards, eye) ? 1.0 : 0.0,
-                            mask_.nearest(where).wetness};
+                            mask_.wet_at(where, input_.scene.clump.cells).wetness};
     tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
   }
 
@@ -229,11 +229,11 @@ class Painter {
     const Bend strand = bend(face, sample);
     const glm::dvec3 normal = unit(strand.a), eye = view(sample);
     const glm::dvec3 step = chord(input_, strand, layer_, options_.mutant);
-    const FurSample fur =
-        look(where, clump, level_of_detail(sample, normal, eye) + std::log2(clump.stretch), [&] {
-          const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
-          return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
-        });
+    FurSample fur = look(where, clump, level_of_detail(sample, normal, eye) + std::log2(clump.stretch), [&] {
+      const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
+      return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
+    });
+    fur.coverage *= shown(clump, sample, normal, eye);
     if (!(fur.coverage > 0.0)) return;
 
     const glm::dvec3 along =
@@ -246,6 +246,14 @@ class Painter {
                             clump.wetness};
     const glm::dvec3 colour = fur_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
+  }
+
+  /// Returns the part of a fragment's coverage that clump.cells "consistent" leaves: it falls from 1 to 0
+  /// while the strand is misplaced by up to the footprint of a pixel.
+  double shown(const Displacement& clump, const Sample& sample, const glm::dvec3& normal,
+               const glm::dvec3& eye) const {
+    const glm::dvec2 texels = clump.misplaced * glm::dvec2(input_.fur_scale) * double(input_.fur.size);
+    return std::max(0.0, 1.0 - glm::length(texels) / std::exp2(level_of_detail(sample, normal, eye)));
   }
 
   /// Returns the mip level: log2 of a pixel's footprint on the surface, in texels of level 0, plus

@@ -13,7 +13,7 @@ __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) 
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
-  store_real(REAL(1.0f) - gather(mask, mask_index(&s, p) * 4 + 3), dry, block);
+  store_real(REAL(1.0f) - wetness_at(&s, mask, p), dry, block);
 }
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus

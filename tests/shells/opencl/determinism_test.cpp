@@ -55,7 +55,7 @@ TEST(Determinism, TilesAndGroupsOfAnySizeAreOnePicture) {
 // layers (REACH = 0).
 TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
   for (const auto& frame : {small_frame("wet"), model_frame("bunny", 16, "curling")})
-    for (const char* cells : {"separate", "literal"})
+    for (const char* cells : clump_borders)
       for (const char* scale : clump_scales) {
         const auto input = std::make_shared<FrameInput>(*frame);
         input->scene.clump.cells = cells;

@@ -90,6 +90,18 @@ TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
   expect_same(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
 }
 
+TEST_P(Mappings, ConsistentBordersOfClumps) {
+  FrameInput input = *small_frame("wet");
+  input.scene.clump.cells = "consistent";
+  input.scene.wetness.blend = "overlap";
+  for (const char* scale : clump_scales) {
+    SCOPED_TRACE(scale);
+    input.scene.clump.scale = scale;
+    const auto given = std::make_shared<FrameInput>(input);
+    expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+  }
+}
+
 TEST_P(Mappings, OrdersOfFaces) {
   for (const char* faces : {"front", "back-then-front"})
     for (const char* binding : {"shared", "separate"}) {

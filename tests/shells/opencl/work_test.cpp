@@ -39,7 +39,7 @@ struct Fragment : ::testing::Test {
     s.length = 0.08f;
     s.mask_size = 4;
     s.clump_gain = 3.5f;
-    s.clump_separate = 1;
+    s.clump_cells = CELLS_SEPARATE;
     s.log_layers = 2.77f;
     s.fur_size = 4;
     s.fur_levels = 3;

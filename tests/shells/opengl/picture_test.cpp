@@ -98,6 +98,17 @@ TEST(OpenGlPicture, ReadingsOfClumpsAndTheirTangents) {
   }
 }
 
+TEST(OpenGlPicture, ConsistentBordersOfClumps) {
+  FrameInput input = *small_frame("wet");
+  input.scene.clump.cells = "consistent";
+  input.scene.wetness.blend = "overlap";
+  for (const char* scale : clump_scales) {
+    SCOPED_TRACE(scale);
+    input.scene.clump.scale = scale;
+    expect_same(input, 5000);
+  }
+}
+
 TEST(OpenGlPicture, OrdersOfFaces) {
   for (const char* faces : {"front", "back-then-front"})
     for (const char* binding : {"shared", "separate"}) {
