@@ -166,12 +166,14 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   std::vector<glm::vec2> centre;
   std::vector<glm::vec3> point;
   std::vector<float> radius, wetness, reach;
+  std::vector<std::uint32_t> number;
   for (const Droplet& drop : input.droplets) {
     centre.push_back(drop.centre);
     point.push_back(drop.point);
     radius.push_back(drop.radius);
     wetness.push_back(drop.wetness);
     reach.push_back(drop.reach);
+    number.push_back(drop.number == Droplet::alone ? std::uint32_t(number.size()) : drop.number);
   }
   const auto column = [](const std::vector<float>& values) { return std::span<const float>(values); };
   file.write("droplet/centre", {drops, 2}, flat<float>(centre), "UV",
@@ -183,6 +185,8 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write(
       "droplet/reach", {drops}, column(reach), "R",
       "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
+  file.write("droplet/number", {drops}, std::span<const std::uint32_t>(number), "1",
+             "adjacent droplets of equal number are one droplet and its repetitions across UV seams");
   file.write(
       "mask_surface", {side, side, 3}, flat<float>(input.mask_surface), "R",
       "surface point at the centre of each texel of the wetness mask; the axes of the array are v and u");

@@ -11,6 +11,7 @@
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
+#include "harness/prepare/seams.hpp"
 
 namespace pelage {
 namespace {
@@ -220,7 +221,9 @@ std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, cons
                         reach(*mesh, double(given.radius))});
   }
   scatter(*mesh, skin, wetness, droplets);
-  return droplets;
+  if (wetness.seams != "joined") return droplets;
+  for (std::size_t i = 0; i < droplets.size(); ++i) droplets[i].number = std::uint32_t(i);
+  return across_seams(*mesh, droplets);
 }
 
 }  // namespace pelage

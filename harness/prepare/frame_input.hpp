@@ -73,6 +73,10 @@ struct Droplet {
   /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. This
   /// limit excludes texels of other charts, which are near in UV but far away on the surface.
   float reach;
+  /// Adjacent droplets with equal numbers other than `alone` are one droplet and its repetitions across UV
+  /// seams. A texel takes only the nearest of them.
+  static constexpr std::uint32_t alone = 0xffffffff;
+  std::uint32_t number = alone;
 };
 
 /// The pinhole camera, docs/frame.md, section 4.

@@ -102,6 +102,9 @@ struct WetnessScene {
   /// A droplet is blended with some wet texels of its disc: "near" (those whose clump's centre is not
   /// further from the droplet's centre than the droplet's radius) | "overlap" (all).
   std::string blend = "near";
+  /// Droplets at a UV seam: "cut" (the disc ends there) | "joined" (the droplet is repeated on the other
+  /// side).
+  std::string seams = "cut";
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
   /// everywhere.
   std::filesystem::path image;

@@ -143,6 +143,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"wetness.patch_cover", &wetness.patch_cover, "", 0, 1, "fraction of the surface on which random droplets may be placed; 1: everywhere"},
       {"wetness.patch_size", &wetness.patch_size, "R", 0.01, 10, "approximate width of the areas on which random droplets may be placed (wetness.patch_cover); wetness fades towards the borders of an area"},
       {.name = "wetness.blend", .slot = &wetness.blend, .unit = "", .help = "which wet texels of its disc a droplet is blended with (S and W, Algorithm 1): \"near\" those whose clump's centre is at most the droplet's radius from the droplet's centre; \"overlap\" all, so that overlapping droplets form a new clump where they overlap; the droplet overwrites the other texels", .choices = {"near", "overlap"}},
+      {.name = "wetness.seams", .slot = &wetness.seams, .unit = "", .help = "droplets whose disc reaches a seam of the UV map: \"cut\" ends the disc at the seam, \"joined\" repeats the droplet on the other side", .choices = {"cut", "joined"}},
       {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "picture in UV space: random droplets are placed only where its luma is at least 0.5; \"\": everywhere"},
 
       {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5, which determines how the displacement of the fur by a clump grows with the height; 0: linearly, 1: logarithmically"},

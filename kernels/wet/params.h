@@ -12,7 +12,9 @@ typedef struct {
 
 // Columns of the droplet array, which has one row per droplet. DROP_U, DROP_V and DROP_RADIUS are the centre and the
 // radius of the droplet's disc in UV. DROP_X, DROP_Y and DROP_Z are the position of the disc's centre in space. The
-// droplet covers a texel only if the texel's distance from this position is at most DROP_REACH.
-enum { DROP_U, DROP_V, DROP_RADIUS, DROP_WETNESS, DROP_X, DROP_Y, DROP_Z, DROP_REACH, DROP_COLUMNS };
+// droplet covers a texel only if the texel's distance from this position is at most DROP_REACH. Adjacent droplets with
+// equal DROP_NUMBER are one droplet and its repetitions across UV seams.
+enum { DROP_U, DROP_V, DROP_RADIUS, DROP_WETNESS, DROP_X, DROP_Y, DROP_Z, DROP_REACH, DROP_NUMBER,
+       DROP_COLUMNS };
 
 #endif

@@ -17,22 +17,34 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
   m.centre = vec2(0.0f, 0.0f);
   m.radius = 0.0f;
   m.wetness = 0.0f;
-  for (int k = bucket_row[bucket]; k < bucket_row[bucket + 1]; ++k) {
-    TABLE(float) d = droplets + DROP_COLUMNS * bucket_drop[k];
-    float du = u - d[DROP_U], dv = v - d[DROP_V];
-    float dx = surface[3 * texel] - d[DROP_X], dy = surface[3 * texel + 1] - d[DROP_Y], dz = surface[3 * texel + 2] - d[DROP_Z];
-    float from_centre = sqrt(fma(dv, dv, du * du));
-    bool inside = from_centre <= d[DROP_RADIUS], near = sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
+  int k = bucket_row[bucket], end = bucket_row[bucket + 1];
+  while (k < end) {
+    // The nearest of a droplet and its repetitions across UV seams, in radii from the centre.
+    TABLE(float) nearest = 0;
+    float least = INFINITY;
+    float margin = s.consistent ? s.half_diagonal : 0.0f;
+    bool inside = false;
+    float number = droplets[DROP_COLUMNS * bucket_drop[k] + DROP_NUMBER];
+    for (; k < end && droplets[DROP_COLUMNS * bucket_drop[k] + DROP_NUMBER] == number; ++k) {
+      TABLE(float) d = droplets + DROP_COLUMNS * bucket_drop[k];
+      float du = u - d[DROP_U], dv = v - d[DROP_V];
+      float dx = surface[3 * texel] - d[DROP_X], dy = surface[3 * texel + 1] - d[DROP_Y], dz = surface[3 * texel + 2] - d[DROP_Z];
+      float from_centre = sqrt(fma(dv, dv, du * du));
+      bool near = sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
+      if (!near || from_centre > d[DROP_RADIUS] + margin || from_centre / d[DROP_RADIUS] >= least) continue;
+      nearest = d;
+      least = from_centre / d[DROP_RADIUS];
+      inside = from_centre <= d[DROP_RADIUS];
+    }
     // The disc may touch a texel without covering the texel's centre. The wettest droplets come first, so a droplet that
     // dries leaves no trace in a texel in which clumps meet.
-    bool touched = s.consistent && from_centre <= d[DROP_RADIUS] + s.half_diagonal && m.wetness == 0.0f;
-    if (!near || !(inside || touched)) continue;
+    if (least == INFINITY || (!inside && m.wetness > 0.0f)) continue;
     Clump drop;
-    drop.centre = vec2(d[DROP_U], d[DROP_V]);
-    drop.radius = d[DROP_RADIUS];
-    drop.wetness = d[DROP_WETNESS];
+    drop.centre = vec2(nearest[DROP_U], nearest[DROP_V]);
+    drop.radius = nearest[DROP_RADIUS];
+    drop.wetness = nearest[DROP_WETNESS];
     if (inside)
-      m = blend_droplet(m, drop, s.overlap, s.consistent ? s.half_diagonal : 0.0f);
+      m = blend_droplet(m, drop, s.overlap, margin);
     else
       m = drop;
   }

@@ -41,9 +41,13 @@ Buckets in_buckets(const std::vector<Droplet>& droplets, int size, int texels) {
 
 std::vector<float> droplet_rows(const std::vector<Droplet>& droplets) {
   std::vector<float> rows;
-  for (const Droplet& d : droplets)
-    rows.insert(rows.end(),
-                {d.centre.x, d.centre.y, d.radius, d.wetness, d.point.x, d.point.y, d.point.z, d.reach});
+  // A droplet without repetitions gets a number of its own, below 0.
+  for (std::size_t i = 0; i < droplets.size(); ++i) {
+    const Droplet& d = droplets[i];
+    const float number = d.number == Droplet::alone ? -1 - float(i) : float(d.number);
+    rows.insert(rows.end(), {d.centre.x, d.centre.y, d.radius, d.wetness, d.point.x, d.point.y, d.point.z,
+                             d.reach, number});
+  }
   return rows;
 }
 

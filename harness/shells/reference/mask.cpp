@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <map>
 
 #include "harness/shells/reference/layers.hpp"
 
@@ -50,7 +51,7 @@ void for_each_covered(const FrameInput& input, const Droplet& droplet, const Cha
       const std::size_t at = std::size_t(j) * std::size_t(size) + std::size_t(i);
       if (glm::length(glm::dvec3(input.mask_surface[at]) - glm::dvec3(droplet.point)) > double(droplet.reach))
         continue;
-      change(at, distance <= double(droplet.radius));
+      change(at, distance / double(droplet.radius));
     }
 }
 
@@ -62,6 +63,28 @@ std::vector<Droplet> in_order(const FrameInput& input) {
     std::stable_sort(droplets.begin(), droplets.end(),
                      [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });
   return droplets;
+}
+
+/// Calls apply(texel, droplet, inside) for each texel that a droplet or one of its repetitions touches, in
+/// the order of blending. Of a droplet and its repetitions, a texel takes the nearest in radii. `inside`: the
+/// disc contains the texel's centre.
+template <class Apply>
+void for_each_blended(const FrameInput& input, const std::vector<Droplet>& droplets, const Apply& apply) {
+  struct Nearest {
+    double radii;
+    const Droplet* droplet;
+  };
+  for (std::size_t first = 0, next; first < droplets.size(); first = next) {
+    std::map<std::size_t, Nearest> touched;
+    for (next = first; next == first || (next < droplets.size() && droplets[first].number != Droplet::alone &&
+                                         droplets[next].number == droplets[first].number);
+         ++next)
+      for_each_covered(input, droplets[next], [&](std::size_t at, double radii) {
+        const auto [known, is_new] = touched.try_emplace(at, Nearest{radii, &droplets[next]});
+        if (!is_new && radii < known->second.radii) known->second = {radii, &droplets[next]};
+      });
+    for (const auto& [at, nearest] : touched) apply(at, *nearest.droplet, nearest.radii <= 1.0);
+  }
 }
 
 }  // namespace
@@ -119,10 +142,9 @@ Mask wetness_mask(const FrameInput& input, Mutant mutant) {
   mask.texel.resize(std::size_t(mask.size) * std::size_t(mask.size));
   std::vector<Droplet> droplets = in_order(input);
   if (mutant == Mutant::droplets_reversed) std::reverse(droplets.begin(), droplets.end());
-  for (const Droplet& droplet : droplets)
-    for_each_covered(input, droplet, [&](std::size_t at, bool inside) {
-      mask.texel[at] = applied(mask.texel[at], droplet, inside, input.scene);
-    });
+  for_each_blended(input, droplets, [&](std::size_t at, const Droplet& droplet, bool inside) {
+    mask.texel[at] = applied(mask.texel[at], droplet, inside, input.scene);
+  });
   return mask;
 }
 
@@ -130,11 +152,10 @@ double blended_share(const FrameInput& input) {
   const std::size_t side = std::size_t(input.scene.wetness.size);
   std::vector<Clump> texels(side * side);
   std::vector<std::uint8_t> blended(texels.size(), 0);
-  for (const Droplet& droplet : in_order(input))
-    for_each_covered(input, droplet, [&](std::size_t at, bool inside) {
-      if (inside) blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
-      texels[at] = applied(texels[at], droplet, inside, input.scene);
-    });
+  for_each_blended(input, in_order(input), [&](std::size_t at, const Droplet& droplet, bool inside) {
+    if (inside) blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
+    texels[at] = applied(texels[at], droplet, inside, input.scene);
+  });
   double wet = 0, mixed = 0;
   for (std::size_t i = 0; i < texels.size(); ++i) {
     if (texels[i].wetness == 0.0) continue;
