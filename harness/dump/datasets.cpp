@@ -181,7 +181,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
   file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
   file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
-             "surface point whose UV is the centre of the droplet");
+             "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
   file.write(
       "droplet/reach", {drops}, column(reach), "R",
       "largest distance at which a droplet wets the surface, measured from the droplet's surface point");
