@@ -70,7 +70,7 @@ struct OpenGl::State {
   std::vector<Object> fur_textures;
   Object coat, mask;
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
-  Object facing_buffer;  ///< the elements of the triangles that face away, then those of the others
+  Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
   Object colour, depth, framebuffer;
 
   State(std::shared_ptr<const FrameInput> from, const std::vector<glm::vec4>& wetness,
@@ -88,7 +88,8 @@ struct OpenGl::State {
         index_buffer(make_buffer(vertices.index())),
         layer_buffer(make_buffer(layers)),
         arrays(make_vertex_array()),
-        facing_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
+        away_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
+        towards_buffer(make_buffer(vertices.index(), GL_DYNAMIC_STORAGE_BIT)),
         colour(make_renderbuffer(target_format(options), input->camera.width, input->camera.height)),
         depth(make_renderbuffer(GL_DEPTH_COMPONENT32F, input->camera.width, input->camera.height)),
         framebuffer(make_framebuffer()) {
@@ -170,39 +171,32 @@ struct OpenGl::State {
     draw_triangles(1);
   }
 
-  /// The triangles of a draw call: `count` elements of the element buffer of the vertex array, from `first`
-  /// on.
-  struct Elements {
-    GLsizei count;
-    std::size_t first;
+  /// Triangles with their own element buffer.
+  struct Part {
+    GLuint buffer;
+    GLsizei corners;
   };
 
-  /// Sorts the triangles by their facing, and returns the parts of facing_buffer to draw, in this order.
-  std::vector<Elements> sorted_by_facing() const {
+  /// Sorts the triangles by their facing, and returns the parts to draw, in this order.
+  std::vector<Part> sorted_by_facing() const {
     const Facing found = facing(input->camera, *input->mesh, vertices.index());
-    const auto bytes = [](const std::vector<std::uint32_t>& list) {
-      return GLsizeiptr(list.size() * sizeof(std::uint32_t));
+    const auto part = [](const Object& buffer, const std::vector<std::uint32_t>& list) {
+      glNamedBufferSubData(buffer.id(), 0, GLsizeiptr(list.size() * sizeof(std::uint32_t)), list.data());
+      return Part{buffer.id(), GLsizei(list.size())};
     };
-    glNamedBufferSubData(facing_buffer.id(), 0, bytes(found.away), found.away.data());
-    glNamedBufferSubData(facing_buffer.id(), bytes(found.away), bytes(found.towards), found.towards.data());
-    const Elements away{GLsizei(found.away.size()), 0};
-    const Elements towards{GLsizei(found.towards.size()), found.away.size()};
+    const Part towards = part(towards_buffer, found.towards);
     if (input->scene.blend.faces == "front") return {towards};
-    return {away, towards};
-  }
-
-  void draw_elements(const Elements& part, GLsizei instances) const {
-    if (part.count == 0) return;
-    const std::size_t offset = part.first * sizeof(std::uint32_t);
-    glDrawElementsInstanced(GL_TRIANGLES, part.count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                            instances);
+    return {part(away_buffer, found.away), towards};
   }
 
   void draw_layers() const {
     if (input->scene.blend.faces == "all") return draw_layers([this](GLsizei n) { draw_triangles(n); });
-    const std::vector<Elements> parts = sorted_by_facing();
-    glVertexArrayElementBuffer(arrays.id(), facing_buffer.id());
-    for (const Elements& part : parts) draw_layers([&](GLsizei n) { draw_elements(part, n); });
+    for (const Part& part : sorted_by_facing()) {
+      glVertexArrayElementBuffer(arrays.id(), part.buffer);
+      draw_layers([&](GLsizei instances) {
+        glDrawElementsInstanced(GL_TRIANGLES, part.corners, GL_UNSIGNED_INT, nullptr, instances);
+      });
+    }
     glVertexArrayElementBuffer(arrays.id(), index_buffer.id());
   }
 
