@@ -9,9 +9,9 @@
 
 namespace pelage::cl {
 
-/// While the object exists, each Program of a listed text and of the same device uses the build of this
-/// object. A listed text that no Program needs costs its build time, and changes nothing else. An error in
-/// a build is thrown by the Program that needs it.
+/// Builds a list of programs. While this object exists, a Program with a listed text on the same device uses
+/// the build of this object instead of a build of its own. If no Program needs a listed text, its build only
+/// costs time. If a build fails, the constructor of the Program that needs it throws the error.
 class BuildAhead {
  public:
   /// Starts to build the programs in the order of the list.
@@ -23,8 +23,8 @@ class BuildAhead {
   /// Returns the texts that no Program has used so far.
   std::vector<ProgramText> unused() const;
 
-  /// Returns the build of an existing object, or null if no object lists this text for this device. Waits
-  /// for the end of the build and throws its error.
+  /// Searches the existing objects for a build of `text` on `device`. Waits until the build ends, and returns
+  /// its result. Returns null if no object lists this text. Throws the error of the build if it failed.
   static std::shared_ptr<const BuiltProgram> take(const Device& device, const ProgramText& text);
 
  private:

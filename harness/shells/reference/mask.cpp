@@ -29,8 +29,8 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
 /// droplet.point must be at most droplet.reach.
 ///
 /// With clump.cells "consistent", the droplet also touches texels whose centres are up to half of a texel's
-/// diagonal outside the disc. `change` receives as its second argument whether the disc contains the texel's
-/// centre.
+/// diagonal outside the disc. The second argument of `change` is the distance in UV from the disc's centre to
+/// the texel's centre, divided by the radius of the disc.
 template <class Change>
 void for_each_covered(const FrameInput& input, const Droplet& droplet, const Change& change) {
   const int size = input.scene.wetness.size;
@@ -66,8 +66,9 @@ std::vector<Droplet> in_order(const FrameInput& input) {
 }
 
 /// Calls apply(texel, droplet, inside) for each texel that a droplet or one of its repetitions touches, in
-/// the order of blending. Of a droplet and its repetitions, a texel takes the nearest in radii. `inside`: the
-/// disc contains the texel's centre.
+/// the order of blending. If several of them touch a texel, apply() receives the one whose centre is nearest
+/// to the texel's centre, measured in radii of its disc. `inside` is true if the disc contains the texel's
+/// centre.
 template <class Apply>
 void for_each_blended(const FrameInput& input, const std::vector<Droplet>& droplets, const Apply& apply) {
   struct Nearest {

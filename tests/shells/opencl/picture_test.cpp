@@ -43,6 +43,17 @@ INSTANTIATE_TEST_SUITE_P(CurlyWetWindy, Models,
                                   "_" + given.param.shading;
                          });
 
+/// Returns a frame of a torus, seen by an eye inside its fur.
+std::shared_ptr<const FrameInput> with_the_eye_inside(const char* faces) {
+  Scene scene = synthetic::lively_scene();
+  scene.blend.faces = faces;
+  scene.fur.layers = 8;
+  scene.camera.eye = {1.05f, .04f, 0};
+  scene.camera.target = {1, 0, 1};
+  scene.camera.fov = 80;
+  return std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 30));
+}
+
 struct Mappings : testing::TestWithParam<const char*> {};
 
 TEST_P(Mappings, BothModelsAndBothBindings) {
@@ -112,13 +123,7 @@ TEST_P(Mappings, OrdersOfFaces) {
       expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
     }
   // The camera is so near that triangles of the base are clipped.
-  Scene scene = synthetic::lively_scene();
-  scene.blend.faces = "back-then-front";
-  scene.fur.layers = 8;
-  scene.camera.eye = {1.05f, .04f, 0};
-  scene.camera.target = {1, 0, 1};
-  scene.camera.fov = 80;
-  const auto input = std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 30));
+  const auto input = with_the_eye_inside("back-then-front");
   expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
 }
 
@@ -141,12 +146,7 @@ TEST_P(Mappings, FurThatRunsBehindTheEye) {
 TEST_P(Mappings, TheEyeInsideTheFur) {
   // Near the eye, some triangles of a layer cross the near plane and are clipped. Unclipped triangles are
   // drawn before and after the clipped triangles.
-  Scene scene = synthetic::lively_scene();
-  scene.fur.layers = 8;
-  scene.camera.eye = {1.05f, .04f, 0};
-  scene.camera.target = {1, 0, 1};
-  scene.camera.fov = 80;
-  const auto input = std::make_shared<FrameInput>(synthetic::frame(scene, synthetic::torus(), 12, 8, 30));
+  const auto input = with_the_eye_inside("all");
   expect_same(drawn_by_reference(*input), drawn_by_device(input, GetParam()), 8000);
 }
 

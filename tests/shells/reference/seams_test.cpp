@@ -23,8 +23,8 @@ struct Cuts {
   double share() const { return wet > 0 ? cut / wet : 0; }
 };
 
-/// Returns the cuts at the seams of the UV map and inside its charts. The wetness of a side is that of a
-/// point of its triangle, a tenth of the way from the middle of the edge to the opposite corner.
+/// Returns the cuts at the seams of the UV map and inside its charts. An edge has two
+/// sides, which are its two triangles. A side is wet if the centroid of its triangle is wet.
 std::pair<Cuts, Cuts> cuts_of(const FrameInput& input) {
   const Mesh& mesh = *input.mesh;
   const Mask mask = wetness_mask(input);
