@@ -72,6 +72,42 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
   sum.y += g * power(max(0.0, t_l * t_e + sine_l * sine_e), exponent);
 }
 
+#if defined(CLUMPS) && defined(CONSISTENT_CELLS)
+// Returns the length of a vector in UV, as a fraction of a pixel's footprint, and at most 1.
+float in_pixels(vec2 d, float per_footprint) { return min(1.0, per_footprint * length(d * FUR_SCALE * FUR_TEXELS)); }
+
+// At the border of a disc, the displacement of the fur jumps from d to 0. Returns the part of the coverage that remains
+// there on both sides.
+float border_share(float depth, vec2 d, float per_footprint) {
+  return max(1.0 - in_pixels(d, per_footprint), min(1.0, 2.0 * float(textureSize(mask, 0).x) * abs(depth)));
+}
+
+// Returns the part of the coverage of the strand with the root q that remains: the fragment shows the strand only where
+// the clump at the root draws it. Interpolates between the four texels of the mask around q. rate: f(h) of S Eq. 5.
+float consistency(vec2 q, float rate, float per_footprint) {
+  int size = textureSize(mask, 0).x;
+  vec2 place = fract(q - 0.5 / float(size)) * float(size), corner = floor(place), part = place - corner;
+  float unmoved = in_pixels(q - uv, per_footprint), lost = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    ivec2 next = ivec2(k & 1, k >> 1);
+    vec4 clump = texelFetch(mask, (ivec2(corner) + next) % size, 0);
+    vec2 from = q - clump.xy;
+#if CLUMP_READING == CLUMP_CONVERGE
+    float share = min(clump.w * rate, 0.98);
+#elif CLUMP_READING == CLUMP_DISTANCE
+    float share = rate * clump.w * clump.z * inversesqrt(max(dot(from, from), 1e-30));
+#else
+    float shift = rate * clump.w * (CLUMP_READING == CLUMP_LITERAL ? clump.z : CLUMP_GAIN);
+    float share = shift / (1.0 + shift);
+#endif
+    vec2 weight = mix(1.0 - part, part, vec2(next));
+    lost += weight.x * weight.y *
+            mix(unmoved, in_pixels(q - share * from - uv, per_footprint), ring_share(mask, clump, q));
+  }
+  return 1.0 - lost;
+}
+#endif
+
 void main() {
   vec2 at = uv;
   float rho = 0.0;
@@ -81,7 +117,7 @@ void main() {
   float amount = look.x, change = look.y, drawn = look.y, stretch = 1.0;
 #ifdef CLUMPS
   // Computes S Eq. 5 and S Algorithm 2. rho is the wetness in the mask at uv. If rho is 0 (dry), the shift is 0.
-  vec4 here = clump_at(mask, uv);
+  vec4 here = textureLod(mask, uv, 0.0);
   vec2 from = uv - here.xy;
   rho = here.w;
 #if CLUMP_READING == CLUMP_CONVERGE
@@ -98,9 +134,19 @@ void main() {
   pull = factor * from;
   drawn = look.y / (1.0 + (look.x - look.y) * factor);
 #endif
+#ifdef CONSISTENT_CELLS
+  // A fragment outside the disc of its texel's clump is dry.
+  float depth = here.z - length(from);
+  vec2 border = amount * pull;
+  if (depth < 0.0) {
+    rho = 0.0;
+    pull = vec2(0.0);
+    stretch = 1.0;
+  }
+#endif
   at = uv + amount * pull;
-  vec4 there = clump_at(mask, at);
 #ifndef CONSISTENT_CELLS
+  vec4 there = textureLod(mask, at, 0.0);
   bool other = dot(from, from) > here.z * here.z || there.w == 0.0;
 #ifdef SEPARATE_CELLS
   other = other || there.x != here.x || there.y != here.y;
@@ -115,18 +161,10 @@ void main() {
   float level = LEVEL - log2(gl_FragCoord.w / stretch * max(abs(dot(nu, e)), 0.1));
   vec2 texel = fur_texel(at * FUR_SCALE, level);
 #if defined(CLUMPS) && defined(CONSISTENT_CELLS)
-  // The clump at the root `at` draws this strand at at - share (at - c). The coverage falls from 1 to 0 while that is up to
-  // the footprint of a pixel away.
-  vec2 root_from = at - there.xy;
-#if CLUMP_READING == CLUMP_CONVERGE
-  float share = min(there.w * look.x, 0.98);
-#elif CLUMP_READING == CLUMP_DISTANCE
-  float share = look.x * there.w * there.z * inversesqrt(max(dot(root_from, root_from), 1e-30));
-#else
-  float k = look.x * there.w * (CLUMP_READING == CLUMP_LITERAL ? there.z : CLUMP_GAIN), share = k / (1.0 + k);
-#endif
-  vec2 misplaced = (at - share * root_from - uv) * FUR_SCALE * FUR_TEXELS;
-  if (rho > 0.0) texel.r *= max(0.0, 1.0 - length(misplaced) / (exp2(level) / stretch));
+  if (here.w > 0.0) {
+    float per_footprint = stretch / exp2(level);
+    texel.r *= border_share(depth, border, per_footprint) * consistency(at, look.x, per_footprint);
+  }
 #endif
   if (texel.r == 0.0) discard;
 

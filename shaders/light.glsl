@@ -5,14 +5,20 @@ vec3 unit(vec3 v) { return v * inversesqrt(max(dot(v, v), 1e-30)); }  // the zer
 // Returns the unit vector from the eye to the surface. RAY is the view ray through the origin of window coordinates.
 vec3 view() { return unit(RAY + gl_FragCoord.x * RAY_DX + gl_FragCoord.y * RAY_DY); }
 
-// Returns the mask's texel at p: c_u, c_v, r, rho. With CONSISTENT_CELLS, a point outside the disc of the clump is dry.
-vec4 clump_at(sampler2D mask, vec2 p) {
-  vec4 clump = textureLod(mask, p, 0.0);
+// Returns the part of its wetness that a clump (c_u, c_v, r, rho) has at p: with CONSISTENT_CELLS, 1 in the disc, and
+// from 1 to 0 in a ring of half a mask texel around it.
+float ring_share(sampler2D mask, vec4 clump, vec2 p) {
 #ifdef CONSISTENT_CELLS
-  vec2 from = p - clump.xy;
-  if (dot(from, from) > clump.z * clump.z) clump.w = 0.0;
+  return clamp(1.0 + 2.0 * float(textureSize(mask, 0).x) * (clump.z - distance(p, clump.xy)), 0.0, 1.0);
+#else
+  return 1.0;
 #endif
-  return clump;
+}
+
+// Returns the wetness at p.
+float wetness_at(sampler2D mask, vec2 p) {
+  vec4 clump = textureLod(mask, p, 0.0);
+  return clump.w * ring_share(mask, clump, p);
 }
 
 // Returns the normal for lighting. With TWO_SIDED, a normal that faces away from the eye is reversed. e points from the

@@ -13,7 +13,7 @@ void main() {
   light += INTENSITY_1 * lambert(dot(nu, LIGHT_1));
 #endif
 #ifdef WET_MODEL
-  float shadow = 1.0 - OCCLUSION, wet = 1.0 - DARKENING * clump_at(mask, uv).w;
+  float shadow = 1.0 - OCCLUSION, wet = 1.0 - DARKENING * wetness_at(mask, uv);
 #else
   float shadow = (SHADOW - 1.0) / SHADOW, wet = 1.0;
 #endif

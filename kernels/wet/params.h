@@ -5,9 +5,9 @@
 typedef struct {
   int size;    // number of texels per side of the mask
   int bucket;  // side, in texels, of a bucket (a square part of the mask that has its own list of droplets)
-  int consistent; // 1: texels that a disc touches hold its clump, and a fragment tests the disc (clump.cells = "consistent")
   int overlap; // 1: a droplet is blended with all wet texels of its disc (wetness.blend = "overlap")
-  float half_diagonal; // half of the diagonal of a texel, in UV
+  float rim;  // a droplet touches texels whose centres are at most this far outside its disc, in UV; 0: none
+  float margin;  // times 4 alpha (1 - alpha), it is added to a blended radius, in UV
 } WetParams;
 
 // Columns of the droplet array, which has one row per droplet. DROP_U, DROP_V and DROP_RADIUS are the centre and the

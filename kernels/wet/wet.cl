@@ -22,7 +22,6 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
     // The nearest of a droplet and its repetitions across UV seams, in radii from the centre.
     TABLE(float) nearest = 0;
     float least = INFINITY;
-    float margin = s.consistent ? s.half_diagonal : 0.0f;
     bool inside = false;
     float number = droplets[DROP_COLUMNS * bucket_drop[k] + DROP_NUMBER];
     for (; k < end && droplets[DROP_COLUMNS * bucket_drop[k] + DROP_NUMBER] == number; ++k) {
@@ -31,7 +30,7 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
       float dx = surface[3 * texel] - d[DROP_X], dy = surface[3 * texel + 1] - d[DROP_Y], dz = surface[3 * texel + 2] - d[DROP_Z];
       float from_centre = sqrt(fma(dv, dv, du * du));
       bool near = sqrt(fma(dz, dz, fma(dy, dy, dx * dx))) <= d[DROP_REACH];
-      if (!near || from_centre > d[DROP_RADIUS] + margin || from_centre / d[DROP_RADIUS] >= least) continue;
+      if (!near || from_centre > d[DROP_RADIUS] + s.rim || from_centre / d[DROP_RADIUS] >= least) continue;
       nearest = d;
       least = from_centre / d[DROP_RADIUS];
       inside = from_centre <= d[DROP_RADIUS];
@@ -44,7 +43,7 @@ __kernel void wetness_mask(WetParams s, TABLE(float) droplets, TABLE(int) bucket
     drop.radius = nearest[DROP_RADIUS];
     drop.wetness = nearest[DROP_WETNESS];
     if (inside)
-      m = blend_droplet(m, drop, s.overlap, margin);
+      m = blend_droplet(m, drop, s.overlap, s.margin);
     else
       m = drop;
   }

@@ -22,7 +22,8 @@ Buckets in_buckets(const std::vector<Droplet>& droplets, int size, int texels) {
     const float texel = std::clamp(coordinate * float(size), 0.0f, float(size - 1));
     return int(texel) / texels;
   };
-  const float margin = 1.0f / float(size);
+  // More than WetParams::rim.
+  const float margin = 2.0f / float(size);
   for (std::size_t i = 0; i < droplets.size(); ++i) {
     const Droplet& d = droplets[i];
     const float reach = d.radius + margin;
@@ -96,7 +97,9 @@ cl::Event WetStage::run(const cl::Queue& queue) {
     program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
     kernel_.emplace(*program_, "wetness_mask");
   }
-  kernel_->with(WetParams{size_, bucket_, int(consistent_), int(overlap_), float(std::sqrt(0.5) / size_)},
+  const double texel = consistent_ ? 1.0 / size_ : 0.0, half_diagonal = std::sqrt(0.5);
+  kernel_->with(WetParams{size_, bucket_, int(overlap_), float((half_diagonal + 0.5) * texel),
+                          float(half_diagonal * texel)},
                 droplets_, row_, drop_, surface_, mask_);
   return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }

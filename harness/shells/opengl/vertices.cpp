@@ -2,20 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 namespace pelage::rivals {
 namespace {
 
-/// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1. `discs`: a
-/// point outside the disc of its texel's clump is dry.
+/// Returns the wetness rho of the mask's texel that contains `uv`. The mask repeats outside 0..1. `discs`:
+/// the wetness falls to 0 in the ring around the clump's disc (docs/frame.md, section 2, "consistent").
 float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& uv, bool discs) {
   const auto texel = [size](float u) {
     return std::size_t(std::min(int((u - std::floor(u)) * float(size)), size - 1));
   };
   const glm::vec4& clump = mask[texel(uv.y) * std::size_t(size) + texel(uv.x)];
-  const float du = uv.x - clump.x, dv = uv.y - clump.y;
-  return discs && du * du + dv * dv > clump.z * clump.z ? 0.0f : clump.w;
+  if (!discs) return clump.w;
+  const float depth = clump.z - glm::distance(uv, glm::vec2(clump));
+  return clump.w * std::clamp(1.0f + depth * 2.0f * float(size), 0.0f, 1.0f);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
   for_each_index(count, 1024, [&](std::size_t s) {
     if (!wanted_[s]) return;
     const std::uint32_t point = mesh.weld[vertex(s)];
-    rho_[s] = mask.wet_at(glm::dvec2(input.curl.mask_uv[point]), input.scene.clump.cells).wetness;
+    rho_[s] = mask.wetness_at(glm::dvec2(input.curl.mask_uv[point]), input.scene.clump.cells);
     if (on_sticks) {
       const glm::dvec3 normal(input.stick_normal[point]);
       const std::size_t turned = mutant == Mutant::corners_turned ? s / 3 * 3 + (s + 1) % 3 : s;

@@ -23,18 +23,24 @@ Clump weighted(const Clump& a, const Clump& b, double t) {
           (1.0 - t) * a.wetness + t * b.wetness};
 }
 
+/// With clump.cells "consistent", a droplet touches texels whose centres are at most this far outside its
+/// disc, in UV units: half of a texel's diagonal and the width of the ring.
+double rim(const Scene& scene) {
+  return scene.clump.cells == "consistent" ? (std::sqrt(0.5) + 0.5) / double(scene.wetness.size) : 0.0;
+}
+
 /// Calls change(texel) for the numbers of all texels that a droplet covers (docs/frame.md, section 2). The
 /// droplet covers a texel if two distances are small enough. The distance in UV from the texel's centre to
 /// the droplet's centre must be at most droplet.radius. The distance from the texel's surface point to
 /// droplet.point must be at most droplet.reach.
 ///
-/// With clump.cells "consistent", the droplet also touches texels whose centres are up to half of a texel's
-/// diagonal outside the disc. The second argument of `change` is the distance in UV from the disc's centre to
-/// the texel's centre, divided by the radius of the disc.
+/// With clump.cells "consistent", the droplet also touches texels whose centres are up to rim() outside the
+/// disc. The second argument of `change` is the distance in UV from the disc's centre to the texel's centre,
+/// divided by the radius of the disc.
 template <class Change>
 void for_each_covered(const FrameInput& input, const Droplet& droplet, const Change& change) {
   const int size = input.scene.wetness.size;
-  const double more = input.scene.clump.cells == "consistent" ? std::sqrt(0.5) / double(size) : 0.0;
+  const double more = rim(input.scene);
   // `first` and `last` compute the range of texel rows or columns that the droplet's disc can touch, plus one
   // texel on either side. `c` is the coordinate of the disc's centre.
   const auto first = [&](float c) {
@@ -110,10 +116,9 @@ Clump blend(const Clump& texel, const Droplet& droplet, const std::string& way, 
 }
 
 Clump applied(const Clump& texel, const Droplet& droplet, bool inside, const Scene& scene) {
-  const bool consistent = scene.clump.cells == "consistent";
   if (inside)
     return blend(texel, droplet, scene.wetness.blend,
-                 consistent ? std::sqrt(0.5) / double(scene.wetness.size) : 0.0);
+                 scene.clump.cells == "consistent" ? std::sqrt(0.5) / double(scene.wetness.size) : 0.0);
   if (texel.wetness > 0.0) return texel;
   return {glm::dvec2(droplet.centre), double(droplet.radius), double(droplet.wetness)};
 }
@@ -122,6 +127,16 @@ Clump Mask::wet_at(const glm::dvec2& uv, const std::string& cells) const {
   const Clump clump = nearest(uv);
   if (cells == "consistent" && glm::length(uv - clump.centre) > clump.radius) return {};
   return clump;
+}
+
+double Mask::wetness_at(const glm::dvec2& uv, const std::string& cells) const {
+  const Clump clump = nearest(uv);
+  return cells == "consistent" ? clump.wetness * ring_share(clump, uv) : clump.wetness;
+}
+
+double Mask::ring_share(const Clump& clump, const glm::dvec2& uv) const {
+  const double depth = clump.radius - glm::length(uv - clump.centre), width = 0.5 / double(size);
+  return std::clamp(1.0 + depth / width, 0.0, 1.0);
 }
 
 const Clump& Mask::nearest(const glm::dvec2& uv) const {
@@ -210,6 +225,30 @@ double clump_shape(double h, double w, int layers, Mutant mutant) {
   return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
 }
 
+namespace {
+
+/// Returns where the clumps of the four texels around `root` draw the strand of this root, relative to the
+/// fragment at `uv`. A clump draws it displaced with the weight ring_share(), and else where its root is.
+std::vector<Placement> placements(const ClumpScene& scene, const Mask& mask, double f, const glm::dvec2& root,
+                                  const glm::dvec2& uv) {
+  const double side = double(mask.size);
+  const glm::dvec2 corner = glm::floor(root * side - 0.5), part = root * side - 0.5 - corner;
+  std::vector<Placement> found;
+  double unmoved = 0.0;
+  for (const double j : {0.0, 1.0})
+    for (const double i : {0.0, 1.0}) {
+      const Clump& clump = mask.nearest((corner + glm::dvec2(i, j) + 0.5) / side);
+      const double weight = (i > 0 ? part.x : 1.0 - part.x) * (j > 0 ? part.y : 1.0 - part.y);
+      const double share = mask.ring_share(clump, root);
+      found.push_back({weight * share, clump_reading(scene, clump).drawn(f, root) - uv});
+      unmoved += weight * (1.0 - share);
+    }
+  found.push_back({unmoved, root - uv});
+  return found;
+}
+
+}  // namespace
+
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant) {
   const ClumpScene& scene = input.scene.clump;
@@ -220,7 +259,8 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   Displacement result;
   const Clump here = look(uv);
   result.wetness = here.wetness;
-  if (!(here.wetness > 0.0)) return result;
+  const Clump& texel = mask.nearest(uv);
+  if (!(texel.wetness > 0.0)) return result;
 
   const auto f = [&](int layer) {
     if (layer < 0) return 0.0;
@@ -233,11 +273,13 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   result.moved = reading.drawn(f(n), root) - reading.drawn(f(n - 1), root);
   result.stretch = reading.stretch(f(n));
 
-  const Clump there = look(root);
   if (scene.cells == "consistent") {
-    result.misplaced = clump_reading(scene, there).drawn(f(n), root) - uv;
+    result.placements = placements(scene, mask, f(n), root, uv);
+    result.border_d = clump_reading(scene, texel).displacement(f(n), uv);
+    result.border_distance = std::abs(texel.radius - glm::length(uv - texel.centre));
     return result;
   }
+  const Clump there = look(root);
   if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
   if (!(there.wetness > 0.0)) result.discarded = true;                       // a dry area
   if (scene.cells == "separate" && there.centre != here.centre) result.discarded = true;

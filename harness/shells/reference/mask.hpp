@@ -38,9 +38,15 @@ struct Mask {
   std::vector<Clump> texel;  ///< size x size texels; row j is at v = (j + .5) / size
   /// Returns the texel that contains uv. The mask repeats outside 0..1.
   const Clump& nearest(const glm::dvec2& uv) const;
-  /// Returns the clump at uv. With clump.cells "consistent", a point outside the disc of its texel's clump is
-  /// dry.
+  /// Returns the clump that displaces the fur at uv. With clump.cells "consistent", a point outside the disc
+  /// of its texel's clump is dry.
   Clump wet_at(const glm::dvec2& uv, const std::string& cells) const;
+  /// Returns the wetness at uv. With clump.cells "consistent", it falls to 0 in the ring around a clump's
+  /// disc.
+  double wetness_at(const glm::dvec2& uv, const std::string& cells) const;
+  /// Returns the part of its wetness that a clump has at uv with clump.cells "consistent": 1 in its disc, 0
+  /// outside of the ring around it, and linear in the ring. The ring is half a texel wide.
+  double ring_share(const Clump& clump, const glm::dvec2& uv) const;
   /// Returns the mask at uv with bilinear interpolation. The mask repeats outside 0..1. Only the deliberate
   /// mistake Mutant::mask_bilinear needs this function.
   Clump bilinear(const glm::dvec2& uv) const;
@@ -56,13 +62,23 @@ double blended_share(const FrameInput& input);
 /// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].
 double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none);
 
+/// A place where a clump draws a strand, and the weight of this clump among those around the strand's root.
+struct Placement {
+  double weight = 0.0;
+  glm::dvec2 misplaced{0.0};  ///< the place minus the position of the fragment that shows the strand, in UV
+};
+
 /// The result of S Algorithm 2 for a fragment: whether it is discarded, and the shift of its texture
 /// coordinates.
 struct Displacement {
   bool discarded = false;
-  /// With clump.cells "consistent": the position, minus the fragment's, at which the clump at the strand's
-  /// root draws the strand, in UV units.
-  glm::dvec2 misplaced{0.0};
+  /// With clump.cells "consistent", in a wet texel: where the clumps in the four texels around the strand's
+  /// root draw the strand. The weights add up to 1.
+  std::vector<Placement> placements;
+  /// With clump.cells "consistent", in a wet texel: the displacement by the texel's clump, which is d in the
+  /// clump's disc, and the distance of the fragment from the border of this disc; both in UV units.
+  glm::dvec2 border_d{0.0};
+  double border_distance = 0.0;
   glm::dvec2 d{0.0};        ///< offset added to the texture coordinates, in UV units
   glm::dvec2 delta_d{0.0};  ///< d minus the value of d on the layer below (W Eq. 4); on layer 0 equal to d
   /// How far the clump moves the drawn strand from the layer below to this layer, in UV units. A strand with

@@ -215,7 +215,7 @@ class Painter {
                             normal,
                             eye,
                             shows_back(shading, outwards, eye) ? 1.0 : 0.0,
-                            mask_.wet_at(where, input_.scene.clump.cells).wetness};
+                            mask_.wetness_at(where, input_.scene.clump.cells)};
     tile.colour[at] = glm::dvec4(skin_colour(input_.scene.shading, fragment), 1.0);
   }
 
@@ -248,12 +248,22 @@ class Painter {
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
   }
 
-  /// Returns the part of a fragment's coverage that clump.cells "consistent" leaves: it falls from 1 to 0
-  /// while the strand is misplaced by up to the footprint of a pixel.
+  /// Returns the part of a fragment's coverage that clump.cells "consistent" leaves: for each clump around
+  /// the strand's root, it falls from 1 to 0 while the strand is misplaced by up to the footprint of a pixel.
+  /// It also falls within half a mask texel of a disc's border, across which the displacement jumps.
   double shown(const Displacement& clump, const Sample& sample, const glm::dvec3& normal,
                const glm::dvec3& eye) const {
-    const glm::dvec2 texels = clump.misplaced * glm::dvec2(input_.fur_scale) * double(input_.fur.size);
-    return std::max(0.0, 1.0 - glm::length(texels) / std::exp2(level_of_detail(sample, normal, eye)));
+    if (clump.placements.empty()) return 1.0;
+    const double footprint = std::exp2(level_of_detail(sample, normal, eye));
+    const auto in_footprints = [&](const glm::dvec2& d) {
+      return std::min(1.0,
+                      glm::length(d * glm::dvec2(input_.fur_scale) * double(input_.fur.size)) / footprint);
+    };
+    double sum = 0.0;
+    for (const Placement& place : clump.placements)
+      sum += place.weight * (1.0 - in_footprints(place.misplaced));
+    return sum * std::max(1.0 - in_footprints(clump.border_d),
+                          std::min(1.0, 2.0 * double(mask_.size) * clump.border_distance));
   }
 
   /// Returns the mip level: log2 of a pixel's footprint on the surface, in texels of level 0, plus

@@ -86,11 +86,11 @@ TEST(Drying, AFaintDropletChangesLittleOverDryAndOverWetFur) {
         RecordProperty(fmt::format("{}_{}_1e-{}", scale, droplets, i + 1),
                        fmt::format("mean {:.3g} most {:.3g}", found[i].mean, found[i].most));
       EXPECT_GT(found[0].mean, 1e-6);
-      EXPECT_LE(found[5].mean, 3e-5 * found[0].mean);
-      // Over wet fur, single pixels at the borders of other clumps still change much.
-      if (droplets > 0) continue;
-      for (std::size_t i = 1; i < found.size(); ++i)
-        EXPECT_LE(found[i].mean, 0.12 * found[i - 1].mean + 1e-9) << "wetness 1e-" << i + 1;
+      // A droplet of wetness 0.1 moves strands by several pixels. Its change is less than 10 times that of
+      // the next one. The last changes approach the rounding of single precision.
+      EXPECT_LE(found[1].mean, 0.2 * found[0].mean);
+      for (std::size_t i = 2; i < found.size(); ++i)
+        EXPECT_LE(found[i].mean, 0.11 * found[i - 1].mean + 1e-7) << "wetness 1e-" << i + 1;
       EXPECT_LE(found[2].most, 8 / 255.);
     }
 }
