@@ -69,18 +69,19 @@ std::vector<SeamEdge> seam_edges(const Mesh& mesh) {
 }
 
 bool alike(const Droplet& a, const Droplet& b) {
-  return glm::distance(a.centre, b.centre) < 0.02f * std::min(a.radius, b.radius) &&
-         std::abs(a.radius - b.radius) < 0.02f * b.radius;
+  constexpr float share = 0.1f;  // of the smaller radius
+  return glm::distance(a.centre, b.centre) < share * std::min(a.radius, b.radius) &&
+         std::abs(a.radius - b.radius) < share * b.radius;
 }
 
 }  // namespace
 
 std::vector<Droplet> across_seams(const Mesh& mesh, const std::vector<Droplet>& droplets) {
-  constexpr std::size_t most = 64;  // most repetitions of a droplet
+  constexpr std::size_t most = 96;  // most repetitions of a droplet
   // A repetition wets no point that is further from the droplet's surface point than its radius on the
   // surface, with this slack for the stretch of the UV map. Many repetitions along a curved seam thus cover
   // no more than one disc.
-  constexpr double slack = 1.1;
+  constexpr double slack = 1.2;
   const std::vector<SeamEdge> edges = seam_edges(mesh);
   std::vector<Droplet> all;
   for (const Droplet& droplet : droplets) {
@@ -97,7 +98,9 @@ std::vector<Droplet> across_seams(const Mesh& mesh, const std::vector<Droplet>& 
         const Complex there = e.across(centre);
         ghost.centre = {float(there.real()), float(there.imag())};
         ghost.radius = float(radius * std::abs(e.scale));
-        ghost.reach = float(std::min(double(droplet.reach), slack * radius * e.length_per_uv()));
+        // The radius on the surface: beside this edge, or as it is on the mean of the map (Droplet::reach).
+        const double on_surface = std::max(radius * e.length_per_uv(), 0.5 * double(droplet.reach));
+        ghost.reach = float(std::min(double(droplet.reach), slack * on_surface));
         if (std::none_of(own.begin(), own.end(), [&](const Droplet& d) { return alike(d, ghost); }))
           own.push_back(ghost);
       }
