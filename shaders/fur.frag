@@ -72,6 +72,14 @@ void add_light(vec3 light, float intensity, vec3 t, vec3 nu, vec3 e, float expon
   sum.y += g * power(max(0.0, t_l * t_e + sine_l * sine_e), exponent);
 }
 
+#ifdef SOAKED_FUR
+// Returns the highlight of one source on the film of soaked fur.
+float film_gloss(vec3 light, float intensity, vec3 nu, vec3 e) {
+  vec3 mirrored = e - 2.0 * dot(nu, e) * nu;
+  return intensity * dimmed(dot(nu, light)) * pow(max(dot(mirrored, light), 1e-30), EXPONENT);
+}
+#endif
+
 #if defined(CLUMPS) && defined(CONSISTENT_CELLS)
 // Returns the length of a vector in UV, as a fraction of a pixel's footprint, and at most 1.
 float in_pixels(vec2 d, float per_footprint) { return min(1.0, per_footprint * length(d * FUR_SCALE * FUR_TEXELS)); }
@@ -82,16 +90,50 @@ float border_share(float depth, vec2 d, float per_footprint) {
   return max(1.0 - in_pixels(d, per_footprint), min(1.0, 2.0 * float(textureSize(mask, 0).x) * abs(depth)));
 }
 
+// Returns S, the part of fur of the wetness rho that the film of soaked fur covers (docs/soaked.md).
+float soaked_share(float rho) {
+#ifdef SOAKED_FUR
+  float x = clamp((rho - SOAKED) / (1.0 - SOAKED), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
+#else
+  return 0.0;
+#endif
+}
+
+// Returns the wetness with which a clump displaces the fur: in soaked fur, clumps disappear.
+float clumping(float rho) { return rho * (1.0 - soaked_share(rho)); }
+
+// Returns the mask's texel k (0 to 3) of the four whose centres are around p, and its bilinear weight.
+vec4 texel_around(vec2 p, int k, out float weight) {
+  int size = textureSize(mask, 0).x;
+  vec2 place = fract(p - 0.5 / float(size)) * float(size), corner = floor(place), part = place - corner;
+  ivec2 next = ivec2(k & 1, k >> 1);
+  vec2 weights = mix(1.0 - part, part, vec2(next));
+  weight = weights.x * weights.y;
+  return texelFetch(mask, (ivec2(corner) + next) % size, 0);
+}
+
+// Returns the part of the surface at the fragment that the film of soaked fur covers.
+float film_share() {
+  float sum = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    float weight;
+    vec4 clump = texel_around(uv, k, weight);
+    sum += weight * soaked_share(clump.w) * ring_share(mask, clump, uv);
+  }
+  return sum;
+}
+
 // Returns the part of the coverage of the strand with the root q that remains: the fragment shows the strand only where
 // the clump at the root draws it. Interpolates between the four texels of the mask around q. rate: f(h) of S Eq. 5.
 float consistency(vec2 q, float rate, float per_footprint) {
-  int size = textureSize(mask, 0).x;
-  vec2 place = fract(q - 0.5 / float(size)) * float(size), corner = floor(place), part = place - corner;
   float unmoved = in_pixels(q - uv, per_footprint), lost = 0.0;
   for (int k = 0; k < 4; ++k) {
-    ivec2 next = ivec2(k & 1, k >> 1);
-    vec4 clump = texelFetch(mask, (ivec2(corner) + next) % size, 0);
+    float weight;
+    vec4 clump = texel_around(q, k, weight);
     vec2 from = q - clump.xy;
+    float ring = ring_share(mask, clump, q);
+    clump.w = clumping(clump.w);
 #if CLUMP_READING == CLUMP_CONVERGE
     float share = min(clump.w * rate, 0.98);
 #elif CLUMP_READING == CLUMP_DISTANCE
@@ -100,9 +142,7 @@ float consistency(vec2 q, float rate, float per_footprint) {
     float shift = rate * clump.w * (CLUMP_READING == CLUMP_LITERAL ? clump.z : CLUMP_GAIN);
     float share = shift / (1.0 + shift);
 #endif
-    vec2 weight = mix(1.0 - part, part, vec2(next));
-    lost += weight.x * weight.y *
-            mix(unmoved, in_pixels(q - share * from - uv, per_footprint), ring_share(mask, clump, q));
+    lost += weight * mix(unmoved, in_pixels(q - share * from - uv, per_footprint), ring);
   }
   return 1.0 - lost;
 }
@@ -120,6 +160,9 @@ void main() {
   vec4 here = textureLod(mask, uv, 0.0);
   vec2 from = uv - here.xy;
   rho = here.w;
+#ifdef CONSISTENT_CELLS
+  rho = clumping(rho);
+#endif
 #if CLUMP_READING == CLUMP_CONVERGE
   float near = min(rho * look.x, 0.98), below = min(rho * (look.x - look.y), 0.98);
   stretch = 1.0 / (1.0 - near);
@@ -138,6 +181,7 @@ void main() {
   // A fragment outside the disc of its texel's clump is dry.
   float depth = here.z - length(from);
   vec2 border = amount * pull;
+  rho = here.w;
   if (depth < 0.0) {
     rho = 0.0;
     pull = vec2(0.0);
@@ -166,6 +210,16 @@ void main() {
     texel.r *= border_share(depth, border, per_footprint) * consistency(at, look.x, per_footprint);
   }
 #endif
+  float film = 0.0;  // the part of the coverage that the film of soaked fur has
+#ifdef SOAKED_FUR
+  if (here.w > 0.0) {
+    float h = (look.w + 1.0) / float(LAYERS), share = film_share();
+    float of_film = share * clamp((FILM_HEIGHT - h) * float(LAYERS) + 1.0, 0.0, 1.0), strands = (1.0 - share) * texel.r;
+    float total = of_film + strands, inverse = 1.0 / max(total, 1e-30);
+    film = of_film * inverse;
+    texel = vec2(total, 0.5 * film + strands * inverse * texel.g);  // texel.g is half of the shade
+  }
+#endif
   if (texel.r == 0.0) discard;
 
   vec3 t = rise;
@@ -190,6 +244,13 @@ void main() {
   add_light(LIGHT_1, INTENSITY_1, t, nu, e, exponent, light);
 #endif
   float gamma = look.z;
+#ifdef SOAKED_FUR
+  float gloss = film_gloss(LIGHT_0, INTENSITY_0, nu, e);
+#if LIGHTS > 1
+  gloss += film_gloss(LIGHT_1, INTENSITY_1, nu, e);
+#endif
+  light.y = mix(light.y, FILM_GLOSS * gloss, film);
+#endif
 #ifdef WET_MODEL
   gamma *= 1.0 - DARKENING * rho;  // W Eq. 5
 #endif

@@ -161,6 +161,25 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
 
 }  // namespace
 
+Case baseline_case(const Experiment& experiment, const Case& which) {
+  std::vector<Axis> axes;
+  for (const Axis& axis : experiment.axes) {
+    const bool named = axis.key != "variant" && axis.key != "layers" && axis.key != "size" &&
+                       axis.key != "model" && !is_scene_key(axis.key);
+    const auto own = which.axes.find(axis.key);
+    axes.push_back({axis.key, {named || own == which.axes.end() ? axis.values.front() : own->second}});
+  }
+  for (const auto& [key, value] : which.axes)
+    if (std::none_of(axes.begin(), axes.end(), [&k = key](const Axis& axis) { return axis.key == k; }))
+      axes.push_back({key, {value}});
+  Case result = make_case(experiment, axes, std::vector<std::size_t>(axes.size(), 0), {}, which.overrides);
+  result.set = which.set;
+  // --model sets the key of the case, not an axis.
+  if (const auto model = which.settings.find("model"); model != which.settings.end())
+    result.settings["model"] = model->second;
+  return result;
+}
+
 std::vector<fs::path> experiment_files() {
   std::vector<fs::path> result;
   for (const fs::path& data : data_folders(PELAGE_SOURCE_DIR, PELAGE_SHARE_DIR)) {

@@ -141,6 +141,11 @@ std::vector<Case> cases_of(const Experiment& experiment, const Preset& preset,
 /// throws InputError; the message names the case, the key, the experiment file and the scene file.
 Scene scene_of(const Experiment& experiment, const Case& which);
 
+/// Returns the case with the first value, in the experiment file, of each axis whose values are names of
+/// tables of scene keys, other than model, layers, size and variant: "reading", for example. The settings of
+/// the other axes and of --set stay.
+Case baseline_case(const Experiment& experiment, const Case& which);
+
 /// Returns the cases whose names contain a match of `regex` (empty: all cases). Throws InputError for a
 /// malformed expression.
 std::vector<Case> filtered(std::vector<Case> cases, const std::string& regex);

@@ -126,6 +126,13 @@ struct ClumpScene {
   std::string cells = "separate";  ///< rule for fragments at a clump's border, one of clump_borders
 };
 
+/// Soaked fur, our extension of both papers (docs/soaked.md).
+struct SoakedScene {
+  float threshold = 1;  ///< wetness from which on a film of water replaces the clumps; 1: nowhere
+  float height = 0.5f;  ///< height of the film, as a fraction of the fur's length
+  float gloss = 2;      ///< factor of the film's highlight
+};
+
 inline constexpr std::array face_orders{"all", "front", "back-then-front"};
 
 /// Which triangles of the layers are drawn, and in which order.
@@ -316,6 +323,7 @@ struct Scene {
   CurlScene curl;
   WetnessScene wetness;
   ClumpScene clump;
+  SoakedScene soaked;
   BlendScene blend;
   DynamicsScene dynamics;
   ShadingScene shading;

@@ -75,6 +75,14 @@ void check_list(const KeyList& list, const std::string& source) {
     check_keys(list.keys(i), source, fmt::format("{}[{}].", list.name, i + 1));
 }
 
+void check_soaked(const Scene& scene, const std::string& source) {
+  if (scene.soaked.threshold >= 1.0f) return;
+  if (scene.shading.model != "wet" || scene.clump.cells != "consistent")
+    throw InputError(fmt::format(
+        "{}: soaked.threshold = {} needs shading.model = \"wet\" and clump.cells = \"consistent\"", source,
+        scene.soaked.threshold));
+}
+
 void check_droplets(const WetnessScene& wetness, const std::string& source) {
   for (std::size_t i = 0; i < wetness.droplets.size(); ++i) {
     const DropletScene& droplet = wetness.droplets[i];
@@ -197,6 +205,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_keys(scene_keys(copy), source, "");
   for (const KeyList& list : scene_lists(copy)) check_list(list, source);
   check_droplets(scene.wetness, source);
+  check_soaked(scene, source);
   check_sizes(scene, source);
   check_topology(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);

@@ -10,6 +10,7 @@
 #include "harness/journal/provenance.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
+#include "harness/subjects/baseline_scene.hpp"
 
 namespace pelage {
 namespace {
@@ -40,13 +41,16 @@ std::string present_renderer() {
 
 Identity case_identity(SubjectContext& context, const Case& which, const SamplingLimits& limits) {
   const Scene scene = scene_of(context.experiment, which);
-  return {{"scene", scene_hash(scene)},
-          {"mesh", context.mesh_of(scene)->hash},
-          {"variant", Hash().text(which.pipeline).text(which.mapping).text(which.opengl).hex()},
-          {"tuning", tuning_hash(context.tuning)},
-          {"sampling", hash(text_of(limits))},
-          {"device", device_hash(device_provenance(context.device.info()))},
-          {build_part, build_hash()}};
+  Identity identity{{"scene", scene_hash(scene)},
+                    {"mesh", context.mesh_of(scene)->hash},
+                    {"variant", Hash().text(which.pipeline).text(which.mapping).text(which.opengl).hex()},
+                    {"tuning", tuning_hash(context.tuning)},
+                    {"sampling", hash(text_of(limits))},
+                    {"device", device_hash(device_provenance(context.device.info()))},
+                    {build_part, build_hash()}};
+  if (which.pipeline == baseline_pipeline)
+    identity["baseline"] = scene_hash(scene_of(context.experiment, baseline_case(context.experiment, which)));
+  return identity;
 }
 
 Identity present_identity(Identity planned, const Identity& recorded) {

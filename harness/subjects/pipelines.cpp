@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "harness/springs/studies/study.hpp"
+#include "harness/subjects/baseline_scene.hpp"
 #include "harness/subjects/fewer_layers.hpp"
 #include "harness/subjects/opengl.hpp"
 #include "harness/subjects/raycast_difference.hpp"
@@ -18,6 +19,11 @@ constexpr Pipeline table[] = {
      [](SubjectContext& context, const Case& which) {
        return fewer_layers([&](const Case& fewer) { return make_shells(context, fewer); }, which,
                            scene_of(context.experiment, which).fur.layers);
+     }},
+    {baseline_pipeline,
+     [](SubjectContext& context, const Case& which) {
+       return against_baseline_scene([&](const Case& scene) { return make_shells(context, scene); },
+                                     context.experiment, which);
      }},
     {"opengl", make_opengl},
     {"shells+opengl",

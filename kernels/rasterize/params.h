@@ -48,6 +48,9 @@ typedef struct {
   int clump_reading;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
+  // Soaked fur (docs/soaked.md): from this wetness on, a smooth film of water replaces the clumps. 1: nowhere.
+  float soaked;
+  float film_height, film_gloss;              // the film's height as a fraction of L0, and the factor of its highlight
   // Textures.
   int fur_size, fur_levels;
   float fur_scale[2];                         // repeats of the fur texture per unit of u and of v

@@ -186,6 +186,13 @@ TEST_F(Honest, FramesInTurns) {
       "[variant.fewer]\npipeline = \"shells+fewer\"\n");
 }
 
+TEST_F(Honest, AChangeOfTheSceneInTurns) {
+  run(experiment("variant = [\"turns\"]\nmodel = [\"torus-24x12\"]\nlayers = [8]\nsize = [\"320x240\"]\n"
+                 "reading = [\"plain\", \"curled\"]",
+                 "") +
+      "[variant.turns]\npipeline = \"shells+baseline\"\n[reading.curled]\ncurl.radius = 0.03\n");
+}
+
 TEST_F(Honest, SolverWithoutAPicture) {
   run(experiment("variant = [\"springs\"]\nmodel = [\"torus-24x12\"]", "dynamics.topology = \"sticks\"") +
       "[variant.springs]\npipeline = \"springs+rivals\"\n");

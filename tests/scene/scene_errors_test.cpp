@@ -37,6 +37,8 @@ const Bad files[] = {
     {"fur.texture = 1024\nfur.layers = 512", "fur.layers: 512 layers of 1024 x 1024 texels"},
     {"fur.strands = 0\nfur.undercoat = 0", "neither guard hairs nor undercoat"},
     {"fur.seed = -1", "fur.seed: -1 is out of range; give 0 to 4294967295"},
+    {"soaked.threshold = 0.5\nshading.model = \"curling\"",
+     "soaked.threshold = 0.5 needs shading.model = \"wet\""},
     {"fur.binding = \"both\"", "fur.binding: \"both\" is not known; give \"shared\" or \"separate\""},
     {"coat.pattern = 'dots'", "give \"plain\", \"patches\", \"stripes\", \"spots\" or \"grass\""},
     {"fur.comb_direction = [0, 0, 0]", "fur.comb_direction: points nowhere; give a direction"},

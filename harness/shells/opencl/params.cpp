@@ -101,6 +101,9 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.clump_gain = scene.clump.gain;
   p.clump_reading = place_of(scene.clump.scale, clump_scales);
   p.clump_cells = place_of(scene.clump.cells, clump_borders);
+  p.soaked = scene.soaked.threshold;
+  p.film_height = scene.soaked.height;
+  p.film_gloss = scene.soaked.gloss;
   p.log_layers = float(std::log(double(scene.fur.layers)));
   p.fur_size = input.fur.size;
   p.fur_levels = int(input.fur.level.size());

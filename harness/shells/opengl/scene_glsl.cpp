@@ -61,6 +61,9 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"LEVEL", {float(std::log2(footprint) + double(scene.fur.lod_bias))}},
       {"FUR_TEXELS", {float(input.fur.size)}},
       {"CLUMP_GAIN", {scene.clump.gain}},
+      {"SOAKED", {scene.soaked.threshold}},
+      {"FILM_HEIGHT", {scene.soaked.height}},
+      {"FILM_GLOSS", {scene.soaked.gloss}},
       {"SKIN_COLOUR", list(scene.coat.skin)},
       {"SPECULAR", list(shading.specular)},
       {"EXPONENT", {shading.exponent}},
@@ -104,6 +107,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));
   define(scene.clump.cells == "separate", "SEPARATE_CELLS");
   define(scene.clump.cells == "consistent", "CONSISTENT_CELLS");
+  define(wet && scene.soaked.threshold < 1.0f, "SOAKED_FUR");
   define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
   define(scene.shading.sides == "two", "TWO_SIDED");
   return text;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "harness/shells/reference/layers.hpp"
+#include "harness/shells/reference/soaked.hpp"
 
 namespace pelage::reference {
 namespace {
@@ -213,8 +214,10 @@ struct ClumpReading {
   double stretch(double f) const { return scale == "converge" ? 1.0 / (1.0 - share(f)) : 1.0; }
 };
 
-ClumpReading clump_reading(const ClumpScene& scene, const Clump& clump) {
-  return {scene.scale, double(scene.gain), clump};
+/// Returns the displacement by a clump. In soaked fur, clumps disappear.
+ClumpReading clump_reading(const Scene& scene, Clump clump) {
+  clump.wetness *= 1.0 - soaked_share(scene.soaked, clump.wetness);
+  return {scene.clump.scale, double(scene.clump.gain), clump};
 }
 
 }  // namespace
@@ -227,24 +230,39 @@ double clump_shape(double h, double w, int layers, Mutant mutant) {
 
 namespace {
 
+/// Calls use(clump, weight) for the clumps of the four texels around uv, with their bilinear weights.
+template <class Use>
+void for_four(const Mask& mask, const glm::dvec2& uv, const Use& use) {
+  const double side = double(mask.size);
+  const glm::dvec2 corner = glm::floor(uv * side - 0.5), part = uv * side - 0.5 - corner;
+  for (const double j : {0.0, 1.0})
+    for (const double i : {0.0, 1.0})
+      use(mask.nearest((corner + glm::dvec2(i, j) + 0.5) / side),
+          (i > 0 ? part.x : 1.0 - part.x) * (j > 0 ? part.y : 1.0 - part.y));
+}
+
 /// Returns where the clumps of the four texels around `root` draw the strand of this root, relative to the
 /// fragment at `uv`. A clump draws it displaced with the weight ring_share(), and else where its root is.
-std::vector<Placement> placements(const ClumpScene& scene, const Mask& mask, double f, const glm::dvec2& root,
+std::vector<Placement> placements(const Scene& scene, const Mask& mask, double f, const glm::dvec2& root,
                                   const glm::dvec2& uv) {
-  const double side = double(mask.size);
-  const glm::dvec2 corner = glm::floor(root * side - 0.5), part = root * side - 0.5 - corner;
   std::vector<Placement> found;
   double unmoved = 0.0;
-  for (const double j : {0.0, 1.0})
-    for (const double i : {0.0, 1.0}) {
-      const Clump& clump = mask.nearest((corner + glm::dvec2(i, j) + 0.5) / side);
-      const double weight = (i > 0 ? part.x : 1.0 - part.x) * (j > 0 ? part.y : 1.0 - part.y);
-      const double share = mask.ring_share(clump, root);
-      found.push_back({weight * share, clump_reading(scene, clump).drawn(f, root) - uv});
-      unmoved += weight * (1.0 - share);
-    }
+  for_four(mask, root, [&](const Clump& clump, double weight) {
+    const double share = mask.ring_share(clump, root);
+    found.push_back({weight * share, clump_reading(scene, clump).drawn(f, root) - uv});
+    unmoved += weight * (1.0 - share);
+  });
   found.push_back({unmoved, root - uv});
   return found;
+}
+
+/// Returns the part of the surface at `uv` that the film of soaked fur covers.
+double film_at(const Scene& scene, const Mask& mask, const glm::dvec2& uv) {
+  double sum = 0.0;
+  for_four(mask, uv, [&](const Clump& clump, double weight) {
+    sum += weight * soaked_share(scene.soaked, clump.wetness) * mask.ring_share(clump, uv);
+  });
+  return sum;
 }
 
 }  // namespace
@@ -266,7 +284,7 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
     if (layer < 0) return 0.0;
     return clump_shape(layer_height(layer, layers, mutant), double(scene.shape), layers, mutant);
   };
-  const ClumpReading reading = clump_reading(scene, here);
+  const ClumpReading reading = clump_reading(input.scene, here);
   const glm::dvec2 root = uv + reading.displacement(f(n), uv);
   result.d = root - uv;
   result.delta_d = result.d - reading.displacement(f(n - 1), uv);
@@ -274,8 +292,9 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   result.stretch = reading.stretch(f(n));
 
   if (scene.cells == "consistent") {
-    result.placements = placements(scene, mask, f(n), root, uv);
-    result.border_d = clump_reading(scene, texel).displacement(f(n), uv);
+    result.placements = placements(input.scene, mask, f(n), root, uv);
+    result.border_d = clump_reading(input.scene, texel).displacement(f(n), uv);
+    result.film = film_at(input.scene, mask, uv);
     result.border_distance = std::abs(texel.radius - glm::length(uv - texel.centre));
     return result;
   }

@@ -88,6 +88,7 @@ struct Displacement {
   /// the reading of S Eq. 5 has no such factor for the texture lookup.
   double stretch = 1.0;
   double wetness = 0.0;  ///< rho at uv
+  double film = 0.0;     ///< the part of the surface at uv that the film of soaked fur covers
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);

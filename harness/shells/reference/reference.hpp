@@ -24,6 +24,9 @@ enum class Mutant {
   mask_bilinear,       ///< the wetness mask is sampled bilinearly
   droplets_reversed,   ///< the droplets are blended into the mask from last to first
   log_negated,         ///< mistake: k = -ln N in S Eq. 5, as printed in S; the correct value is k = ln N
+  tangent_reversed,    ///< mistake: the clump's term in W Eq. 4 has the opposite sign
+  eye_reversed,        ///< mistake: E points from the surface to the eye
+  facing_swapped,      ///< mistake: triangles that face the eye count as those that face away
   sticks_straight,     ///< k = 1 in B Eq. 4, so that layers lie along the stick
   corners_turned,      ///< mistake: corner c of a triangle uses the stick of corner (c + 1) % 3
 };

@@ -16,6 +16,7 @@
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
 #include "harness/shells/reference/shading.hpp"
+#include "harness/shells/reference/soaked.hpp"
 #include "harness/shells/reference/substeps.hpp"
 #include "harness/shells/reference/textures.hpp"
 #include "harness/shells/reference/vector.hpp"
@@ -72,7 +73,7 @@ class Painter {
         const Snapped p = snap(polygon[i].point), q = snap(polygon[(i + 1) % polygon.size()].point);
         area += p.x * q.y - q.x * p.y;
       }
-      away_[face] = area > 0;
+      away_[face] = (area > 0) != (options_.mutant == Mutant::facing_swapped);
     }
   }
 
@@ -234,18 +235,31 @@ class Painter {
       return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
     });
     fur.coverage *= shown(clump, sample, normal, eye);
+    const double h = layer_height(layer_, scene.fur.layers, options_.mutant);
+    const double film = cover_with_film(fur, clump.film, film_coverage(scene, h));
     if (!(fur.coverage > 0.0)) return;
 
     const glm::dvec3 along =
-        strand_direction(scene, step, tangent(face, sample), bitangent(face, sample), normal, clump);
+        strand_direction(scene, step, tangent(face, sample), bitangent(face, sample), normal, drift(clump));
     const Fragment fragment{sample_coat(input_.coat, where + clump.d) * fur.shade,
                             along,
                             lit_normal(scene.shading, normal, eye),
-                            eye,
-                            layer_height(layer_, scene.fur.layers, options_.mutant),
-                            clump.wetness};
+                            options_.mutant == Mutant::eye_reversed ? -eye : eye,
+                            h,
+                            clump.wetness,
+                            film,
+                            double(scene.soaked.gloss)};
     const glm::dvec3 colour = fur_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
+  }
+
+  /// Returns the clump's displacement for W Eq. 4.
+  Displacement drift(Displacement clump) const {
+    if (options_.mutant == Mutant::tangent_reversed) {
+      clump.moved = -clump.moved;
+      clump.delta_d = -clump.delta_d;
+    }
+    return clump;
   }
 
   /// Returns the part of a fragment's coverage that clump.cells "consistent" leaves: for each clump around

@@ -76,11 +76,14 @@ glm::dvec3 curling_colour(const ShadingScene& shading, const Fragment& f) {
 
 glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
   const double exponent = (1.0 + double(shading.wet_specular) * (f.wetness - 1.0)) * double(shading.exponent);
+  const glm::dvec3 mirrored = f.view - 2.0 * glm::dot(f.view, f.normal) * f.normal;
   double specular = 0.0;
   for (const LightScene& light : shading.lights) {
     const glm::dvec3 towards = unit(glm::dvec3(light.direction));
-    specular +=
-        intensity(shading, light, f.normal, towards) * highlight(f.tangent, towards, f.view, exponent);
+    const double film =
+        f.gloss * std::pow(std::max(0.0, glm::dot(mirrored, towards)), double(shading.exponent));
+    specular += intensity(shading, light, f.normal, towards) *
+                ((1.0 - f.film) * highlight(f.tangent, towards, f.view, exponent) + f.film * film);
   }
   return wet_shadow(shading, f.height, f.wetness) *
          (lambert(shading, f) + specular * glm::dvec3(shading.specular));

@@ -1,6 +1,7 @@
 // Compares the device's pictures with those of the reference. Kernels and reference were written
 // independently of each other; both follow the two papers of Silva et al. 2010
 // (docs/frame.md).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "harness/compare/tolerances.hpp"
@@ -99,6 +100,21 @@ TEST_P(Mappings, ReadingsOfClumpsAndTheirTangents) {
   input.scene.fur.substeps = 4;
   const auto many = std::make_shared<FrameInput>(input);
   expect_same(drawn_by_reference(*many), drawn_by_device(many, GetParam()), 5000);
+}
+
+TEST_P(Mappings, SoakedFur) {
+  FrameInput input = *small_frame("wet");
+  input.scene.clump.cells = "consistent";
+  input.scene.wetness.blend = "overlap";
+  input.scene.soaked.threshold = 0.6f;
+  for (const char* scale : {"converge", "distance"})
+    for (const int substeps : {1, 4}) {
+      SCOPED_TRACE(fmt::format("{} {}", scale, substeps));
+      input.scene.clump.scale = scale;
+      input.scene.fur.substeps = substeps;
+      const auto given = std::make_shared<FrameInput>(input);
+      expect_same(drawn_by_reference(*given), drawn_by_device(given, GetParam()), 5000);
+    }
 }
 
 TEST_P(Mappings, ConsistentBordersOfClumps) {

@@ -98,6 +98,18 @@ TEST(OpenGlPicture, ReadingsOfClumpsAndTheirTangents) {
   }
 }
 
+TEST(OpenGlPicture, SoakedFur) {
+  FrameInput input = *small_frame("wet");
+  input.scene.clump.cells = "consistent";
+  input.scene.wetness.blend = "overlap";
+  input.scene.soaked.threshold = 0.6f;
+  for (const char* scale : {"converge", "distance"}) {
+    SCOPED_TRACE(scale);
+    input.scene.clump.scale = scale;
+    expect_same(input, 5000);
+  }
+}
+
 TEST(OpenGlPicture, ConsistentBordersOfClumps) {
   FrameInput input = *small_frame("wet");
   input.scene.clump.cells = "consistent";
