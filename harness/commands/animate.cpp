@@ -55,7 +55,8 @@ FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const M
                       const SceneRenderer& renderer) {
   const BuildInfo& build = build_info();
   const RendererOptions& r = options.renderer;
-  // picture_scene() ignores the scene's own time.
+  // picture_scene() ignores the scene's own time. The other entries explain a difference better than the hash
+  // of the scene, so this hash is the last entry.
   Scene timeless = scene;
   timeless.dynamics.time = 0;
   std::erase_if(timeless.keyframes.tracks,
@@ -63,8 +64,6 @@ FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const M
   return {{"program", fmt::format("pelage {}, revision {}{}", build.version, build.revision,
                                   build.dirty ? ", modified" : "")},
           {"kernels", hash_of_kernels()},
-          {"scene", scene_hash(timeless)},
-          {"mesh", mesh.hash},
           {"size", fmt::format("{}x{}", scene.image.width, scene.image.height)},
           {"frames per second", fmt::format("{}", options.times.fps)},
           {"time of the first frame", fmt::format("{} s", options.times.from)},
@@ -72,7 +71,9 @@ FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const M
           {"mapping", r.mapping.empty() ? "default" : r.mapping},
           {"options of OpenGL", r.opengl.empty() ? "default" : r.opengl},
           {"bits of the reference", fmt::format("{}", r.bits)},
-          {"device", renderer.device().empty() ? "none" : renderer.device()}};
+          {"device", renderer.device().empty() ? "none" : renderer.device()},
+          {"mesh", mesh.hash},
+          {"scene", scene_hash(timeless)}};
 }
 
 /// Draws the frames that the folder does not hold. Returns their number.
