@@ -2,11 +2,11 @@
 #include "harness/animation/frame_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -49,7 +49,7 @@ class Place {
 
 /// A picture whose content depends on the number of the frame.
 Picture picture(int frame) {
-  Picture made{24, 16, std::vector<glm::vec4>(24 * 16)};
+  Picture made{24, 16, std::vector<glm::vec4>(384)};
   for (std::size_t i = 0; i < made.pixel.size(); ++i)
     made.pixel[i] = glm::vec4(float((i * 7 + std::size_t(frame) * 31) % 255) / 255.0f);
   return made;
