@@ -35,7 +35,7 @@ class Place {
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
   fs::path operator/(const std::string& name) const { return path_ / name; }
-  std::string read(const std::string& name) const {
+  std::string read(const fs::path& name) const {
     std::ifstream file(path_ / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
@@ -185,7 +185,8 @@ TEST(FrameFolder, KilledAndContinuedItHoldsTheSameFiles) {
     draw(name);
     for (const auto& entry : fs::directory_iterator(place / "whole")) {
       const std::string file = entry.path().filename().string();
-      EXPECT_EQ(place.read(name + "/" + file), place.read("whole/" + file)) << name << " " << file;
+      EXPECT_EQ(place.read(fs::path(name) / file), place.read(fs::path("whole") / file))
+          << name << " " << file;
     }
     EXPECT_EQ(std::distance(fs::directory_iterator(place / name), fs::directory_iterator()), frames + 1);
   }
