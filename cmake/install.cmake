@@ -35,4 +35,5 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # these packages and does not find it, pelage prints a message.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
        libjs-chart.js python3-matplotlib python3-pandas glmark2-data libcgal-demo)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)  # pelage animate joins frames to videos with it
 include(CPack)

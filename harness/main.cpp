@@ -10,6 +10,7 @@
 
 #include "harness/cl/program.hpp"
 #include "harness/commands/aa_test.hpp"
+#include "harness/commands/animate.hpp"
 #include "harness/commands/check.hpp"
 #include "harness/commands/claims.hpp"
 #include "harness/commands/command.hpp"
@@ -86,6 +87,7 @@ int main(int argc, char** argv) {
   add_devices(app, chosen);
   add_scene(app, chosen);
   add_render(app, chosen);
+  add_animate(app, chosen);
   add_mesh(app, chosen);
   add_topology(app, chosen);
   add_check(app, chosen);

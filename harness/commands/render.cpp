@@ -1,14 +1,11 @@
 #include "harness/commands/render.hpp"
 
-#include <fmt/format.h>
-
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/dump/dump.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/keyframes.hpp"
-#include "harness/shells/opencl/shells.hpp"
 
 namespace pelage {
 namespace {
@@ -26,24 +23,12 @@ int render(const RenderOptions& options) {
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
   // The device is opened before the mesh is prepared. Otherwise the user would learn of an invalid device
   // name only after the preparation, which may take minutes.
-  const DrawPicture draw = open_renderer(options.renderer, scene);
-  const DrawnFrame frame = draw(load_scene_mesh(scene));
+  const std::unique_ptr<SceneRenderer> renderer = open_renderer(options.renderer, scene);
+  const DrawnFrame frame = renderer->draw(scene, load_scene_mesh(scene));
+  report_first_frame(*renderer, frame);
   write_picture(options.output, frame.image);
   if (!options.dump.empty()) frame.dump(options.dump);
   return 0;
-}
-
-std::vector<std::string> renderer_names() {
-  std::vector<std::string> names;
-  for (const Renderer& renderer : renderers()) names.emplace_back(renderer.name);
-  return names;
-}
-
-std::string renderers_help() {
-  std::string text;
-  for (const Renderer& renderer : renderers())
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", renderer.name, renderer.what);
-  return text;
 }
 
 }  // namespace
@@ -55,33 +40,10 @@ void add_render(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--output", options->output, "Picture to write: .png (8-bit), .exr or .tif (float)")
       ->required()
       ->type_name("IMAGE");
-  command->add_option("--pipeline", options->renderer.pipeline, renderers_help())
-      ->check(CLI::IsMember(renderer_names()))
-      ->capture_default_str();
-  command
-      ->add_option("--opengl", options->renderer.opengl,
-                   "Implementation choices of the OpenGL baseline: name=value,name=value (docs/rival.md)")
-      ->type_name("OPTIONS");
-  command
-      ->add_option(
-          "--mapping", options->renderer.mapping,
-          "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the "
-          "device; strands have tile and group): " +
-              mappings_help())
-      ->check(CLI::IsMember(mappings()))
-      ->type_name("NAME");
-  command
-      ->add_option("--device", options->renderer.device, "Device to use: PLATFORM:INDEX, or part of its name")
-      ->type_name("DEVICE");
+  add_renderer_options(*command, options->renderer);
   command
       ->add_option("--dump", options->dump, "Write all inputs and intermediate arrays of the frame as HDF5")
       ->type_name("FRAME.h5");
-  command
-      ->add_option(
-          "--reference-bits", options->renderer.bits,
-          "8: the reference rounds its picture to 8 bits per channel after every layer, like GPUs of 2010")
-      ->check(CLI::IsMember({8, 32}))
-      ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "harness/cl/build_ahead.hpp"
+#include "harness/commands/opencl_renderers.hpp"
 #include "harness/compare/frame_output.hpp"
 #include "harness/compare/strands.hpp"
 #include "harness/dump/dump.hpp"
@@ -14,21 +14,31 @@
 #include "harness/prepare/prepare.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opengl/opengl.hpp"
-#include "harness/strands/opencl/program_texts.hpp"
-#include "harness/strands/opencl/strands.hpp"
 #include "harness/subjects/raycast_difference.hpp"
 
 namespace pelage {
 namespace {
 
-void report_first_frame(const std::string& device, double ms) {
-  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
-             device, ms);
-}
+using Draw = std::function<DrawnFrame(const Scene&, const std::shared_ptr<const Mesh>&)>;
+
+/// A renderer that keeps nothing from one picture to the next.
+class FreshRenderer : public SceneRenderer {
+ public:
+  explicit FreshRenderer(Draw draw, std::string device = {})
+      : draw_(std::move(draw)), device_(std::move(device)) {}
+  DrawnFrame draw(const Scene& scene, const std::shared_ptr<const Mesh>& mesh) override {
+    return draw_(scene, mesh);
+  }
+  std::string device() const override { return device_; }
+
+ private:
+  Draw draw_;
+  std::string device_;
+};
 
 /// Returns the picture of `output`, and the function that dumps it.
-DrawnFrame drawn(std::shared_ptr<const FrameInput> input, FrameOutput output) {
-  DrawnFrame frame{output.image, {}};
+DrawnFrame drawn(std::shared_ptr<const FrameInput> input, FrameOutput output, double ms = 0) {
+  DrawnFrame frame{output.image, {}, ms};
   frame.dump = [input = std::move(input), output = std::move(output)](const std::filesystem::path& path) {
     dump_frame(path, *input, output);
   };
@@ -46,79 +56,46 @@ DrawnFrame drawn(std::shared_ptr<const strands::StrandInput> input, StrandFrame 
   return result;
 }
 
-DrawPicture open_shells(const RendererOptions& options, const Scene& scene) {
-  ShellOptions shell_options;
-  shell_options.mapping = options.mapping;
-  return [device = cl::choose_device(options.device), shell_options,
-          scene](const std::shared_ptr<const Mesh>& mesh) {
-    const auto input = prepare(scene, mesh);
-    Shells shells(device, input, shell_options);
-    shells.advance(frames_before(scene.dynamics));
-    report_first_frame(device.info().name, shells.frame().wall_ms);
-    return drawn(input,
-                 FrameOutput{fmt::format("shells on {}", device.info().name), shells.frames_simulated(),
-                             shells.tips(), shells.velocities(), shells.mask(), shells.read()});
-  };
+std::unique_ptr<SceneRenderer> open_reference(const RendererOptions& options, const Scene&) {
+  return std::make_unique<FreshRenderer>(
+      [eight_bits = options.bits == 8](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
+        const auto input = prepare(scene, mesh);
+        return drawn(input, reference_output(*input, frames_before(scene.dynamics) + 1, eight_bits));
+      });
 }
 
-DrawPicture open_reference(const RendererOptions& options, const Scene& scene) {
-  return [eight_bits = options.bits == 8, scene](const std::shared_ptr<const Mesh>& mesh) {
-    const auto input = prepare(scene, mesh);
-    return drawn(input, reference_output(*input, frames_before(scene.dynamics) + 1, eight_bits));
-  };
+std::unique_ptr<SceneRenderer> open_opengl(const RendererOptions& given, const Scene&) {
+  const std::string renderer = opengl_renderer();
+  return std::make_unique<FreshRenderer>(
+      [options = opengl_options(given.opengl), renderer](const Scene& scene,
+                                                         const std::shared_ptr<const Mesh>& mesh) {
+        const auto input = prepare(scene, mesh);
+        FrameOutput output = reference_motion(*input, frames_before(scene.dynamics) + 1);
+        OpenGl opengl(input, output.mask, options);
+        opengl.bend(output.tips);
+        const double ms = opengl.frame();
+        output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
+        output.image = opengl.read();
+        return drawn(input, std::move(output), ms);
+      },
+      renderer);
 }
 
-DrawPicture open_opengl(const RendererOptions& given, const Scene& scene) {
-  return [options = opengl_options(given.opengl), renderer = opengl_renderer(),
-          scene](const std::shared_ptr<const Mesh>& mesh) {
-    const auto input = prepare(scene, mesh);
-    FrameOutput output = reference_motion(*input, frames_before(scene.dynamics) + 1);
-    OpenGl opengl(input, output.mask, options);
-    opengl.bend(output.tips);
-    report_first_frame(renderer, opengl.frame());
-    output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
-    output.image = opengl.read();
-    return drawn(input, std::move(output));
-  };
-}
-
-DrawPicture open_strands(const RendererOptions& options, const Scene& scene) {
-  strands::DrawerOptions drawer;
-  drawer.mapping = strands::drawing_named(options.mapping);
-  const cl::Device device = cl::choose_device(options.device);
-  auto ahead = std::make_shared<cl::BuildAhead>(device, strands::expected_programs(device, scene, drawer));
-  return [device, drawer, scene, ahead](const std::shared_ptr<const Mesh>& mesh) {
-    const auto input = strands::prepare_strands(scene, mesh);
-    const auto drawn = std::make_shared<strands::Strands>(device, input, drawer);
-    drawn->advance(frames_before(scene.dynamics));
-    report_first_frame(device.info().name, drawn->frame().wall_ms);
-    DrawnFrame frame{drawn->read(), {}};
-    frame.dump = [input, drawn, image = frame.image,
-                  name = device.info().name](const std::filesystem::path& path) {
-      StrandFrame arrays{drawn->keys(), {}, drawn->order(), image};
-      arrays.curves = drawn->curves();
-      arrays.skin = drawn->surface();
-      dump_strands(path, *input, arrays, fmt::format("strands on {}", name), drawn->frames_simulated());
-    };
-    return frame;
-  };
-}
-
-DrawPicture open_strands_reference(const RendererOptions&, const Scene& scene) {
-  return [scene](const std::shared_ptr<const Mesh>& mesh) {
+std::unique_ptr<SceneRenderer> open_strands_reference(const RendererOptions&, const Scene&) {
+  return std::make_unique<FreshRenderer>([](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
     const int frames = frames_before(scene.dynamics) + 1;
     return drawn(input, reference_strands(*input, frames), "strands-reference", frames);
-  };
+  });
 }
 
-DrawPicture open_strands_raycast(const RendererOptions&, const Scene& scene) {
-  return [scene](const std::shared_ptr<const Mesh>& mesh) {
+std::unique_ptr<SceneRenderer> open_strands_raycast(const RendererOptions&, const Scene&) {
+  return std::make_unique<FreshRenderer>([](const Scene& scene, const std::shared_ptr<const Mesh>& mesh) {
     const auto input = strands::prepare_strands(scene, mesh);
     StrandFrame frame{
         input->fur.keys, reference_curves(*input, input->fur.keys), {}, raycast_strands(*input).picture};
     return drawn(input, std::move(frame), "strands-raycast", 0);
-  };
+  });
 }
 
 constexpr Renderer table[] = {
@@ -139,13 +116,52 @@ std::string_view pipeline_with(bool Renderer::*property) {
       ->name;
 }
 
+std::vector<std::string> renderer_names() {
+  std::vector<std::string> names;
+  for (const Renderer& renderer : table) names.emplace_back(renderer.name);
+  return names;
+}
+
+std::string renderers_help() {
+  std::string text;
+  for (const Renderer& renderer : table)
+    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", renderer.name, renderer.what);
+  return text;
+}
+
 }  // namespace
 
 std::span<const Renderer> renderers() {
   return table;
 }
 
-DrawPicture open_renderer(const RendererOptions& options, const Scene& scene) {
+void add_renderer_options(CLI::App& command, RendererOptions& options) {
+  command.add_option("--pipeline", options.pipeline, renderers_help())
+      ->check(CLI::IsMember(renderer_names()))
+      ->capture_default_str();
+  command
+      .add_option("--opengl", options.opengl,
+                  "Implementation choices of the OpenGL baseline: name=value,name=value (docs/rival.md)")
+      ->type_name("OPTIONS");
+  command
+      .add_option(
+          "--mapping", options.mapping,
+          "Mapping of pixels to work-items in the pipelines shells and strands (default: depends on the "
+          "device; strands have tile and group): " +
+              mappings_help())
+      ->check(CLI::IsMember(mappings()))
+      ->type_name("NAME");
+  command.add_option("--device", options.device, "Device to use: PLATFORM:INDEX, or part of its name")
+      ->type_name("DEVICE");
+  command
+      .add_option(
+          "--reference-bits", options.bits,
+          "8: the reference rounds its picture to 8 bits per channel after every layer, like GPUs of 2010")
+      ->check(CLI::IsMember({8, 32}))
+      ->capture_default_str();
+}
+
+std::unique_ptr<SceneRenderer> open_renderer(const RendererOptions& options, const Scene& scene) {
   const auto chosen = std::find_if(std::begin(table), std::end(table),
                                    [&](const Renderer& r) { return r.name == options.pipeline; });
   if (chosen == std::end(table))
@@ -157,6 +173,12 @@ DrawPicture open_renderer(const RendererOptions& options, const Scene& scene) {
     throw InputError(fmt::format("--opengl: works only with the OpenGL baseline; add --pipeline {}",
                                  pipeline_with(&Renderer::has_variants)));
   return chosen->open(options, scene);
+}
+
+void report_first_frame(const SceneRenderer& renderer, const DrawnFrame& frame) {
+  if (frame.ms <= 0) return;
+  fmt::print(stderr, "{}: {:.1f} ms for the first frame, without warm-up; use `pelage run` to time frames\n",
+             renderer.device(), frame.ms);
 }
 
 }  // namespace pelage

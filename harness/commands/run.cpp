@@ -348,7 +348,7 @@ int run_command(const RunOptions& options) {
   refuse_recordings(folder);
   refuse_growing_balance(options, folder);
   if (options.dry_run) return run_here(options, folder);
-  end_on_interrupt(folder.string());
+  end_on_interrupt(folder.string(), "finished cases are kept; continue with --resume " + folder.string());
   const int code = options.repeat > 1 && options.repeat_index < 0 ? run_repeats(options, folder)
                                                                   : run_here(options, folder);
   if (options.repeat_index < 0) fmt::print("{}\n", folder.string());

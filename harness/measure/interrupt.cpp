@@ -34,11 +34,10 @@ void handle(int signal) {
 
 }  // namespace
 
-void end_on_interrupt(const std::string& folder) {
+void end_on_interrupt(const std::string& where, const std::string& kept) {
   // `place` and `note` are never freed, because the signal handler may still run while the program exits.
-  place = new std::string(folder);
-  note = new std::string("\npelage: interrupted; finished cases are kept; continue with --resume " + folder +
-                         "\n");
+  place = new std::string(where);
+  note = new std::string("\npelage: interrupted; " + kept + "\n");
   struct sigaction action = {};
   action.sa_handler = handle;
   action.sa_flags = SA_RESTART;

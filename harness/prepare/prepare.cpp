@@ -23,7 +23,31 @@ glm::vec2 fur_scale(const Mesh& mesh, const FurScene& fur) {
   return {std::max(1.0f, std::round(scale.x)), std::max(1.0f, std::round(scale.y))};
 }
 
+std::vector<glm::vec3> points_of(const FrameInput& input, const Mesh& mesh, const Skin& skin) {
+  const Scene& scene = input.scene;
+  auto points = has_springs(scene.dynamics) ? rest_tips(skin, input.stick_normal, scene.fur.length)
+                                            : rest_tips(skin, input.strands);
+  points.insert(points.end(), mesh.position.begin(), mesh.position.end());
+  return points;
+}
+
+Camera camera_of(const Scene& scene, std::span<const glm::vec3> points) {
+  return make_camera(scene.camera, scene.image, points, scene.curl.radius);
+}
+
 }  // namespace
+
+std::vector<glm::vec3> framed_points(const FrameInput& input) {
+  return points_of(input, *input.mesh, weld(*input.mesh));
+}
+
+std::shared_ptr<const FrameInput> with_view(const FrameInput& input, const Scene& scene,
+                                            std::span<const glm::vec3> points) {
+  auto changed = std::make_shared<FrameInput>(input);
+  changed->scene = scene;
+  changed->camera = camera_of(scene, points);
+  return changed;
+}
 
 std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<const Mesh> mesh) {
   if (!mesh || mesh->triangle.empty())
@@ -51,10 +75,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   input->fur = fur.get();
 
   if (has_springs(scene.dynamics)) input->stick_normal.assign(skin.normal.begin(), skin.normal.end());
-  auto extent = has_springs(scene.dynamics) ? rest_tips(skin, input->stick_normal, scene.fur.length)
-                                            : rest_tips(skin, input->strands);
-  extent.insert(extent.end(), mesh->position.begin(), mesh->position.end());
-  input->camera = make_camera(scene.camera, scene.image, extent, scene.curl.radius);
+  input->camera = camera_of(scene, points_of(*input, *mesh, skin));
   input->mesh = std::move(mesh);
   return input;
 }

@@ -19,29 +19,49 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(at, from.size(), to);
 }
 
-TEST(Animation, TheLoopDrawsFramesThatMoveAndJoin) {
+/// Returns the command with 4 small frames. With 0.2 s between frames, all frames differ.
+std::string smaller(const std::string& command) {
+  std::string text = replaced(command, "--size 800x600", "--size 96x72 --set fur.layers=8");
+  text = replaced(text, "--fps 30", "--fps 5");
+  return replaced(text, "--frames 60", "--frames 4");
+}
+
+/// Returns the number of different frames among the first `count` in the folder.
+std::size_t different(const Folder& folder, const std::string& frames, int count) {
+  std::set<std::string> pictures;
+  for (int frame = 0; frame < count; ++frame) {
+    pictures.insert(folder.read(frames + "/frame-0000" + std::to_string(frame) + ".png"));
+    EXPECT_FALSE(pictures.contains(""));
+  }
+  return pictures.size();
+}
+
+TEST(Animation, TheCommandsDrawFramesThatMoveAndJoin) {
   const Folder folder;
   const auto blocks = blocks_of(fs::path(PELAGE_SOURCE_DIR) / "docs/animation.md");
   ASSERT_EQ(blocks.size(), 5u);
-  ASSERT_EQ(blocks[3].language, "toml");  // the keyframes of a scene
-  folder.write("keyframes.toml", blocks[3].text);
-  EXPECT_EQ(pelage(folder, "scene keyframes.toml").code, 0) << folder.read("stderr");
-  std::string loop = replaced(blocks[0].text, "--size 800x600", "--size 96x72 --set fur.layers=8");
-  loop = replaced(loop, "seq 0 59", "seq 0 3");
-  loop = replaced(loop, "$i / 30", "$i / 5");  // with 0.2 s between frames, all frames differ
-  ASSERT_EQ(run_in(folder, loop), 0) << folder.read("stderr");
-  std::set<std::string> pictures;
-  for (const char* frame : {"0000", "0001", "0002", "0003"})
-    pictures.insert(folder.read("frames/" + std::string(frame) + ".png"));
-  EXPECT_EQ(pictures.size(), 4u);
-  EXPECT_FALSE(pictures.contains(""));
+  const bool ffmpeg = std::system("command -v ffmpeg >/dev/null") == 0;
+  for (const std::size_t block : {0u, 1u}) {
+    std::string command = smaller(blocks[block].text);
+    if (!ffmpeg) command = replaced(command, " --gif grass.gif --mp4 grass.mp4", "");
+    ASSERT_EQ(run_in(folder, command), 0) << folder.read("stderr");
+    EXPECT_EQ(different(folder, "frames", 4), 4u);
+  }
+  EXPECT_NE(folder.read("stderr").find("0 frames drawn, 4 kept"), std::string::npos);  // with --resume
 
-  if (std::system("command -v ffmpeg >/dev/null") != 0)
-    GTEST_SKIP() << "ffmpeg is not installed, so the frames are not joined";
-  ASSERT_EQ(run_in(folder, blocks[1].text), 0) << folder.read("stderr");
-  EXPECT_GT(fs::file_size(folder.path() / "grass.mp4"), 500u);
-  ASSERT_EQ(run_in(folder, blocks[2].text), 0) << folder.read("stderr");
+  ASSERT_EQ(blocks[2].language, "toml");  // the keyframes of a scene
+  folder.write("keyframes.toml", blocks[2].text + "[strands]\nlayer = [{ count = 2000, length = 0.2 }]\n");
+  ASSERT_EQ(run_in(folder, replaced(blocks[3].text, "strands -o",
+                                    "strands --model torus-16x8 --size 48x36 --fps 1 -o")),
+            0)
+      << folder.read("stderr");
+  EXPECT_EQ(different(folder, "keyframes", 6), 6u);
+
+  if (!ffmpeg) GTEST_SKIP() << "ffmpeg is not installed, so the frames are not joined";
+  EXPECT_EQ(folder.read("grass.gif").substr(0, 6), "GIF89a");
   EXPECT_GT(fs::file_size(folder.path() / "grass.gif"), 500u);
+  EXPECT_EQ(folder.read("grass.mp4").substr(4, 4), "ftyp");
+  EXPECT_GT(fs::file_size(folder.path() / "grass.mp4"), 500u);
 }
 
 }  // namespace

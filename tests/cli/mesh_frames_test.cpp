@@ -124,5 +124,23 @@ TEST(MeshFrames, ContradictionsAreRefused) {
   EXPECT_NE(refusal("--pipeline strands-raycast").find("at rest"), std::string::npos);
 }
 
+TEST(MeshFrames, AnAnimationHasThePicturesOfRender) {
+  const Folder folder;
+  write_frames(folder);
+  const std::string scene = "scene.toml --pipeline strands --size 64x48 ";
+  // Frames of the mesh last 1/60 s, so the animation skips some frames of the mesh.
+  ASSERT_EQ(pelage(folder, "animate " + scene + "-o frames --fps 40 --frames 5").code, 0)
+      << folder.read("stderr");
+  std::string last;
+  for (int frame = 0; frame < 5; ++frame) {
+    const std::string time = fmt::format("--set dynamics.time={} ", float(frame) / 40);
+    ASSERT_EQ(pelage(folder, "render " + scene + time + "-o a.png").code, 0) << folder.read("stderr");
+    const std::string picture = folder.read("a.png");
+    EXPECT_TRUE(folder.read(fmt::format("frames/frame-{:05}.png", frame)) == picture) << frame;
+    EXPECT_FALSE(picture == last);
+    last = picture;
+  }
+}
+
 }  // namespace
 }  // namespace pelage::cli

@@ -212,7 +212,7 @@ TEST(Runner, FragmentsPerSecondAreFragmentsOverTheMedianFrame) {
 int run_in_child(const fs::path& file, int cases, double kill_after_ms, int signal_number) {
   const pid_t child = fork();
   if (child == 0) {
-    end_on_interrupt(file.parent_path().string());
+    end_on_interrupt(file.parent_path().string(), "finished cases are kept");
     try {
       Journal journal(file, Journal::Mode::resume);
       RunPlan plan = fake_plan(cases);

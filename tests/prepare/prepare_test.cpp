@@ -49,6 +49,25 @@ TEST(Prepare, IsAFunctionOfItsArguments) {
   EXPECT_EQ(a->camera.eye, b->camera.eye);
 }
 
+TEST(Prepare, AnotherViewOfTheSameInputIsPreparedAlike) {
+  const auto mesh = test::two_charts();
+  Scene turned = small_scene();
+  turned.camera.direction = {-1.0f, 0.5f, 2.0f};
+  turned.camera.fov = 20;
+  turned.shading.ambient = 0.7f;
+  const auto before = prepare(small_scene(), mesh), wanted = prepare(turned, mesh),
+             changed = with_view(*before, turned, framed_points(*before));
+  EXPECT_NE(before->camera.eye, wanted->camera.eye);
+  EXPECT_EQ(changed->camera.eye, wanted->camera.eye);
+  EXPECT_EQ(changed->camera.row_x, wanted->camera.row_x);
+  EXPECT_EQ(changed->camera.row_y, wanted->camera.row_y);
+  EXPECT_EQ(changed->camera.row_w, wanted->camera.row_w);
+  EXPECT_EQ(changed->camera.pixel, wanted->camera.pixel);
+  EXPECT_EQ(changed->scene.shading.ambient, 0.7f);
+  EXPECT_EQ(changed->mesh, mesh);
+  EXPECT_EQ(changed->mask_surface, wanted->mask_surface);
+}
+
 TEST(Prepare, FurRepeatsAsOftenPerRAlongBothAxes) {
   const Scene scene = small_scene();
   const auto mesh = test::two_charts();

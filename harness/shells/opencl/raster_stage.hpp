@@ -25,6 +25,8 @@ class RasterStage {
   /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events);
   const RasterParams& params() const { return params_; }
+  /// Changes the values of the camera and of the shading for the following frames (Shells::set_view()).
+  void set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry);
   /// Returns the vertex table: VERTEX_COLUMNS columns, each with one float per vertex.
   const cl::Buffer<float>& vertex() const { return buffers_.vertex; }
   /// Returns the number of covered fragments of the last frame in all layers. The function draws the frame

@@ -83,6 +83,21 @@ void Shells::advance(int frames) {
   if (s.springs) s.springs->check(s.queue);
 }
 
+cl::FrameTiming Shells::still() {
+  State& s = *state_;
+  return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) { s.draw(&events); });
+}
+
+bool is_view_key(std::string_view key) {
+  return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
+}
+
+void Shells::set_view(std::shared_ptr<const FrameInput> input) {
+  State& s = *state_;
+  s.raster.set_view(s.queue.device(), *input, s.geometry);
+  s.input = std::move(input);
+}
+
 Picture Shells::read() const {
   return state_->raster.read(state_->queue);
 }

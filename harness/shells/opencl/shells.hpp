@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "harness/cl/frame_timing.hpp"
@@ -38,6 +39,10 @@ struct Tally {
   std::uint64_t blended = 0;
 };
 
+/// True if Shells::set_view() can change the scene key: the keys of the camera and of the shading, and the
+/// background.
+bool is_view_key(std::string_view key);
+
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the
 /// wetness mask. frame() advances the strands by scene.dynamics.substeps substeps and draws one picture.
 /// read() copies the picture to the host. Lengths are in R, the radius of the mesh's bounding sphere.
@@ -50,8 +55,13 @@ class Shells {
   Shells& operator=(Shells&&) noexcept;
 
   // frame() and advance() throw springs::Diverged if masses of a mass-spring topology have diverged.
-  cl::FrameTiming frame();       ///< simulates, draws and times one frame
-  void advance(int frames);      ///< simulates `frames` frames without drawing
+  cl::FrameTiming frame();   ///< simulates, draws and times one frame
+  void advance(int frames);  ///< simulates `frames` frames without drawing
+  cl::FrameTiming still();   ///< draws and times the present fur once more, without a simulation
+  /// Changes the camera, the light and the background of the following pictures, and builds nothing. `input`
+  /// differs from the present input only in the camera and in keys for which is_view_key() is true. Throws
+  /// InputError if the size of the picture differs.
+  void set_view(std::shared_ptr<const FrameInput> input);
   Picture read() const;          ///< copies the picture of the last frame to the host
   int frames_simulated() const;  ///< number of frames simulated since the fur was at rest
   /// Returns the wetness mask, with wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius

@@ -118,6 +118,10 @@ std::vector<std::int32_t> layer_table(const std::vector<LayerLook>& layers) {
   return table;
 }
 
+bool same_size(const Camera& a, const Camera& b) {
+  return a.width == b.width && a.height == b.height;
+}
+
 PictureKinds kinds_of(const Look& look, const std::vector<KeyedStrand>& strands) {
   return {has_lights(look), has_styles(strands), look.shadow.reading};
 }
@@ -177,13 +181,18 @@ void Drawer::set_pruning(const Look& look) {
   params_.units_per_run = (params_.units + params_.runs - 1) / params_.runs;
 }
 
+bool Drawer::can_show(const DrawingScene& scene) const {
+  return same_size(scene.camera, scene_.camera) && film_table(scene.look) == film_table(scene_.look) &&
+         kinds_of(scene.look, strands_) == kinds_ && scene.look.shadow.size == scene_.look.shadow.size &&
+         scene.skin == scene_.skin;
+}
+
 void Drawer::set_view(const DrawingScene& scene) {
   const Camera &old = scene_.camera, &camera = scene.camera;
-  if (camera.width != old.width || camera.height != old.height)
+  if (!same_size(camera, old))
     throw InputError(fmt::format("view: a picture of {}x{} pixels; the drawer was made for {}x{}",
                                  camera.width, camera.height, old.width, old.height));
-  if (film_table(scene.look) != film_table(scene_.look) || kinds_of(scene.look, strands_) != kinds_ ||
-      scene.look.shadow.size != scene_.look.shadow.size || scene.skin != scene_.skin)
+  if (!can_show(scene))
     throw InputError(
         "view: another film strip, other kinds of light, another shadow or another skin need a new drawer");
   DrawParams p = params_of(scene, layout_.tile, params_.chunks);

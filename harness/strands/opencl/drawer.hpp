@@ -38,9 +38,13 @@ class Drawer {
   /// multiple of 16. The caller writes them before enqueue(), for instance by Chains::write_keys().
   cl::Buffer<float>& keys() { return keys_; }
 
+  /// True if set_view() accepts the scene. It does not if the size of the picture or the film strip differs
+  /// from the present scene's, or if the look has other kinds of light, for which the programs would have to
+  /// be built again.
+  bool can_show(const DrawingScene& scene) const;
+
   /// Changes the camera, the look or the fraction of the following pictures, and builds nothing. Throws
-  /// InputError if the size of the picture or the film strip differs from the present scene's, or if the look
-  /// has other kinds of light, for which the programs would have to be built again.
+  /// InputError if can_show() is false.
   void set_view(const DrawingScene& scene);
 
   /// Enqueues the kernels of one picture, in the phases keys, sort, bin and raster, and before them those of

@@ -101,6 +101,15 @@ cl::FrameTiming Strands::still() {
   return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) { s.drawer.enqueue(s.queue, &events); });
 }
 
+bool Strands::set_view(std::shared_ptr<const StrandInput> input) {
+  State& s = *state_;
+  const DrawingScene scene = drawing_of(*input);
+  if (!s.drawer.can_show(scene)) return false;
+  s.drawer.set_view(scene);
+  s.input = std::move(input);
+  return true;
+}
+
 void Strands::advance(int frames) {
   State& s = *state_;
   for (int i = 0; i < frames; ++i, ++s.frames) {

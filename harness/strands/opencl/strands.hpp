@@ -38,6 +38,10 @@ class Strands {
   /// Draws and times one picture of the present chains, without a simulation. The time does not contain the
   /// conversion of the chains to key strands.
   cl::FrameTiming still();
+  /// Changes the camera, the light, the background and the look of the following pictures, and builds
+  /// nothing. `input` differs from the present input only as with_view() permits. Returns false, and changes
+  /// nothing, if the programs would have to be built again (Drawer::can_show()).
+  bool set_view(std::shared_ptr<const StrandInput> input);
   void advance(int frames);      ///< simulates `frames` frames without drawing
   Picture read() const;          ///< copies the picture of the last frame to the host
   int frames_simulated() const;  ///< number of frames simulated since the fur was at rest

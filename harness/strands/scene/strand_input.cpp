@@ -51,6 +51,38 @@ void check_frames(const Scene& scene) {
         "give \"plane\"");
 }
 
+/// Sets the camera, the look and the depth range of the scene. The other members of `input` are known.
+void set_view(StrandInput& input) {
+  const Scene& scene = input.scene;
+  const Mesh& mesh = *input.mesh;
+  input.look = look_of(scene);
+  input.look.film = input.fur.film;
+  const auto [length, mean_length] = lengths_of(input.fur);
+  input.look.shadow = {shadow_named(scene.strands.shadow), scene.strands.shadow_size, mean_length,
+                       reach_of(mesh) + length};
+  std::vector<glm::vec3> extent(mesh.position.begin(), mesh.position.end());
+  for (const std::vector<glm::vec3>& frame : mesh.frames)
+    extent.insert(extent.end(), frame.begin(), frame.end());
+  for (const KeyStrand& key : input.fur.keys) extent.push_back(key.root + length * key.rest);
+  input.camera = make_camera(scene.camera, scene.image, extent, mesh.frames.empty() ? 0 : length);
+  input.look.layers = input.fur.layers;
+  std::vector<float> biases;
+  std::vector<int> offsets;
+  for (const StrandLayerScene& layer : scene.strands.layers) {
+    biases.push_back(layer.order_bias);
+    offsets.push_back(layer.order_offset);
+  }
+  const std::vector<std::uint8_t> ranks = layer_ranks(input.fur.bounds, input.camera, biases, offsets);
+  for (std::size_t i = 0; i < ranks.size(); ++i) input.look.layers[i].rank = ranks[i];
+  input.range = depth_range(input.camera, reach_of(mesh) + length);
+  const Spread spread = spread_of(input.fur.strands, mesh);
+  input.look.fraction =
+      std::min(input.look.fraction, fraction_on_screen(input.camera, spread, scene.strands.least_width));
+  input.look.width_factor = overlap_factor(input.camera, input.look, spread);
+  if (scene.strands.subdivision == "screen")
+    input.look.segments = segments_on_screen(input.camera, input.range, length, scene.strands.segments);
+}
+
 }  // namespace
 
 Shadow shadow_named(const std::string& name) {
@@ -114,34 +146,21 @@ std::shared_ptr<const StrandInput> prepare_strands(const Scene& scene, std::shar
   input->dynamics = chain_dynamics(scene);
   const ChainScene& chain = scene.strands.chain;
   if (chain.collision == "body") input->dynamics.body = kept_distance_field(mesh, chain.body_cells);
-  input->look = look_of(scene);
-  input->look.film = input->fur.film;
-  const auto [length, mean_length] = lengths_of(input->fur);
-  input->look.shadow = {shadow_named(scene.strands.shadow), scene.strands.shadow_size, mean_length,
-                        reach_of(*mesh) + length};
-  std::vector<glm::vec3> extent(mesh->position.begin(), mesh->position.end());
-  for (const std::vector<glm::vec3>& frame : mesh->frames)
-    extent.insert(extent.end(), frame.begin(), frame.end());
-  for (const KeyStrand& key : input->fur.keys) extent.push_back(key.root + length * key.rest);
-  input->camera = make_camera(scene.camera, scene.image, extent, mesh->frames.empty() ? 0 : length);
-  input->look.layers = input->fur.layers;
-  std::vector<float> biases;
-  std::vector<int> offsets;
-  for (const StrandLayerScene& layer : scene.strands.layers) {
-    biases.push_back(layer.order_bias);
-    offsets.push_back(layer.order_offset);
-  }
-  const std::vector<std::uint8_t> ranks = layer_ranks(input->fur.bounds, input->camera, biases, offsets);
-  for (std::size_t i = 0; i < ranks.size(); ++i) input->look.layers[i].rank = ranks[i];
-  input->range = depth_range(input->camera, reach_of(*mesh) + length);
-  const Spread spread = spread_of(input->fur.strands, *mesh);
-  input->look.fraction =
-      std::min(input->look.fraction, fraction_on_screen(input->camera, spread, scene.strands.least_width));
-  input->look.width_factor = overlap_factor(input->camera, input->look, spread);
-  if (scene.strands.subdivision == "screen")
-    input->look.segments = segments_on_screen(input->camera, input->range, length, scene.strands.segments);
   input->mesh = std::move(mesh);
+  set_view(*input);
   return input;
+}
+
+std::shared_ptr<const StrandInput> with_view(const StrandInput& input, const Scene& scene) {
+  auto changed = std::make_shared<StrandInput>(input);
+  changed->scene = scene;
+  set_view(*changed);
+  return changed;
+}
+
+bool is_view_key(std::string_view key) {
+  if (key.starts_with("strands.")) return key != "strands.skin" && !key.starts_with("strands.chain.");
+  return key.starts_with("camera.") || key.starts_with("shading.") || key == "image.background";
 }
 
 }  // namespace pelage::strands

@@ -1,0 +1,165 @@
+#include "harness/commands/animate.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "harness/animation/frame_folder.hpp"
+#include "harness/animation/frame_times.hpp"
+#include "harness/animation/video.hpp"
+#include "harness/cl/program.hpp"
+#include "harness/commands/progress.hpp"
+#include "harness/commands/renderers.hpp"
+#include "harness/commands/scene_options.hpp"
+#include "harness/error.hpp"
+#include "harness/file_hash.hpp"
+#include "harness/measure/interrupt.hpp"
+#include "harness/scene/picture_scene.hpp"
+#include "harness/scene/scene_toml.hpp"
+#include "harness/version/version.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AnimateOptions {
+  SceneOptions scene;
+  RendererOptions renderer;
+  TimeOptions times;
+  std::string output, gif, mp4;
+  bool resume = false;
+};
+
+Scene animated_scene(const SceneOptions& options) {
+  for (const std::string& assignment : options.set)
+    if (assignment.starts_with("dynamics.time=") || assignment.starts_with("dynamics.time "))
+      throw InputError(fmt::format("--set {}: every frame has its own time; give --from and --to or --frames",
+                                   assignment));
+  return resolve_scene(options);
+}
+
+/// Returns the hash of all files in the folder of the kernels.
+std::string hash_of_kernels() {
+  const fs::path folder = cl::kernel_folder();
+  std::map<std::string, std::string> hashes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      hashes[entry.path().lexically_relative(folder).string()] = hash_of_file(entry.path());
+  Hash all;
+  for (const auto& [name, hash] : hashes) all.text(name).text(hash);
+  return all.hex();
+}
+
+FrameOrigin origin_of(const AnimateOptions& options, const Scene& scene, const Mesh& mesh,
+                      const SceneRenderer& renderer) {
+  const BuildInfo& build = build_info();
+  const RendererOptions& r = options.renderer;
+  // picture_scene() ignores the scene's own time. The other entries explain a difference better than the hash
+  // of the scene, so this hash is the last entry.
+  Scene timeless = scene;
+  timeless.dynamics.time = 0;
+  std::erase_if(timeless.keyframes.tracks,
+                [](const KeyTrack& track) { return track.key == "dynamics.time"; });
+  return {{"program", fmt::format("pelage {}, revision {}{}", build.version, build.revision,
+                                  build.dirty ? ", modified" : "")},
+          {"kernels", hash_of_kernels()},
+          {"size", fmt::format("{}x{}", scene.image.width, scene.image.height)},
+          {"frames per second", fmt::format("{}", options.times.fps)},
+          {"time of the first frame", fmt::format("{} s", options.times.from)},
+          {"pipeline", r.pipeline},
+          {"mapping", r.mapping.empty() ? "default" : r.mapping},
+          {"options of OpenGL", r.opengl.empty() ? "default" : r.opengl},
+          {"bits of the reference", fmt::format("{}", r.bits)},
+          {"device", renderer.device().empty() ? "none" : renderer.device()},
+          {"mesh", mesh.hash},
+          {"scene", scene_hash(timeless)}};
+}
+
+/// Draws the frames that the folder does not hold. Returns their number.
+int draw_frames(FrameFolder& folder, const Scene& scene, const FrameTimes& times, SceneRenderer& renderer,
+                const std::shared_ptr<const Mesh>& mesh) {
+  Progress progress{std::size_t(times.count)};
+  int drawn = 0;
+  for (int frame = 0; frame < times.count; ++frame) {
+    if (folder.holds(frame)) {
+      progress.skip(1);
+      continue;
+    }
+    const auto from = std::chrono::steady_clock::now();
+    const float seconds = times.at(frame);
+    progress.start(fmt::format("{}, {:.3f} s", frame_name(frame), seconds));
+    const Picture picture = renderer.draw(picture_scene(scene, seconds), mesh).image;
+    {
+      const HoldInterrupt hold;  // defers interrupts until the frame is written and recorded
+      folder.write(frame, picture);
+    }
+    ++drawn;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - from;
+    progress.finish(fmt::format("drawn in {:.2f} s", spent.count()));
+  }
+  return drawn;
+}
+
+void write_videos(const AnimateOptions& options, const FrameTimes& times) {
+  const HoldInterrupt hold;  // defers interrupts until the video is complete or its temporary file removed
+  if (!options.gif.empty()) write_gif(options.gif, options.output, times.fps, times.count);
+  if (!options.mp4.empty()) write_mp4(options.mp4, options.output, times.fps, times.count);
+}
+
+int animate(const AnimateOptions& options) {
+  const Scene scene = animated_scene(options.scene);
+  const FrameTimes times = frame_times(options.times, scene);
+  if (!options.gif.empty()) check_video("--gif", options.gif, options.output);
+  if (!options.mp4.empty()) check_video("--mp4", options.mp4, options.output);
+  check_frame_folder(options.output, options.resume);
+  check_frames(scene, times);
+  end_on_interrupt((fs::path(options.output) / frame_record).string(),
+                   "finished frames are kept; continue with --resume");
+  // The device is opened before the mesh is prepared, so that an invalid name is reported at once.
+  const std::unique_ptr<SceneRenderer> renderer =
+      open_renderer(options.renderer, picture_scene(scene, times.at(0)));
+  const std::shared_ptr<const Mesh> mesh = load_scene_mesh(scene);
+  FrameFolder folder(options.output, origin_of(options, scene, *mesh, *renderer), options.resume);
+  const int drawn = draw_frames(folder, scene, times, *renderer, mesh);
+  write_videos(options, times);
+  fmt::print(stderr, "pelage: {}: {} frames drawn{}\n", options.output, drawn,
+             drawn < times.count ? fmt::format(", {} kept", times.count - drawn) : "");
+  return 0;
+}
+
+void add_time_options(CLI::App& command, TimeOptions& times) {
+  command.add_option("--fps", times.fps, "Frames per second of the scene's time")
+      ->type_name("F")
+      ->capture_default_str();
+  command.add_option("--from", times.from, "Time of the first frame in seconds")
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  command
+      .add_option("--to", times.to,
+                  "Time of the last frame in seconds (default: the time of the scene's last keyframe)")
+      ->type_name("SECONDS");
+  command.add_option("--frames", times.frames, "Number of frames, instead of --to")->type_name("N");
+}
+
+}  // namespace
+
+void add_animate(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<AnimateOptions>();
+  CLI::App* command = app.add_subcommand("animate", "Draw the frames of an animation of a scene");
+  add_scene_options(*command, options->scene, true);
+  command->add_option("-o,--output", options->output, "Folder for the frames, frame-00000.png and so on")
+      ->required()
+      ->type_name("FOLDER");
+  add_time_options(*command, options->times);
+  command->add_option("--gif", options->gif, "Also join the frames to a GIF file (needs ffmpeg)")
+      ->type_name("FILE");
+  command->add_option("--mp4", options->mp4, "Also join the frames to an MP4 video (needs ffmpeg)")
+      ->type_name("FILE");
+  command->add_flag("--resume", options->resume,
+                    "Continue an interrupted animation: keep the complete frames of the folder");
+  add_renderer_options(*command, options->renderer);
+  command->callback([options, &chosen] { chosen = [options] { return animate(*options); }; });
+}
+
+}  // namespace pelage
