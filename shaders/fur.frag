@@ -121,7 +121,7 @@ float film_share() {
     vec4 clump = texel_around(uv, k, weight);
     sum += weight * soaked_share(clump.w) * ring_share(mask, clump, uv);
   }
-  return sum;
+  return min(sum, 1.0);
 }
 
 // Returns the part of the coverage of the strand with the root q that remains: the fragment shows the strand only where
@@ -144,7 +144,7 @@ float consistency(vec2 q, float rate, float per_footprint) {
 #endif
     lost += weight * mix(unmoved, in_pixels(q - share * from - uv, per_footprint), ring);
   }
-  return 1.0 - lost;
+  return max(0.0, 1.0 - lost);
 }
 #endif
 

@@ -130,7 +130,7 @@ struct ClumpScene {
 struct SoakedScene {
   float threshold = 1;  ///< wetness from which on a film of water replaces the clumps; 1: nowhere
   float height = 0.5f;  ///< height of the film, as a fraction of the fur's length
-  float gloss = 2;      ///< factor of the film's highlight
+  float gloss = 3;      ///< factor of the film's highlight
 };
 
 inline constexpr std::array face_orders{"all", "front", "back-then-front"};

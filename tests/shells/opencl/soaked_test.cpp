@@ -49,34 +49,39 @@ Change change(const Picture& a, const Picture& b) {
   return c;
 }
 
-// Droplets of one size blend to the wetness 1 where they overlap, so the test uses one droplet per place: the
-// wetness of each clump is that of its droplet.
+// The largest change of a channel per 0.01 of wetness is that of a pixel where the highlight of a clump appears or
+// disappears. It is a steep slope and not a jump: it becomes smaller with the step.
 TEST(Soaked, ThePictureIsContinuousInTheWetness) {
   FrameInput input = wet_torus(0.5f);
-  input.scene.wetness.blend = "near";
   Change greatest;
-  Picture before = drawn(input, 0.45f);
-  for (int i = 46; i <= 100; ++i) {
+  int at = 0;
+  Picture before = drawn(input, 0.2f);
+  for (int i = 21; i <= 100; ++i) {
     const Picture now = drawn(input, float(i) / 100);
     const Change c = change(before, now);
     greatest.mean = std::max(greatest.mean, c.mean);
+    if (c.most > greatest.most) at = i;
     greatest.most = std::max(greatest.most, c.most);
     before = now;
   }
   RecordProperty("greatest_change_per_0.01",
-                 fmt::format("mean {:.4f} most {:.4f}", greatest.mean, greatest.most));
+                 fmt::format("mean {:.4f} most {:.4f} at {}", greatest.mean, greatest.most, at));
   EXPECT_GT(greatest.mean, 1e-4);
   EXPECT_LT(greatest.mean, 0.01);
-  EXPECT_LT(greatest.most, 0.25);
-  // A jump would not become smaller with the step.
-  const Change small = change(drawn(input, 0.75f), drawn(input, 0.7501f));
-  RecordProperty("change_per_0.0001", fmt::format("mean {:.6f} most {:.6f}", small.mean, small.most));
-  EXPECT_LT(small.most, 0.03 * greatest.most + 1e-3);
+  Change fine;
+  before = drawn(input, float(at - 1) / 100);
+  for (int k = 1; k <= 50; ++k) {
+    const Picture now = drawn(input, (float(at - 1) + float(k) / 50) / 100);
+    fine.most = std::max(fine.most, change(before, now).most);
+    before = now;
+  }
+  RecordProperty("greatest_change_per_0.0002", fmt::format("most {:.4f}", fine.most));
+  EXPECT_LT(fine.most, 0.15 * greatest.most);
 }
 
 TEST(Soaked, BelowTheThresholdNothingChanges) {
   FrameInput soaked = wet_torus(0.6f), plain = wet_torus(1);
-  soaked.scene.wetness.blend = plain.scene.wetness.blend = "near";
+  for (FrameInput* input : {&soaked, &plain}) input->droplets.resize(1);  // overlapping droplets would be wetter
   const Picture a = drawn(soaked, 0.6f), b = drawn(plain, 0.6f);
   EXPECT_EQ(std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]), 0);
 }
@@ -104,7 +109,7 @@ TEST(Soaked, SoakedFurIsSmoothAndBright) {
   const Picture film = drawn(soaked, 1), clumps = drawn(plain, 1);
   RecordProperty("roughness", fmt::format("{:.4f} instead of {:.4f}", roughness(film), roughness(clumps)));
   EXPECT_LT(roughness(film), 0.6 * roughness(clumps));
-  EXPECT_GT(brightest(film), 1.2 * brightest(clumps));
+  EXPECT_GT(brightest(film), 1.1 * brightest(clumps));
 }
 
 }  // namespace
