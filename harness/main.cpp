@@ -28,6 +28,7 @@
 #include "harness/commands/scene.hpp"
 #include "harness/commands/topology.hpp"
 #include "harness/commands/tune.hpp"
+#include "harness/commands/water.hpp"
 #include "harness/error.hpp"
 #include "harness/version/version.hpp"
 
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
   add_animate(app, chosen);
   add_mesh(app, chosen);
   add_topology(app, chosen);
+  add_water(app, chosen);
   add_check(app, chosen);
   add_tune(app, chosen);
   add_roofline(app, chosen);

@@ -66,7 +66,7 @@ FAMILIES = {
         "curling": (r"ShadingModel::curling", []),
         "wet": (r"ShadingModel::wet", []),
         "lambert": (r"ShadingModel::lambert", []),
-    }, r'stage == "wet"'),  # here "wet" is the stage that computes the wetness mask
+    }, r'stage == "wet"|emplace_back\("wet"'),  # here "wet" is the stage or phase that computes the wetness mask
 }
 
 

@@ -22,7 +22,7 @@ FrameOutput reference_motion(const FrameInput& input, int frames) {
       output.velocities.emplace_back(strand.velocity);
     }
   }
-  for (const reference::Clump& clump : reference::wetness_mask(input).texel)
+  for (const reference::Clump& clump : reference::wetness_mask(input, frames).texel)
     output.mask.emplace_back(glm::vec2(clump.centre), clump.radius, clump.wetness);
   return output;
 }

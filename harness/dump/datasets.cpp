@@ -5,6 +5,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "harness/prepare/water.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -165,7 +166,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
   const std::size_t drops = input.droplets.size();
   std::vector<glm::vec2> centre;
   std::vector<glm::vec3> point;
-  std::vector<float> radius, wetness, reach;
+  std::vector<float> radius, wetness, reach, arrival;
   std::vector<std::uint32_t> number;
   for (const Droplet& drop : input.droplets) {
     centre.push_back(drop.centre);
@@ -173,6 +174,7 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
     radius.push_back(drop.radius);
     wetness.push_back(drop.wetness);
     reach.push_back(drop.reach);
+    arrival.push_back(drop.arrival);
     number.push_back(drop.number == Droplet::alone ? std::uint32_t(number.size()) : drop.number);
   }
   const auto column = [](const std::vector<float>& values) { return std::span<const float>(values); };
@@ -180,6 +182,9 @@ void write_wetness(Hdf5File& file, const FrameInput& input, const FrameOutput& o
              "centres c_drop of the droplets, in the order of blending");
   file.write("droplet/radius", {drops}, column(radius), "UV", "radii r_drop of the droplets");
   file.write("droplet/wetness", {drops}, column(wetness), "1", "wetness rho_drop of the droplets");
+  file.write("droplet/arrival", {drops}, column(arrival), "s", "times at which the droplets arrive");
+  file.write("droplet/rho", {drops}, column(wetness_of_picture(input, output.frames)), "1",
+             "wetness of the droplets in this picture; 0: not blended into the mask");
   file.write("droplet/point", {drops, 3}, flat<float>(point), "R",
              "surface point whose UV is the centre of the droplet or of the droplet that this one repeats");
   file.write(
@@ -213,7 +218,7 @@ void write_textures(Hdf5File& file, const FrameInput& input) {
 }
 
 void write_layers(Hdf5File& file, const FrameInput& input, const FrameOutput& output) {
-  const reference::Mask mask = reference::wetness_mask(input);
+  const reference::Mask mask = reference::wetness_mask(input, output.frames);
   const bool springs = has_springs(input.scene.dynamics);
   const reference::Geometry geometry(
       input, mask, springs ? 0 : output.frames, {}, reference::Mutant::none,

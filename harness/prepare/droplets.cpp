@@ -12,6 +12,7 @@
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/seams.hpp"
+#include "harness/prepare/water.hpp"
 
 namespace pelage {
 namespace {
@@ -219,8 +220,11 @@ std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, cons
     const Spot here = places.find(given);
     droplets.push_back({glm::vec2(here.uv), given.radius, given.wetness, glm::vec3(here.point),
                         reach(*mesh, double(given.radius))});
+    droplets.back().arrival = given.time;
   }
+  const std::size_t listed = droplets.size();
   scatter(*mesh, skin, wetness, droplets);
+  set_arrivals(wetness, droplets, listed);
   if (wetness.seams != "joined") return droplets;
   for (std::size_t i = 0; i < droplets.size(); ++i) droplets[i].number = std::uint32_t(i);
   return across_seams(*mesh, droplets);

@@ -68,7 +68,7 @@ struct CoatTexture {
 struct Droplet {
   glm::vec2 centre;  ///< c_drop, UV
   float radius;      ///< r_drop, UV
-  float wetness;     ///< rho_drop
+  float wetness;     ///< rho_drop, the wetness of the soaked droplet
   glm::vec3 point;   ///< c_mesh, the surface point at the UV c_drop, in R
   /// Maximum distance in R between `point` and the surface points of the texels that the droplet covers. This
   /// limit excludes texels of other charts, which are near in UV but far away on the surface.
@@ -77,6 +77,7 @@ struct Droplet {
   /// seams. A texel takes only the nearest of them.
   static constexpr std::uint32_t alone = 0xffffffff;
   std::uint32_t number = alone;
+  float arrival = 0.0f;  ///< time at which the droplet arrives, s
 };
 
 /// The pinhole camera, docs/frame.md, section 4.

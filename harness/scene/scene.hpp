@@ -82,6 +82,7 @@ struct DropletScene {
   std::optional<glm::vec3> point;
   float radius = 0.012f;  ///< r_drop, UV units
   float wetness = 0.9f;   ///< rho_drop, 0..1
+  float time = 0.0f;      ///< time of arrival, s
 };
 
 struct WetnessScene {
@@ -108,6 +109,13 @@ struct WetnessScene {
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
   /// everywhere.
   std::filesystem::path image;
+  // The water over time (docs/water.md). With the defaults, the water does not change.
+  float rate = 0.0f;    ///< random droplets that arrive per second; 0: all of them arrive at `begin`
+  float begin = 0.0f;   ///< arrival of the first random droplet, s
+  float end = 3600.0f;  ///< random droplets that would arrive after this time do not arrive, s
+  float soak = 0.0f;    ///< time in which a droplet soaks into the fur, s; 0: at once
+  float drying = 0.0f;  ///< time constant of evaporation, s; 0: no evaporation
+  float drip = 0.0f;    ///< wetness that a droplet loses per second because water drips off, 1/s
 };
 
 inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};
@@ -249,6 +257,13 @@ inline bool has_springs(const DynamicsScene& dynamics) {
 /// of a frame, rounded to the nearest integer.
 inline int frames_before(const DynamicsScene& dynamics) {
   return static_cast<int>(dynamics.time / (dynamics.step * static_cast<float>(dynamics.substeps)) + 0.5f);
+}
+
+/// Returns the time of the picture that shows the state after `frames` frames, in s. The time of the first
+/// picture, after one frame, is 0.
+inline double picture_time(const DynamicsScene& dynamics, int frames) {
+  const double frame = double(dynamics.step) * static_cast<double>(dynamics.substeps);
+  return frames > 1 ? static_cast<double>(frames - 1) * frame : 0.0;
 }
 
 struct LightScene {

@@ -93,6 +93,17 @@ void check_droplets(const WetnessScene& wetness, const std::string& source) {
   }
 }
 
+/// Throws InputError for times of the rain (docs/water.md) that contradict each other.
+void check_rain(const WetnessScene& wetness, const std::string& source) {
+  if (wetness.end < wetness.begin)
+    throw InputError(fmt::format("{}: wetness.end: {} s is before wetness.begin ({} s); give {} s or more",
+                                 source, wetness.end, wetness.begin, wetness.begin));
+  if (wetness.rate > 0 && wetness.random == 0)
+    throw InputError(fmt::format(
+        "{}: wetness.rate: there are no random droplets that can arrive; give wetness.random above 0",
+        source));
+}
+
 /// Throws InputError for a key that the scene's dynamics.topology does not support. The function does
 /// not check dynamics.step for a mass-spring topology, because the stability of a step depends on the mesh.
 /// The kernels detect masses that diverge.
@@ -206,6 +217,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   for (const KeyList& list : scene_lists(copy)) check_list(list, source);
   check_droplets(scene.wetness, source);
   check_soaked(scene, source);
+  check_rain(scene.wetness, source);
   check_sizes(scene, source);
   check_topology(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);

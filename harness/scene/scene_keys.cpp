@@ -46,6 +46,7 @@ std::vector<Key> droplet_keys(DropletScene& droplet) {
       {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point; give either uv or point"},
       {"radius", &droplet.radius, "UV units", 0.0001, 1, "r_drop, the radius of the droplet"},
       {"wetness", &droplet.wetness, "", 0, 1, "rho_drop, the wetness of the droplet"},
+      {"time", &droplet.time, "s", 0, 3600, "time at which the droplet arrives (docs/water.md)"},
   };
 }
 
@@ -145,6 +146,12 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "wetness.blend", .slot = &wetness.blend, .unit = "", .help = "which wet texels of its disc a droplet is blended with (S and W, Algorithm 1): \"near\" those whose clump's centre is at most the droplet's radius from the droplet's centre; \"overlap\" all, so that overlapping droplets form a new clump where they overlap; the droplet overwrites the other texels", .choices = {"near", "overlap"}},
       {.name = "wetness.seams", .slot = &wetness.seams, .unit = "", .help = "droplets whose disc reaches a seam of the UV map: \"cut\" ends the disc at the seam, \"joined\" repeats the droplet on the other side", .choices = {"cut", "joined"}},
       {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "picture in UV space: random droplets are placed only where its luma is at least 0.5; \"\": everywhere"},
+      {"wetness.rate", &wetness.rate, "droplets/s", 0, 1e6, "number of random droplets that arrive per second, at equal intervals; 0: all arrive at wetness.begin (docs/water.md)"},
+      {"wetness.begin", &wetness.begin, "s", 0, 3600, "time at which the first random droplet arrives"},
+      {"wetness.end", &wetness.end, "s", 0, 3600, "random droplets that would arrive after this time do not arrive"},
+      {"wetness.soak", &wetness.soak, "s", 0, 3600, "time in which a droplet soaks into the fur; its wetness grows linearly from 0; 0: at once"},
+      {"wetness.drying", &wetness.drying, "s", 0, 3600, "time constant of evaporation: without dripping, the wetness of a soaked droplet falls to 1/e in this time; 0: no evaporation"},
+      {"wetness.drip", &wetness.drip, "1/s", 0, 1000, "wetness that a soaked droplet loses per second because water drips off, until it is dry"},
 
       {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5, which determines how the displacement of the fur by a clump grows with the height; 0: linearly, 1: logarithmically"},
       {"clump.gain", &clump.gain, "", 0, 100, "factor of the displacement of the fur by a clump if clump.scale is \"relative\""},

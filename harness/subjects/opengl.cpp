@@ -12,6 +12,7 @@
 #include "harness/mesh/quality.hpp"
 #include "harness/parallel.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/water.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/shells/opengl/opengl.hpp"
 #include "harness/shells/reference/mask.hpp"
@@ -21,9 +22,9 @@
 namespace pelage {
 namespace {
 
-std::vector<glm::vec4> mask_of(const FrameInput& input) {
+std::vector<glm::vec4> mask_of(const FrameInput& input, int frames) {
   std::vector<glm::vec4> mask;
-  for (const reference::Clump& texel : reference::wetness_mask(input).texel)
+  for (const reference::Clump& texel : reference::wetness_mask(input, frames).texel)
     mask.emplace_back(texel.centre.x, texel.centre.y, texel.radius, texel.wetness);
   return mask;
 }
@@ -34,15 +35,20 @@ class OpenGlSubject : public Subject {
       : input_(std::move(input)),
         options_(options),
         seed_(seed),
-        mask_(mask_of(*input_)),
+        mask_(mask_of(*input_, frames_before(input_->scene.dynamics) + 1)),
         strands_(reference::simulate(*input_, 0)),
         opengl_(input_, mask_, options_) {
     advance(frames_before(input_->scene.dynamics));
   }
 
-  /// Draws a frame. The returned time does not contain the simulation of the strands.
+  /// Draws a frame. The returned time contains neither the simulation of the strands nor the computation of
+  /// the wetness mask.
   FrameSample frame() override {
     advance(1);
+    if (water_changes(input_->scene.wetness, input_->droplets)) {
+      mask_ = mask_of(*input_, frames_);
+      opengl_.set_mask(mask_);
+    }
     std::vector<glm::vec3> tips;
     tips.reserve(strands_.size());
     for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);

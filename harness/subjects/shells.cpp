@@ -74,7 +74,8 @@ class ShellsSubject : public Subject {
     row.metrics["triangles"] = {double(input_->mesh->triangle.size()), "triangles"};
     row.metrics["model_height"] = {model_height(shells_.read()), "1"};
     row.metrics["wet_share"] = {wet_share(*input_->mesh, shells_.mask(), input_->scene.wetness.size), "1"};
-    if (!input_->droplets.empty()) row.metrics["blended_share"] = {reference::blended_share(*input_), "1"};
+    if (!input_->droplets.empty())
+      row.metrics["blended_share"] = {reference::blended_share(*input_, shells_.frames_simulated()), "1"};
     if (peak_ > 0) row.metrics["peak_memory"] = {double(peak_), "bytes"};
     row.metrics["frames_simulated"] = {double(shells_.frames_simulated()), "frames"};
     if (has_springs(input_->scene.dynamics)) {

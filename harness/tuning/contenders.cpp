@@ -102,7 +102,8 @@ class Mask : public Contender {
   std::string fault() override {
     const std::vector<float> texels = stage_.mask().read(queue_);
     std::vector<glm::vec4> ours, theirs;
-    for (const reference::Clump& t : reference::wetness_mask(*input_).texel) {
+    const int frames = frames_before(input_->scene.dynamics) + 1;
+    for (const reference::Clump& t : reference::wetness_mask(*input_, frames).texel) {
       const float* texel = &texels[4 * theirs.size()];
       ours.emplace_back(texel[0], texel[1], texel[2], texel[3]);
       theirs.emplace_back(glm::vec2(t.centre), t.radius, t.wetness);

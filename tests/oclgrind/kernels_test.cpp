@@ -140,6 +140,17 @@ TEST(DISABLED_Tiny, FacesAndBordersOfClumps) {
       draw(std::make_shared<FrameInput>(input), mapping, true);
   }
 }
+TEST(DISABLED_Tiny, WaterThatChanges) {
+  for (const char* cells : {"separate", "literal"}) {
+    FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
+    input.scene.clump.cells = cells;
+    input.scene.wetness.size = 16;
+    const FrameInput larger = synthetic::frame(input.scene, synthetic::torus(), 8, 6, 6);
+    input.mask_surface = larger.mask_surface;
+    input.scene.wetness.drying = 1;
+    draw(std::make_shared<FrameInput>(input), "tile", false);
+  }
+}
 TEST(DISABLED_Tiny, GroupAcrossTheNearPlane) {
   FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
   input.scene.blend.faces = "back-then-front";

@@ -120,6 +120,7 @@ TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
       if (i % 2 == 0) scene.wetness.droplets[i].uv = glm::vec2(t, 1 - t);
       if (i % 2 == 1) scene.wetness.droplets[i].point = glm::vec3(t, -t, 1.5f * t);
       scene.wetness.droplets[i].wetness = t;
+      scene.wetness.droplets[i].time = 3600 * t;
     }
     scene.strands.layers.resize(1 + random() % 3);
     scene.strands.fills.resize(random() % 3);

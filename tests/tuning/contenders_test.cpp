@@ -63,8 +63,8 @@ TEST(Contenders, MayMoveNoStrandElsewhere) {
 }
 
 TEST(Contenders, MayWetNoTexelMore) {
-  EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.wetness;", "= 0.5f * m.wetness;"), "");
-  EXPECT_NE(fault_of("wet", "wet/wet.cl", "= m.radius;", "= 0.5f * m.radius;"), "");
+  EXPECT_NE(fault_of("wet", "wet/cover.clh", "= m.wetness;", "= 0.5f * m.wetness;"), "");
+  EXPECT_NE(fault_of("wet", "wet/cover.clh", "= m.radius;", "= 0.5f * m.radius;"), "");
 }
 
 // `pelage tune rasterize` writes the contender's hash of the kernel sources into the tuning file. A row of

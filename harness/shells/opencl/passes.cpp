@@ -49,11 +49,8 @@ void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mappin
   if (events) events->emplace_back("transform", std::move(event));
   if (params_.faces != FACES_ALL) {
     facing_.with(params_, b.corner, b.screen, b.vertex, *b.tip, b.dry, b.layer_table);
-    const std::size_t blocks = std::size_t((params_.triangles + lanes_ - 1) / lanes_);
-    // PoCL copies the parameters for every work-item, so on a CPU a work-item processes many blocks.
-    const cl::DeviceInfo& device = queue.device().info();
-    cl::Event turned = facing_.enqueue(
-        queue, device.cpu ? std::min(blocks, 32 * std::size_t(device.compute_units)) : blocks);
+    cl::Event turned =
+        facing_.enqueue(queue, work_items(queue.device(), (params_.triangles + lanes_ - 1) / lanes_));
     if (events) events->emplace_back("transform", std::move(turned));
   }
   mapping.bin(queue, params_, buffers_, events);

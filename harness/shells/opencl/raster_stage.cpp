@@ -66,7 +66,9 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
       strand_tips_(geometry_, "vertex_tips"),
       layers_(geometry_, "layer_vertices"),
       facing_(geometry_, "triangle_facing"),
-      records_(geometry_, "vertex_records") {
+      records_(geometry_, "vertex_records"),
+      dryness_(geometry_, "vertex_dryness"),
+      curls_(geometry_, "vertex_curls") {
   const cl::Device& device = queue.device();
   // A second thread packs the fur texture while this thread builds the OpenCL programs of the mapping (tile,
   // pixel or workgroup).
@@ -97,10 +99,17 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   b.mask = &wet.mask();
   b.image = cl::Buffer<glm::vec4>(device, std::size_t(params_.width) * std::size_t(params_.height));
   b.covered = cl::Buffer<std::uint32_t>(device, mapping_->counters(params_));
-  const cl::Buffer<float> mask_uv = upload(queue, g.mask_uv);
-  // prepare_mask() runs twice, because on some platforms the first launch of a kernel includes its
-  // compilation. per_mask_ms_ keeps the time of the second run.
-  for (int i = 0; i < 2; ++i) prepare_mask(queue, mask_uv);
+  mask_uv_ = upload(queue, g.mask_uv);
+  reach_.emplace(queue, geometry_, params_, wet.changes(), uv_, b.corner);
+  // use_mask() runs twice, because on some platforms the first launch of a kernel includes its compilation.
+  // per_mask_ms_ keeps the time of the second run.
+  for (int i = 0; i < 2; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    use_mask(queue, nullptr);
+    queue.finish();
+    per_mask_ms_ =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  }
 }
 
 void RasterStage::set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry) {
@@ -117,25 +126,17 @@ MappingSetup RasterStage::setup(const cl::Device& device, const std::string& opt
   return {device, geometry_, options};
 }
 
-// Runs the kernels that are needed once per wetness mask. These kernels compute the dryness of each vertex
-// and, if fur.substeps > 1, the curl frame of each vertex. They also compute the number of layers in which
-// each triangle is drawn, and write it as the fourth value of the triangle to buffers_.corner.
-void RasterStage::prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv) {
-  const auto begin = std::chrono::steady_clock::now();
-  const auto vertices = std::size_t(params_.vertices);
-  cl::Kernel dryness(geometry_, "vertex_dryness"), curls(geometry_, "vertex_curls"),
-      reach(geometry_, "triangle_reach");
-  std::vector<cl::Event> events;
-  dryness.with(params_, mask_uv, *buffers_.mask, buffers_.dry);
-  events.push_back(dryness.enqueue(queue, vertices / std::size_t(lanes_)));
+void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
+  const auto keep = [&](cl::Event event) {
+    if (events) events->emplace_back("wet", std::move(event));
+  };
+  dryness_.with(params_, mask_uv_, *buffers_.mask, buffers_.dry);
+  keep(dryness_.enqueue(queue, std::size_t(params_.vertices / lanes_)));
   if (params_.substeps > 1) {
-    curls.with(params_, buffers_.vertex, buffers_.dry, buffers_.curl);
-    events.push_back(curls.enqueue(queue, vertices));
+    curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.curl);
+    keep(curls_.enqueue(queue, work_items(queue.device(), params_.vertices)));
   }
-  reach.with(params_, buffers_.layer_table, uv_, *buffers_.mask, buffers_.corner);
-  events.push_back(reach.enqueue(queue, std::size_t(params_.triangles)));
-  queue.finish();
-  per_mask_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+  reach_->run(queue, params_, buffers_.layer_table, uv_, *buffers_.mask, buffers_.corner, events);
 }
 
 std::vector<const cl::Program*> RasterStage::programs() const {

@@ -1,11 +1,13 @@
 // The stage that transforms vertices to the screen, bins triangles into tiles, and draws the tiles.
 #pragma once
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "harness/picture/picture.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "harness/shells/opencl/mapping.hpp"
+#include "harness/shells/opencl/reach_stage.hpp"
 #include "harness/shells/opencl/shells.hpp"
 #include "harness/shells/opencl/wet_stage.hpp"
 
@@ -21,6 +23,11 @@ class RasterStage {
   /// mesh's bounding sphere.
   const cl::Buffer<float>& strand_tips(const cl::Queue& queue, const cl::Buffer<float>& strands, int stride,
                                        cl::PhaseEvents* events);
+  /// Runs the kernels whose results depend on the wetness mask. They compute the dryness of each vertex and,
+  /// if fur.substeps > 1, the curl frame of each vertex, and the number of layers in which each triangle is
+  /// drawn. The constructor calls this function. Call it again when the mask has changed. The phase of the
+  /// kernels is "wet".
+  void use_mask(const cl::Queue& queue, cl::PhaseEvents* events);
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events);
@@ -43,7 +50,6 @@ class RasterStage {
   std::vector<const cl::Program*> programs() const;
 
  private:
-  void prepare_mask(const cl::Queue& queue, const cl::Buffer<float>& mask_uv);
   // Draws all passes with `mapping`, which must count fragments. Returns the kernels' fragment counters.
   // `mapping` determines whether there is one counter per tile, one per pixel, or three per pixel. The
   // kernels write picture and counts to temporary buffers, so the last frame's picture does not change.
@@ -62,11 +68,12 @@ class RasterStage {
   RasterParams params_;
   int lanes_, layers_at_once_;
   cl::Program geometry_;
-  cl::Kernel strand_tips_, layers_, facing_, records_;
+  cl::Kernel strand_tips_, layers_, facing_, records_, dryness_, curls_;
   std::unique_ptr<Mapping> mapping_;
   RasterBuffers buffers_;
-  cl::Buffer<float> uv_, weight_, tip_;
+  cl::Buffer<float> uv_, mask_uv_, weight_, tip_;
   cl::Buffer<std::int32_t> slice_, strand_;
+  std::optional<ReachStage> reach_;
   double per_mask_ms_ = 0;
 };
 

@@ -34,6 +34,14 @@ struct Shells::State {
       simulate.emplace(queue, *input, geometry, lanes, options.tuning);
   }
 
+  /// Computes the mask of the picture after `shown` frames, if the water changes over time.
+  void wet_mask(int shown, cl::PhaseEvents* events) {
+    if (!wet.changes()) return;
+    wet.upload_droplets(queue, *input, shown);
+    events->emplace_back("wet", wet.run(queue));
+    raster.use_mask(queue, events);
+  }
+
   void move(cl::PhaseEvents* events) {
     if (springs)
       springs->frame(queue, events);
@@ -68,6 +76,7 @@ Shells& Shells::operator=(Shells&&) noexcept = default;
 cl::FrameTiming Shells::frame() {
   State& s = *state_;
   const cl::FrameTiming timing = cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
+    s.wet_mask(s.frames + 1, &events);
     s.move(&events);
     s.draw(&events);
   });
@@ -85,7 +94,10 @@ void Shells::advance(int frames) {
 
 cl::FrameTiming Shells::still() {
   State& s = *state_;
-  return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) { s.draw(&events); });
+  return cl::timed_frame(s.queue, [&](cl::PhaseEvents& events) {
+    s.wet_mask(s.frames, &events);
+    s.draw(&events);
+  });
 }
 
 bool is_view_key(std::string_view key) {

@@ -1,5 +1,6 @@
-// The pipeline that draws fur as texture layers (shells) on an OpenCL device. It computes the wetness mask
-// once. Every frame has the phases simulate, transform, bin and raster.
+// The pipeline that draws fur as texture layers (shells) on an OpenCL device. Every frame has the phases
+// simulate, transform, bin and raster. If the water changes over time (docs/water.md), every frame also has
+// the phase wet, which computes the wetness mask. Otherwise the mask is computed once.
 #pragma once
 #include <map>
 #include <memory>
@@ -44,9 +45,9 @@ struct Tally {
 bool is_view_key(std::string_view key);
 
 /// A scene on an OpenCL device. The constructor uploads the scene, builds the kernels and computes the
-/// wetness mask. frame() advances the strands by scene.dynamics.substeps substeps and draws one picture.
-/// read() copies the picture to the host. Lengths are in R, the radius of the mesh's bounding sphere.
-/// Velocities are in R per second.
+/// wetness mask of the picture at the time dynamics.time. frame() advances the strands by
+/// scene.dynamics.substeps substeps and draws one picture. read() copies the picture to the host. Lengths are
+/// in R, the radius of the mesh's bounding sphere. Velocities are in R per second.
 class Shells {
  public:
   Shells(const cl::Device& device, std::shared_ptr<const FrameInput> input, const ShellOptions& options = {});
@@ -64,7 +65,8 @@ class Shells {
   void set_view(std::shared_ptr<const FrameInput> input);
   Picture read() const;          ///< copies the picture of the last frame to the host
   int frames_simulated() const;  ///< number of frames simulated since the fur was at rest
-  /// Returns the wetness mask, with wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
+  /// Returns the wetness mask of the last frame, or of the picture at the time dynamics.time before the first
+  /// frame. It has wetness.size^2 texels. A texel holds the centre (c_u, c_v) and the radius
   /// r of a clump, and the wetness rho.
   std::vector<glm::vec4> mask() const;
   /// Returns the vector from the root to the tip of each strand. If the scene has a mass-spring topology, the
@@ -85,8 +87,8 @@ class Shells {
   double wet_ms() const;    ///< wall time of the kernel that computes the wetness mask, ms
   /// Returns the wall time, in ms, of the kernels that run once per wetness mask, measured after a warm-up
   /// run. These kernels compute the dryness of each vertex, the curl frame of each vertex (only if
-  /// fur.substeps > 1), and the number of layers in which each triangle is drawn. FrameTiming does not
-  /// include this time.
+  /// fur.substeps > 1), and the number of layers in which each triangle is drawn. FrameTiming includes this
+  /// time only if the water changes over time.
   double per_mask_ms() const;
   std::string kernel_hash() const;  ///< hash of the sources of all built programs, including their headers
   std::vector<const cl::Program*> programs() const;  ///< the programs of all stages

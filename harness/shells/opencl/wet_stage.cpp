@@ -3,51 +3,24 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
+#include "harness/prepare/water.hpp"
 #include "kernels/wet/params.h"
 
 namespace pelage::shells {
 namespace {
 
-// Lists of droplets, one per bucket. A bucket is a square block of the mask's texels. The list of a bucket
-// holds the droplets whose discs may touch the bucket, in the order of blending.
-struct Buckets {
-  std::vector<std::int32_t> row, drop;
-};
-
-Buckets in_buckets(const std::vector<Droplet>& droplets, int size, int texels) {
-  const int side = (size + texels - 1) / texels;
-  std::vector<std::vector<std::int32_t>> lists(std::size_t(side) * std::size_t(side));
-  const auto bucket = [&](float coordinate) {
-    const float texel = std::clamp(coordinate * float(size), 0.0f, float(size - 1));
-    return int(texel) / texels;
-  };
-  // More than WetParams::rim.
-  const float margin = 2.0f / float(size);
-  for (std::size_t i = 0; i < droplets.size(); ++i) {
-    const Droplet& d = droplets[i];
-    const float reach = d.radius + margin;
-    for (int y = bucket(d.centre.y - reach); y <= bucket(d.centre.y + reach); ++y)
-      for (int x = bucket(d.centre.x - reach); x <= bucket(d.centre.x + reach); ++x)
-        lists[std::size_t(y) * std::size_t(side) + std::size_t(x)].push_back(std::int32_t(i));
-  }
-  Buckets b;
-  b.row.push_back(0);
-  for (const auto& list : lists) {
-    b.drop.insert(b.drop.end(), list.begin(), list.end());
-    b.row.push_back(std::int32_t(b.drop.size()));
-  }
-  return b;
-}
-
-std::vector<float> droplet_rows(const std::vector<Droplet>& droplets) {
+std::vector<float> droplet_rows(const std::vector<Droplet>& droplets, const std::vector<float>& rho,
+                                const std::vector<std::uint32_t>& order) {
   std::vector<float> rows;
+  rows.reserve(order.size() * DROP_COLUMNS);
   // A droplet without repetitions gets a number of its own, below 0.
-  for (std::size_t i = 0; i < droplets.size(); ++i) {
+  for (const std::uint32_t i : order) {
     const Droplet& d = droplets[i];
     const float number = d.number == Droplet::alone ? -1 - float(i) : float(d.number);
-    rows.insert(rows.end(), {d.centre.x, d.centre.y, d.radius, d.wetness, d.point.x, d.point.y, d.point.z,
-                             d.reach, number});
+    rows.insert(rows.end(),
+                {d.centre.x, d.centre.y, d.radius, rho[i], d.point.x, d.point.y, d.point.z, d.reach, number});
   }
   return rows;
 }
@@ -59,28 +32,48 @@ std::vector<float> flat(const std::vector<glm::vec3>& points) {
   return values;
 }
 
-/// Returns the droplets in the order in which they are blended into the mask.
-std::vector<Droplet> in_order(const FrameInput& input) {
-  std::vector<Droplet> droplets = input.droplets;
+/// Returns the indices of the droplets that are blended into the mask, in the order of blending. `rho` is the
+/// present wetness of each droplet. If the water changes, dry droplets are left out.
+std::vector<std::uint32_t> blending_order(const FrameInput& input, const std::vector<float>& rho,
+                                          bool changes) {
+  // Without the repetitions, which follow their droplet in any order.
+  std::vector<std::uint32_t> own;
+  for (std::size_t i = 0; i < rho.size(); ++i)
+    if ((!changes || rho[i] > 0) && !repeats(input.droplets, i)) own.push_back(std::uint32_t(i));
   if (input.scene.clump.cells == "consistent")
-    std::stable_sort(droplets.begin(), droplets.end(),
-                     [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });
-  return droplets;
+    std::stable_sort(own.begin(), own.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return rho[a] > rho[b]; });
+  std::vector<std::uint32_t> order;
+  order.reserve(rho.size());
+  for (std::uint32_t i : own) {
+    order.push_back(i);
+    while (std::size_t(i) + 1 < rho.size() && repeats(input.droplets, std::size_t(i) + 1))
+      order.push_back(++i);
+  }
+  return order;
 }
 
 }  // namespace
 
 WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning& tuning)
     : size_(input.scene.wetness.size),
-      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
       consistent_(input.scene.clump.cells == "consistent"),
       overlap_(input.scene.wetness.blend == "overlap"),
-      droplets_(queue, std::span<const float>(droplet_rows(in_order(input)))),
+      changes_(water_changes(input.scene.wetness, input.droplets)),
+      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      buckets_(input, bucket_, changes_),
+      droplets_(queue.device(), DROP_COLUMNS * input.droplets.size()),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
       mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
-  const Buckets buckets = in_buckets(in_order(input), size_, bucket_);
-  row_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.row));
-  drop_ = cl::Buffer<std::int32_t>(queue, std::span<const std::int32_t>(buckets.drop));
+  // The buffers have room for all droplets. When the water changes, a picture has some of them.
+  row_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.buckets() + 1);
+  drop_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.entries());
+  if (!input.droplets.empty()) {
+    program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
+    kernel_.emplace(*program_, "wetness_mask");
+    if (changes_) make_lists(queue, input);
+  }
+  upload_droplets(queue, input, frames_before(input.scene.dynamics) + 1);
   if (input.droplets.empty()) return;
   // The kernel runs twice, because the first launch includes compilation on some platforms. mask_ms_ keeps
   // the time of the second run.
@@ -92,15 +85,39 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
   }
 }
 
-cl::Event WetStage::run(const cl::Queue& queue) {
-  if (!kernel_) {
-    program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
-    kernel_.emplace(*program_, "wetness_mask");
-  }
+WetParams WetStage::params() const {
   const double texel = consistent_ ? 1.0 / size_ : 0.0, half_diagonal = std::sqrt(0.5);
-  kernel_->with(WetParams{size_, bucket_, int(overlap_), float((half_diagonal + 0.5) * texel),
-                          float(half_diagonal * texel)},
-                droplets_, row_, drop_, surface_, mask_);
+  return {size_, bucket_, int(overlap_), float((half_diagonal + 0.5) * texel), float(half_diagonal * texel)};
+}
+
+void WetStage::make_lists(const cl::Queue& queue, const FrameInput& input) {
+  std::vector<std::uint32_t> all(input.droplets.size());
+  std::iota(all.begin(), all.end(), 0u);
+  upload_rows(queue, input, wetness_of_picture(input, 1), all);
+  lists_.emplace(queue, *program_, params(), droplets_, row_, drop_, surface_);
+  if (!lists_->short_enough()) lists_.reset();
+}
+
+void WetStage::upload_rows(const cl::Queue& queue, const FrameInput& input, const std::vector<float>& rho,
+                           const std::vector<std::uint32_t>& order) {
+  const BucketLists lists = buckets_.lists(order);
+  droplets_.write(queue, std::span<const float>(droplet_rows(input.droplets, rho, order)));
+  row_.write(queue, std::span<const std::int32_t>(lists.row));
+  drop_.write(queue, std::span<const std::int32_t>(lists.drop));
+}
+
+void WetStage::upload_droplets(const cl::Queue& queue, const FrameInput& input, int frames) {
+  const std::vector<float> rho = wetness_of_picture(input, frames);
+  const std::vector<std::uint32_t> order = blending_order(input, rho, changes_);
+  if (lists_)
+    lists_->upload(queue, rho, order);
+  else
+    upload_rows(queue, input, rho, order);
+}
+
+cl::Event WetStage::run(const cl::Queue& queue) {
+  if (lists_) return lists_->run(queue, params(), droplets_, mask_);
+  kernel_->with(params(), droplets_, row_, drop_, surface_, mask_);
   return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }
 

@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <stdexcept>
 
 #include "harness/error.hpp"
 #include "harness/gl/context.hpp"
 #include "harness/gl/objects.hpp"
+#include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/shells/opengl/facing.hpp"
 #include "harness/shells/opengl/program.hpp"
@@ -37,11 +39,15 @@ GLenum target_format(const OpenGlOptions& options) {
   return options.target == "rgba8" ? GL_RGBA8 : options.target == "rgba16f" ? GL_RGBA16F : GL_RGBA32F;
 }
 
-const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>& mask) {
+void check_mask(const FrameInput& input, const std::vector<glm::vec4>& mask) {
   const std::size_t size = std::size_t(input.scene.wetness.size);
   if (mask.size() != size * size)
     throw InputError(fmt::format("OpenGL: the wetness mask must have {0} x {0} texels, but {1} were given",
                                  size, mask.size()));
+}
+
+const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>& mask) {
+  check_mask(input, mask);
   if (has_springs(input.scene.dynamics))
     throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl supports only silva",
                                  input.scene.dynamics.topology));
@@ -61,10 +67,12 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
 struct OpenGl::State {
   std::shared_ptr<const FrameInput> input;
   OpenGlOptions options;
+  bool changes;     ///< the water changes over time
   Context context;  // declared before the OpenGL objects, so that it is destroyed after them
   Vertices vertices;
   std::vector<glm::vec3> bent;
   std::vector<glm::vec4> layers;
+  std::vector<glm::vec4> next_mask;  ///< the mask that frame() uploads; empty: the mask has not changed
   double build_ms = 0;
   Program skin, fur;
   std::vector<Object> fur_textures;
@@ -77,13 +85,14 @@ struct OpenGl::State {
         const OpenGlOptions& how)
       : input(std::move(from)),
         options(how),
+        changes(water_changes(input->scene.wetness, input->droplets)),
         vertices(checked(*input, wetness), wetness, options.vertices == "corners"),
         bent(vertices.bent(input->strands.anchor)),
         layers(layer_table(input->scene)),
         fur_textures(rivals::fur_textures(input->fur, options)),
         coat(coat_texture(input->coat, options)),
         mask(mask_texture(wetness, input->scene.wetness.size)),
-        fixed_buffer(make_buffer(vertices.fixed())),
+        fixed_buffer(make_buffer(vertices.fixed(), changes ? GL_DYNAMIC_STORAGE_BIT : 0)),
         bent_buffer(make_buffer(bent, GL_DYNAMIC_STORAGE_BIT)),
         index_buffer(make_buffer(vertices.index())),
         layer_buffer(make_buffer(layers)),
@@ -93,7 +102,7 @@ struct OpenGl::State {
         colour(make_renderbuffer(target_format(options), input->camera.width, input->camera.height)),
         depth(make_renderbuffer(GL_DEPTH_COMPONENT32F, input->camera.width, input->camera.height)),
         framebuffer(make_framebuffer()) {
-    build(any_wet(wetness));
+    build(changes || any_wet(wetness));
     lay_out_vertices();
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colour.id());
     glNamedFramebufferRenderbuffer(framebuffer.id(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
@@ -160,6 +169,15 @@ struct OpenGl::State {
       glDrawArraysInstanced(GL_TRIANGLES, 0, corners, instances);
     else
       glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
+  }
+
+  void upload_mask() {
+    if (next_mask.empty()) return;
+    const std::vector<Vertex>& fixed = vertices.fixed();
+    glNamedBufferSubData(fixed_buffer.id(), 0, GLsizeiptr(fixed.size() * sizeof(Vertex)), fixed.data());
+    const GLsizei size = input->scene.wetness.size;
+    glTextureSubImage2D(mask.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, next_mask.data());
+    next_mask.clear();
   }
 
   void draw_base() const {
@@ -231,11 +249,20 @@ void OpenGl::bend(const std::vector<glm::vec3>& tips) {
   state_->bent = state_->vertices.bent(tips);
 }
 
+void OpenGl::set_mask(const std::vector<glm::vec4>& mask) {
+  State& s = *state_;
+  check_mask(*s.input, mask);
+  if (!s.changes) throw std::logic_error("OpenGl::set_mask: the water of the scene does not change");
+  s.vertices.set_mask(mask);
+  s.next_mask = mask;
+}
+
 double OpenGl::frame() {
-  const State& s = *state_;
+  State& s = *state_;
   s.context.make_current();
   glFinish();
   const auto begin = Clock::now();
+  s.upload_mask();
   glNamedBufferSubData(s.bent_buffer.id(), 0, GLsizeiptr(s.bent.size() * sizeof(glm::vec3)), s.bent.data());
   s.draw_base();
   s.draw_layers();

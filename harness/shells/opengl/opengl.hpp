@@ -69,8 +69,11 @@ class OpenGl {
   /// the vertex. `tips` has one entry per strand: the vector from the root to the tip. Its unit is the radius
   /// of the mesh's bounding sphere.
   void bend(const std::vector<glm::vec3>& tips);
-  /// Draws one frame: it uploads the bent vertices, draws the base surface and all layers, and calls
-  /// glFinish. Returns the wall time in ms.
+  /// Changes the wetness mask. Only for scenes whose water changes over time (docs/water.md). For each
+  /// vertex, the host computes the axes of its curl.
+  void set_mask(const std::vector<glm::vec4>& mask);
+  /// Draws one frame: it uploads the bent vertices and a changed mask, draws the base surface and all layers,
+  /// and calls glFinish. Returns the wall time in ms.
   double frame();
   Picture read() const;  ///< copies the picture of the last frame to the host
   /// Returns the time to compile and link the shaders, in ms. It does not include work that the driver

@@ -48,15 +48,30 @@ Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, 
     std::iota(copy_.begin(), copy_.end(), 0u);
   }
   const double length = double(input.scene.fur.length);
-  const bool discs = input.scene.clump.cells == "consistent";
   for (std::size_t i = 0; i < copy_.size(); ++i) {
-    const std::uint32_t copy = copy_[i], point = mesh.weld[copy];
-    const float radius = input.scene.curl.radius * (1.0f - wetness_at(mask, input.scene.wetness.size,
-                                                                      input.curl.mask_uv[point], discs));
+    const std::uint32_t copy = copy_[i];
     const glm::dvec3 normal = mean(i, [&](std::size_t f) { return input.strands.normal[f]; });
-    fixed_.push_back({mesh.position[copy], mesh.uv[copy], glm::vec3(length * normal),
-                      radius * input.curl.u[point], radius * input.curl.v[point], input.tangents.t[copy],
+    fixed_.push_back({mesh.position[copy],
+                      mesh.uv[copy],
+                      glm::vec3(length * normal),
+                      {},
+                      {},
+                      input.tangents.t[copy],
                       input.tangents.b[copy]});
+  }
+  set_mask(mask);
+}
+
+void Vertices::set_mask(const std::vector<glm::vec4>& mask) {
+  const Scene& scene = input_->scene;
+  const CurlFrame& curl = input_->curl;
+  const bool discs = scene.clump.cells == "consistent";
+  for (std::size_t i = 0; i < copy_.size(); ++i) {
+    const std::uint32_t point = input_->mesh->weld[copy_[i]];
+    const float radius =
+        scene.curl.radius * (1.0f - wetness_at(mask, scene.wetness.size, curl.mask_uv[point], discs));
+    fixed_[i].curl_u = radius * curl.u[point];
+    fixed_[i].curl_v = radius * curl.v[point];
   }
 }
 

@@ -11,7 +11,8 @@
 
 namespace pelage::rivals {
 
-/// The attributes of a vertex that are the same in all frames.
+/// The attributes of a vertex that are the same in all frames. The axes of the curl are the same if the
+/// wetness mask is.
 struct Vertex {
   glm::vec3 position;
   glm::vec2 uv;
@@ -26,6 +27,8 @@ class Vertices {
   /// makes three OpenGL vertices for each triangle instead, so triangles share no vertices.
   Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, bool corners);
 
+  /// Computes the axes of the curl for another mask.
+  void set_mask(const std::vector<glm::vec4>& mask);
   const std::vector<Vertex>& fixed() const { return fixed_; }
   /// Returns three vertex indices per triangle. The triangles are in the order of the mesh.
   const std::vector<std::uint32_t>& index() const { return index_; }

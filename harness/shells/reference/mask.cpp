@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "harness/prepare/water.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/soaked.hpp"
 
@@ -64,8 +65,8 @@ void for_each_covered(const FrameInput& input, const Droplet& droplet, const Cha
 
 /// Returns the droplets in the order in which they are blended into the mask: with clump.cells "consistent"
 /// the wettest first, else as given.
-std::vector<Droplet> in_order(const FrameInput& input) {
-  std::vector<Droplet> droplets = input.droplets;
+std::vector<Droplet> in_order(const FrameInput& input, int frames) {
+  std::vector<Droplet> droplets = droplets_of_picture(input, frames);
   if (input.scene.clump.cells == "consistent")
     std::stable_sort(droplets.begin(), droplets.end(),
                      [](const Droplet& a, const Droplet& b) { return a.wetness > b.wetness; });
@@ -154,10 +155,10 @@ Clump Mask::bilinear(const glm::dvec2& uv) const {
   return weighted(weighted(at(0, 0), at(1, 0), part.x), weighted(at(0, 1), at(1, 1), part.x), part.y);
 }
 
-Mask wetness_mask(const FrameInput& input, Mutant mutant) {
+Mask wetness_mask(const FrameInput& input, int frames, Mutant mutant) {
   Mask mask{input.scene.wetness.size, {}};
   mask.texel.resize(std::size_t(mask.size) * std::size_t(mask.size));
-  std::vector<Droplet> droplets = in_order(input);
+  std::vector<Droplet> droplets = in_order(input, frames);
   if (mutant == Mutant::droplets_reversed) std::reverse(droplets.begin(), droplets.end());
   for_each_blended(input, droplets, [&](std::size_t at, const Droplet& droplet, bool inside) {
     mask.texel[at] = applied(mask.texel[at], droplet, inside, input.scene);
@@ -165,11 +166,11 @@ Mask wetness_mask(const FrameInput& input, Mutant mutant) {
   return mask;
 }
 
-double blended_share(const FrameInput& input) {
+double blended_share(const FrameInput& input, int frames) {
   const std::size_t side = std::size_t(input.scene.wetness.size);
   std::vector<Clump> texels(side * side);
   std::vector<std::uint8_t> blended(texels.size(), 0);
-  for_each_blended(input, in_order(input), [&](std::size_t at, const Droplet& droplet, bool inside) {
+  for_each_blended(input, in_order(input, frames), [&](std::size_t at, const Droplet& droplet, bool inside) {
     if (inside) blended[at] = std::uint8_t(is_blended(texels[at], droplet, input.scene.wetness.blend));
     texels[at] = applied(texels[at], droplet, inside, input.scene);
   });

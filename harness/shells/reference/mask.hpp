@@ -52,11 +52,13 @@ struct Mask {
   Clump bilinear(const glm::dvec2& uv) const;
 };
 
-Mask wetness_mask(const FrameInput& input, Mutant mutant = Mutant::none);
+/// Returns the mask of the picture after `frames` frames (docs/frame.md, section 1). The number of frames
+/// matters only if the water changes over time (docs/water.md).
+Mask wetness_mask(const FrameInput& input, int frames = 1, Mutant mutant = Mutant::none);
 
-/// Returns how many of the mask's wet texels were blended from several droplets, as a fraction of all wet
-/// texels. Returns 0 if no texel is wet.
-double blended_share(const FrameInput& input);
+/// Returns how many of the wet texels of this mask were blended from several droplets, as a fraction of all
+/// wet texels. Returns 0 if no texel is wet.
+double blended_share(const FrameInput& input, int frames = 1);
 
 /// Returns the factor of a clump's displacement at the height h (S Eq. 5): (1 - w) h + w (1 + ln h / ln N).
 /// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].

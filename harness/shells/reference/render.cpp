@@ -369,7 +369,7 @@ Picture render(const FrameInput& input, const Options& options) {
   for (const Tile& tile : tiles)
     for (const std::uint32_t face : tile.faces) wanted[face] = 1;
 
-  const Mask mask = wetness_mask(input, options.mutant);
+  const Mask mask = wetness_mask(input, options.frames, options.mutant);
   const Geometry geometry(input, mask, options.frames, wanted, options.mutant, options.sticks);
   Painter painter(input, options, mask, geometry);
   const int layers = input.scene.fur.layers;

@@ -1,10 +1,11 @@
 // Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of the vertices in all
 // layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
 // work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
-// compiled program. To save this time, the kernels of bin.clh and reach.clh are part of this program.
+// compiled program. To save this time, the kernels of bin.clh, reach.clh and texel_reach.clh are part of this
+// program.
 #include "rasterize/coverage/fan.clh"
 #include "rasterize/geometry/bin.clh"
-#include "rasterize/geometry/reach.clh"
+#include "rasterize/geometry/texel_reach.clh"
 #include "rasterize/geometry/transform.clh"
 
 // Computes the dryness 1 - rho at each vertex, once per wetness mask. rho is the wetness. mask_uv: a column of u, then
@@ -172,12 +173,12 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
 // Writes the two axes of the curl at each vertex, multiplied by the vertex's dryness: (1 - rho) u and (1 - rho) v,
 // where rho is the wetness and u and v are unit vectors.
 __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
-  int i = (int)get_global_id(0);
-  if (i >= s.vertices) return;
-  __global float *out = curls + (size_t)i * RECORD;
-  for (int k = 0; k < 3; ++k) {
-    out[k] = dry[i] * vertex[(size_t)(CURL_UX + k) * s.vertices + i];
-    out[3 + k] = dry[i] * vertex[(size_t)(CURL_VX + k) * s.vertices + i];
+  for (int i = (int)get_global_id(0); i < s.vertices; i += (int)get_global_size(0)) {
+    __global float *out = curls + (size_t)i * RECORD;
+    for (int k = 0; k < 3; ++k) {
+      out[k] = dry[i] * vertex[(size_t)(CURL_UX + k) * s.vertices + i];
+      out[3 + k] = dry[i] * vertex[(size_t)(CURL_VX + k) * s.vertices + i];
+    }
+    out[6] = out[7] = 0.0f;
   }
-  out[6] = out[7] = 0.0f;
 }

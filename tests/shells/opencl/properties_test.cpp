@@ -233,7 +233,8 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
       // The test can detect a wrong order of the droplets only if the mask depends on this order. The next
       // lines check that the reversed order gives a different mask.
       if (count == 400 && size == 64) {
-        const reference::Mask reversed = reference::wetness_mask(input, reference::Mutant::droplets_reversed);
+        const reference::Mask reversed =
+            reference::wetness_mask(input, 1, reference::Mutant::droplets_reversed);
         std::size_t different = 0;
         for (std::size_t i = 0; i < mask.size(); ++i)
           different += reversed.texel[i].centre != expected.texel[i].centre;

@@ -7,7 +7,7 @@ namespace pelage::rival_tests {
 
 std::vector<glm::vec4> mask_of(const FrameInput& input) {
   std::vector<glm::vec4> mask;
-  for (const reference::Clump& texel : reference::wetness_mask(input).texel)
+  for (const reference::Clump& texel : reference::wetness_mask(input, frames).texel)
     mask.emplace_back(texel.centre.x, texel.centre.y, texel.radius, texel.wetness);
   return mask;
 }

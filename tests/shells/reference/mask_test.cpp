@@ -111,7 +111,7 @@ TEST(ReferenceMask, OrderMatters) {
   // The large droplet's disc contains the small droplet's centre, so the droplets blend. By Algorithm 1 of
   // paper S, rho = 1 and the large droplet has the weight alpha = .4.
   expect_clump(texel(mask, 4, 4), .6 * .6 + .4 * .3, .55, .6 * .2 + .4 * .35, 1);
-  EXPECT_EQ(wetness_mask(with({large, small}), Mutant::droplets_reversed).texel, mask.texel);
+  EXPECT_EQ(wetness_mask(with({large, small}), 1, Mutant::droplets_reversed).texel, mask.texel);
 }
 
 TEST(ReferenceMask, ADropletDoesNotReachAForeignSheet) {

@@ -39,6 +39,9 @@ OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
 void OpenGl::bend(const std::vector<glm::vec3>&) {
   refuse();
 }
+void OpenGl::set_mask(const std::vector<glm::vec4>&) {
+  refuse();
+}
 double OpenGl::frame() {
   refuse();
 }

@@ -1,0 +1,79 @@
+// Tests pelage water, and a scene whose water changes over time in the pipelines of pelage render.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "tests/cli/shell.hpp"
+
+namespace pelage::cli {
+namespace {
+
+using Table = std::vector<std::vector<double>>;
+
+/// Returns the numbers of a CSV table without its heading.
+Table numbers(const std::string& text) {
+  Table table;
+  std::istringstream lines(text);
+  std::string line, value;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "time_s,droplets,fell,unsoaked,held,evaporated,dripped");
+  while (std::getline(lines, line)) {
+    table.emplace_back();
+    std::istringstream values(line);
+    while (std::getline(values, value, ',')) table.back().push_back(std::stod(value));
+    EXPECT_EQ(table.back().size(), 7u) << line;
+  }
+  return table;
+}
+
+TEST(WaterCommand, WritesTheAccountOfTheExample) {
+  const Folder folder;
+  const Outcome printed = pelage(folder, "water rain --model torus --to 10 --fps 4");
+  ASSERT_EQ(printed.code, 0) << printed.err;
+  const Table table = numbers(printed.out);
+  ASSERT_EQ(table.size(), 41u);
+  double most = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::vector<double>& row = table[i];
+    EXPECT_DOUBLE_EQ(row[0], double(i) / 4);
+    EXPECT_NEAR(row[2], row[3] + row[4] + row[5] + row[6], 1e-7 * row[2]);
+    most = std::max(most, row[4]);
+  }
+  EXPECT_GT(most, 0.3 * table.back()[2]);
+  EXPECT_EQ(table.front()[1], 0) << "the example begins dry";
+  EXPECT_EQ(table.back()[1], 0) << "and ends dry";
+  EXPECT_EQ(table.back()[4], 0);
+  const Outcome written = pelage(folder, "water rain --model torus --to 10 --fps 4 --csv water.csv");
+  EXPECT_EQ(written.code, 0) << written.err;
+  EXPECT_EQ(written.out, "");
+  EXPECT_EQ(folder.read("water.csv"), printed.out);
+}
+
+TEST(WaterCommand, UsesTheKeyframesOfItsTimes) {
+  const Folder folder;
+  folder.write(
+      "k.toml",
+      "model = 'torus'\n[wetness]\nrandom = 50\nsoak = 1.0\n[keyframes]\n'wetness.radius' = [[0, 0.01], "
+      "[1, 0.02]]\n");
+  const Outcome outcome = pelage(folder, "water k.toml --to 1 --fps 1");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Table table = numbers(outcome.out);
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_GT(table[1][2], 2 * table[0][2]) << "the discs are larger";
+}
+
+TEST(WaterCommand, RefusesBadInput) {
+  const Folder folder;
+  for (const char* arguments :
+       {"water rain --to -1", "water rain --fps 0", "water rain --to 3600 --fps 1000", "water nothing",
+        "water rain --set wetness.end=1 --set wetness.begin=2", "water rain --set wetness.random=0"}) {
+    const Outcome outcome = pelage(folder, arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace pelage::cli
