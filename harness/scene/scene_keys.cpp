@@ -145,6 +145,11 @@ std::vector<Key> scene_keys(Scene& s) {
       {.name = "wetness.blend", .slot = &wetness.blend, .unit = "", .help = "which wet texels of its disc a droplet is blended with (S and W, Algorithm 1): \"near\" those whose clump's centre is at most the droplet's radius from the droplet's centre; \"overlap\" all, so that overlapping droplets form a new clump where they overlap; the droplet overwrites the other texels", .choices = {"near", "overlap"}},
       {.name = "wetness.seams", .slot = &wetness.seams, .unit = "", .help = "droplets whose disc reaches a seam of the UV map: \"cut\" ends the disc at the seam, \"joined\" repeats the droplet on the other side", .choices = {"cut", "joined"}},
       {.name = "wetness.image", .slot = &wetness.image, .unit = "", .help = "picture in UV space: random droplets are placed only where its luma is at least 0.5; \"\": everywhere"},
+      {.name = "wetness.text", .slot = &wetness.text, .unit = "", .help = "text in UV space: random droplets are placed only in its letters; printable ASCII characters; \"\": everywhere", .may_be_empty = true},
+      {"wetness.text_u", &wetness.text_u, "UV units", 0, 1, "u of the centre of wetness.text"},
+      {"wetness.text_v", &wetness.text_v, "UV units", 0, 1, "v of the centre of wetness.text"},
+      {"wetness.text_height", &wetness.text_height, "UV units", 0.01, 1, "height of the capital letter H in wetness.text"},
+      {.name = "wetness.text_font", .slot = &wetness.text_font, .unit = "", .help = "TrueType or OpenType file with the letters of wetness.text; \"\": DejaVu Sans Bold (Debian: fonts-dejavu-core)"},
 
       {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5, which determines how the displacement of the fur by a clump grows with the height; 0: linearly, 1: logarithmically"},
       {"clump.gain", &clump.gain, "", 0, 100, "factor of the displacement of the fur by a clump if clump.scale is \"relative\""},
