@@ -38,6 +38,7 @@ REST = ["--set", "dynamics.wind.strength=0"]  # a scene without its wind
 # Few triangles and few layers, so that single lines can be seen.
 SECTION = ["--model", "banisch-grass", "--set", "fur.layers=9", "--set", "fur.length=0.4"]
 UPRIGHT = [*REST, "--set", "fur.comb=0"]
+WEAK = ["--set", "dynamics.wind.strength=0.12", "--set", "fur.layer_spacing=paper"]
 
 PAGES = {
     "silva2010": ("Curling and Clumping Fur Represented by Texture Layers (Silva et al. 2010)", [
@@ -47,7 +48,7 @@ PAGES = {
         ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the red lines strands.",
          [labelled("upright strands", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
           labelled("layers sheared in proportion to their height", diagram("layers", S6, "sheared", *SECTION)),
-          labelled("strands bent by a force", diagram("layers", S6, "bent", *SECTION)),
+          labelled("strands bent by a force", diagram("layers", S6, "bent", *SECTION, *WEAK)),
           labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
         ("Figure 3", "From textures to fur.",
          [labelled("colour texture", diagram("coat", S3, "c")),

@@ -111,9 +111,10 @@ struct WetnessScene {
   /// Random droplets are placed only in the letters of this text, which is painted into UV space; empty:
   /// everywhere. Printable ASCII characters, at least one of them visible.
   std::string text;
-  float text_u = 0.5f, text_v = 0.5f;  ///< centre of the text, UV
-  float text_height = 0.2f;            ///< height of the capital letter H, UV
-  std::filesystem::path text_font;     ///< TrueType or OpenType file; empty: DejaVu Sans Bold
+  float text_u = 0.5f;              ///< u of the centre of the text
+  float text_v = 0.5f;              ///< v of the centre of the text
+  float text_height = 0.2f;         ///< height of the capital letter H, UV
+  std::filesystem::path text_font;  ///< TrueType or OpenType file; empty: DejaVu Sans Bold
 };
 
 inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};

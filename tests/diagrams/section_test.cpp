@@ -69,9 +69,10 @@ TEST(ClumpSection, TheDisplacementIsThatOfTheDrawnPoint) {
   // With "relative", d = gain rho f (p - c) for the point p at which the strand is drawn (S Eq. 5).
   const Section section = diagrams::clump_section(clumped("relative", 0.5f), 1.0);
   for (const auto& row : section.rows)
-    if (value(section, row, "wet") > 0)
+    if (value(section, row, "wet") > 0) {
       EXPECT_NEAR(value(section, row, "d"), 3.5 * 0.8 * value(section, row, "f") * value(section, row, "u"),
                   from_floats);
+    }
 }
 
 TEST(CurlSection, IsAHelixWhoseRadiusGrowsAndShrinksWithTheWetness) {
