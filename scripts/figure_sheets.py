@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes one HTML page per paper with all its figures, from a run of the experiments of the group figures.
+"""Writes one HTML page per paper with all its figures, from a run of the experiments of the collection figures.
 
 usage: scripts/figure_sheets.py RUN OUT     RUN is the folder of `pelage run figures`, OUT a new folder
        scripts/figure_sheets.py --list      prints the cases and diagrams that the pages show
@@ -55,7 +55,7 @@ PAGES = {
           labelled("four slices of the fur texture, from the skin to the tips", diagram("slices", S3, "c")),
           labelled("result", case(S3, "c"))]),
         ("Figure 4", "Forces on the strands.",
-         [labelled("one triangle; its strand is white", diagram("strands", S4, "triangle", "--line-width", "4")),
+         [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
           labelled("a square in the wind", case(S4, "wind"))]),
         ("Figure 5", "The wetness mask, and a clump in section: each strand of the clump leans towards its centre.",
          [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),

@@ -49,7 +49,7 @@ Picture slices_of(const Scene& scene, const DiagramOptions&) {
   return diagrams::slices_picture(prepare(scene, load_scene_mesh(scene))->fur);
 }
 
-Picture strands_of(const Scene& scene, const DiagramOptions& options) {
+Picture lines_of(const Scene& scene, const DiagramOptions& options) {
   RendererOptions renderer;
   renderer.device = options.device;
   const DrawPicture draw = open_renderer(renderer, scene);
@@ -88,7 +88,7 @@ constexpr Kind kinds[] = {
     {"mask", "the wetness mask with the triangles of the UV map", mask_of, nullptr},
     {"coat", "the coat's colour texture", coat_of, nullptr},
     {"slices", "four slices of the fur's volume texture", slices_of, nullptr},
-    {"strands", "the fur with the strands of the mass-spring model as white lines", strands_of, nullptr},
+    {"lines", "the fur with the strands of the mass-spring model as white lines", lines_of, nullptr},
     {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, shape_of},
     {"clump", "the strands of a clump in a vertical plane", nullptr, clump_of},
     {"curl", "the curl of an upright strand for three wetnesses", nullptr, curl_of},
@@ -172,7 +172,7 @@ void add_diagram(CLI::App& app, Chosen& chosen) {
       ->capture_default_str();
   command
       ->add_option("--device", options->device,
-                   "Device that draws the fur of the kind strands: PLATFORM:INDEX, or part of its name")
+                   "Device that draws the fur of the kind lines: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command->callback([options, &chosen] { chosen = [options] { return diagram(*options); }; });
 }

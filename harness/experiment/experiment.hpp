@@ -66,7 +66,8 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 
 struct Experiment {
   std::string name, title, paper, table, hardware;
-  std::string group;  ///< name under which `pelage run` runs all experiments of this group; may be empty
+  std::string
+      collection;  ///< name with which `pelage run` runs all experiments of a collection; may be empty
   std::filesystem::path file;
   std::filesystem::path scene_file;  ///< value of the key `file` in the table [scene]; may be empty
   Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
@@ -119,7 +120,7 @@ Experiment read_experiment(const std::filesystem::path& file);
 /// the known names.
 std::filesystem::path experiment_file(const std::string& name_or_file);
 /// Returns the files of the experiments that `pelage run` runs for a word: all shipped experiments of the
-/// group with this name, sorted; if there is no such group, the experiment_file() of the word.
+/// collection with this name, sorted; if there is no such collection, the experiment_file() of the word.
 std::vector<std::filesystem::path> experiments_named(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
 

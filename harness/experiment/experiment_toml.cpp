@@ -32,9 +32,9 @@ struct Source {
 };
 
 /// Top-level keys of experiment files. An axis must not have one of these names.
-const std::set<std::string, std::less<>> reserved{"name",      "title",    "paper",  "table",
-                                                  "group",     "hardware", "axes",   "scene",
-                                                  "published", "require",  "preset", "report"};
+const std::set<std::string, std::less<>> reserved{"name",       "title",    "paper",  "table",
+                                                  "collection", "hardware", "axes",   "scene",
+                                                  "published",  "require",  "preset", "report"};
 
 /// Columns of exported CSV files and data frames. Each axis becomes a column too, so an axis must not have
 /// one of these names.
@@ -285,11 +285,11 @@ void read_tables_of_own_axis(const fs::path& file, const std::string& axis, cons
   for (const auto& [name, preset] : into.presets) add(preset.axes);
   if (values.empty())
     refuse(file, &node,
-           fmt::format(
-               "unknown key {} (known: axes, group, hardware, layers, model, name, paper, preset, published, "
-               "reading, require, scene, size, table, title, variant, and the names of axes; scene "
-               "keys belong in the table [scene])",
-               axis));
+           fmt::format("unknown key {} (known: axes, collection, hardware, layers, model, name, paper, "
+                       "preset, published, "
+                       "reading, require, scene, size, table, title, variant, and the names of axes; scene "
+                       "keys belong in the table [scene])",
+                       axis));
   if (!node.is_table()) refuse(file, &node, fmt::format("{} must be a table", axis));
   read_tables_of_axis(file, axis, *node.as_table(), into);
   const auto& tables = into.at[axis];
@@ -353,11 +353,11 @@ Experiment read_experiment(const fs::path& file) {
   result.paper = text_at(file, table, "paper");
   result.table = text_at(file, table, "table");
   result.hardware = text_at(file, table, "hardware");
-  result.group = text_at(file, table, "group");
+  result.collection = text_at(file, table, "collection");
   if (!RE2::FullMatch(result.name, "[A-Za-z0-9][A-Za-z0-9._-]*"))
     refuse(file, table.get("name"),
            "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
-  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware", "group"};
+  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware", "collection"};
   static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
   for (const auto& [key, node] : table) {

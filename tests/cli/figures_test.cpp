@@ -31,7 +31,7 @@ TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
   EXPECT_TRUE(std::equal(picture.pixel.begin(), picture.pixel.end(), again.pixel.begin(), same));
 }
 
-TEST(Figures, TheGroupNamesAllTheirCases) {
+TEST(Figures, TheCollectionNamesAllTheirCases) {
   const Folder folder;
   const Outcome dry = pelage(folder, "run figures --dry-run");
   ASSERT_EQ(dry.code, 0) << dry.err;
@@ -101,7 +101,7 @@ TEST(Diagrams, StrandsAreWhiteLinesOverTheFur) {
   const Folder folder;
   const std::string scene = "silva2010-fig04 --case triangle-640x480 --size 160x120 ";
   ASSERT_EQ(pelage(folder, "render " + scene + "-o fur.png").code, 0);
-  const Outcome outcome = pelage(folder, "diagram strands " + scene + "-o strands.png --line-width 3");
+  const Outcome outcome = pelage(folder, "diagram lines " + scene + "-o strands.png --line-width 3");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const Picture fur = read_picture(folder.path() / "fur.png"),
                 lines = read_picture(folder.path() / "strands.png");

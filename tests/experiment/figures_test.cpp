@@ -23,12 +23,12 @@ std::vector<Experiment> figures() {
 }
 
 TEST(FigureExperiments, AreAllExperimentsNamedAfterAFigure) {
-  std::set<std::string> named, grouped;
+  std::set<std::string> named, collected;
   for (const fs::path& file : experiment_files())
     if (file.stem().string().find("-fig") != std::string::npos) named.insert(file.stem().string());
-  for (const Experiment& e : figures()) grouped.insert(e.name);
-  EXPECT_EQ(grouped, named);
-  EXPECT_EQ(grouped.size(), 16u);
+  for (const Experiment& e : figures()) collected.insert(e.name);
+  EXPECT_EQ(collected, named);
+  EXPECT_EQ(collected.size(), 16u);
 }
 
 TEST(FigureExperiments, AreDrawnWithTheReadingsOfTheSharedScene) {
@@ -73,7 +73,7 @@ TEST(FigureExperiments, HaveARowWithAllTheirCasesInTheDocument) {
   for (const auto& [name, line] : rows) ADD_FAILURE() << name << " is in the document, but is no experiment";
 }
 
-TEST(Groups, AWordThatIsNoGroupIsAnExperiment) {
+TEST(Collections, AWordThatIsNoCollectionIsAnExperiment) {
   ASSERT_EQ(experiments_named("layers").size(), 1u);
   EXPECT_EQ(experiments_named("layers").front().stem(), "layers");
   EXPECT_THROW(experiments_named("figurez"), InputError);
