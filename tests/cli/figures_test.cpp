@@ -21,9 +21,9 @@ TEST(Figures, OneFigureIsRunAndAgreesWithTheReference) {
   const Picture picture = read_picture(folder.path() / "run/silva2010-fig08/images/wet-160x120.png");
   EXPECT_EQ(picture.width, 160);
 
-  // --case selects the same scene, so that the same device draws the same picture.
+  // --case selects the same scene, so the same device draws the same picture.
   const Outcome render =
-      pelage(folder, "render silva2010-fig08 --case dry-160x120 --set wetness.random=1000 -o again.png");
+      pelage(folder, "render silva2010-fig08 --case wet-640x480 --size 160x120 -o again.png");
   ASSERT_EQ(render.code, 0) << render.err;
   const Picture again = read_picture(folder.path() / "again.png");
   ASSERT_EQ(again.pixel.size(), picture.pixel.size());
