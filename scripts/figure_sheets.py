@@ -52,7 +52,7 @@ PAGES = {
           labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
         ("Figure 3", "From textures to fur.",
          [labelled("colour texture", diagram("coat", S3, "c")),
-          labelled("four slices of the fur texture, from the skin to the tips", diagram("slices", S3, "c")),
+          labelled("four slices of the fur texture, from low to high", diagram("slices", S3, "c")),
           labelled("result", case(S3, "c"))]),
         ("Figure 4", "Forces on the strands.",
          [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),

@@ -1,5 +1,7 @@
 #include "harness/diagrams/textures.hpp"
 
+#include <algorithm>
+
 namespace pelage::diagrams {
 namespace {
 
@@ -25,11 +27,11 @@ Picture slices_picture(const FurTexture& fur) {
   const auto size = std::size_t(fur.size);
   Picture picture = empty_picture(shown * fur.size + (shown - 1) * gap, fur.size);
   for (int i = 0; i < shown; ++i) {
-    const auto layer = std::size_t(i + 1 == shown ? fur.layers - 1 : fur.layers * i / shown);
+    const auto layer = std::size_t(fur.layers * (2 * i + 1) / (2 * shown));
     for (int y = 0; y < fur.size; ++y)
       for (int x = 0; x < fur.size; ++x) {
         const auto& t = fur.level[0][(layer * size + std::size_t(fur.size - 1 - y)) * size + std::size_t(x)];
-        const float grey = float(t[0]) / 255.0f * float(t[1]) / 255.0f;
+        const float grey = std::min(1.0f, float(t[0]) / 255.0f * float(t[1]) / 127.5f);
         picture.at(i * (fur.size + gap) + x, y) = glm::vec4(grey, grey, grey, 1);
       }
   }
