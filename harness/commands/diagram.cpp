@@ -50,11 +50,11 @@ Picture slices_of(const Scene& scene, const DiagramOptions&) {
 }
 
 Picture lines_of(const Scene& scene, const DiagramOptions& options) {
-  RendererOptions renderer;
-  renderer.device = options.device;
-  const DrawPicture draw = open_renderer(renderer, scene);
+  RendererOptions choice;
+  choice.device = options.device;
+  const auto renderer = open_renderer(choice, scene);
   const auto mesh = load_scene_mesh(scene);
-  Picture picture = draw(mesh).image;
+  Picture picture = renderer->draw(scene, mesh).image;
   const auto input = prepare(scene, mesh);
   const FrameOutput motion = reference_motion(*input, frames_of(scene));
   diagrams::draw_strands(picture, *input, diagrams::strand_curves(*input, motion.tips, options.most),
