@@ -51,7 +51,7 @@ Section shape_section(const Scene& scene) {
 }
 
 Section clump_section(const Scene& scene, double length_per_uv) {
-  Section section{{"strand", "wet", "layer", "h", "f", "root", "u", "d", "x", "y"}, {}};
+  Section section{{"strand", "inside", "layer", "h", "f", "root", "u", "d", "x", "y"}, {}};
   const reference::Clump clump{glm::dvec2(0), double(scene.wetness.radius), double(scene.wetness.wetness)};
   for (int i = -2 * strands_per_radius; i <= 2 * strands_per_radius; ++i) {
     const double root = clump.radius * i / strands_per_radius;

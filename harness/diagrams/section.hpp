@@ -22,10 +22,10 @@ Section shape_section(const Scene& scene);
 
 /// The strands of one clump in a vertical plane through its centre, with the scene's readings. The clump has
 /// the radius wetness.radius and the wetness wetness.wetness; its centre has the UV 0. The strands stand
-/// upright at equal distances, two radii to each side. Columns: strand, wet (1 inside the clump), layer (-1
-/// for the root), h, f, root (UV), u (UV at which the strand is drawn on the layer), d (root - u: the
-/// displacement of S Eq. 5), x (u in R, for `length_per_uv` R per unit of UV) and y (height over the surface,
-/// R).
+/// upright at equal distances, two radii to each side. Columns: strand, inside (1 in the clump, else 0),
+/// layer (-1 for the root), h, f, root (UV), u (UV at which the strand is drawn on the layer), d (root - u:
+/// the displacement of S Eq. 5), x (u in R, for `length_per_uv` R per unit of UV) and y (height over the
+/// surface, R).
 Section clump_section(const Scene& scene, double length_per_uv);
 
 /// The curl of an upright strand (S Eq. 1 and 4) for the wetness 0, .5 and 1. Columns: rho, h, x, y (offset

@@ -55,7 +55,7 @@ TEST(ClumpSection, AllStrandsOfAClumpConverge) {
     for (const auto& row : section.rows) {
       const double root = value(section, row, "root"), f = value(section, row, "f");
       const bool wet = std::abs(root) <= 0.05 + from_floats;
-      EXPECT_EQ(value(section, row, "wet"), wet ? 1.0 : 0.0);
+      EXPECT_EQ(value(section, row, "inside"), wet ? 1.0 : 0.0);
       const double u = wet ? (1 - 0.8 * f) * root : root;
       EXPECT_NEAR(value(section, row, "u"), u, from_floats);
       EXPECT_NEAR(value(section, row, "d"), root - u, from_floats);
@@ -69,7 +69,7 @@ TEST(ClumpSection, TheDisplacementIsThatOfTheDrawnPoint) {
   // With "relative", d = gain rho f (p - c) for the point p at which the strand is drawn (S Eq. 5).
   const Section section = diagrams::clump_section(clumped("relative", 0.5f), 1.0);
   for (const auto& row : section.rows)
-    if (value(section, row, "wet") > 0) {
+    if (value(section, row, "inside") > 0) {
       EXPECT_NEAR(value(section, row, "d"), 3.5 * 0.8 * value(section, row, "f") * value(section, row, "u"),
                   from_floats);
     }

@@ -50,7 +50,7 @@ def draw_shape(rows):
 def draw_clump(rows):
     figure, axis = plt.subplots(figsize=(5.2, 3.2), constrained_layout=True)
     for strand, line in grouped(rows, "strand").items():
-        wet = line[0]["wet"] > 0
+        wet = line[0]["inside"] > 0
         colour = "black" if strand == 0 else "#D55E00" if wet else "0.6"
         axis.plot(column(line, "x"), column(line, "y"), color=colour, linewidth=1.6 if strand == 0 else 1.0)
     axis.axhline(0, color="0.3", linewidth=0.8)
