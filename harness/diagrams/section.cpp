@@ -58,7 +58,7 @@ Section clump_section(const Scene& scene, double length_per_uv) {
     const bool wet = std::abs(i) <= strands_per_radius;
     for (int n = -1; n < scene.fur.layers; ++n) {
       const double h = height_of(scene, n), f = factor_of(scene, n);
-      const double u = wet ? reference::drawn_at(scene.clump, clump, f, glm::dvec2(root, 0)).x : root;
+      const double u = wet ? reference::drawn_at(scene, clump, f, glm::dvec2(root, 0)).x : root;
       section.rows.push_back({double(i), wet ? 1.0 : 0.0, double(n), h, f, root, u, root - u,
                               u * length_per_uv, upright_height(scene, h)});
     }

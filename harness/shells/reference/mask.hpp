@@ -64,7 +64,7 @@ double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none)
 
 /// Returns the UV position at which `clump` draws the strand with the root `root`, in a layer with the factor
 /// `f` (clump_shape()) of S Eq. 5: the position p with p + d(p) = root.
-glm::dvec2 drawn_at(const ClumpScene& scene, const Clump& clump, double f, const glm::dvec2& root);
+glm::dvec2 drawn_at(const Scene& scene, const Clump& clump, double f, const glm::dvec2& root);
 
 /// A place where a clump draws a strand, and the weight of this clump among those around the strand's root.
 struct Placement {
