@@ -31,9 +31,9 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # dpkg-shlibdeps (Debian's package dpkg-dev) adds the packages of the linked libraries to the dependencies.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The packages below are recommended only, because pelage starts without them. They provide an OpenCL device, OpenGL for
-# the OpenGL baseline, the plots of reports, pandas for the Python package, and some models. If pelage needs one of
-# these packages and does not find it, pelage prints a message.
+# the OpenGL baseline, the plots of reports, a font for wetness.text, pandas for the Python package, and some models. If
+# pelage needs one of these packages and does not find it, pelage prints a message.
 string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "pocl-opencl-icd | opencl-icd" libegl1 libegl-mesa0 libgl1-mesa-dri
-       libjs-chart.js python3-matplotlib python3-pandas glmark2-data libcgal-demo)
+       libjs-chart.js fonts-dejavu-core python3-matplotlib python3-pandas glmark2-data libcgal-demo)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS ffmpeg)  # pelage animate joins frames to videos with it
 include(CPack)

@@ -17,6 +17,7 @@
 #include "harness/commands/compare.hpp"
 #include "harness/commands/completion.hpp"
 #include "harness/commands/devices.hpp"
+#include "harness/commands/diagram.hpp"
 #include "harness/commands/export.hpp"
 #include "harness/commands/list.hpp"
 #include "harness/commands/merge.hpp"
@@ -89,6 +90,7 @@ int main(int argc, char** argv) {
   add_scene(app, chosen);
   add_render(app, chosen);
   add_animate(app, chosen);
+  add_diagram(app, chosen);
   add_mesh(app, chosen);
   add_topology(app, chosen);
   add_water(app, chosen);

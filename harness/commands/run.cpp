@@ -74,9 +74,9 @@ void take_shard(Sweep& sweep, const RunOptions& options) {
   sweep.cases = std::move(own);
 }
 
-Sweep plan_sweep(const RunOptions& options, const std::string& name, std::uint64_t seed) {
+Sweep plan_sweep(const RunOptions& options, const fs::path& file, std::uint64_t seed) {
   Sweep sweep;
-  sweep.experiment = read_experiment(experiment_file(name));
+  sweep.experiment = read_experiment(file);
   const Preset& preset = preset_of(sweep.experiment, options.preset);
   sweep.limits = preset.limits;
   sweep.cases = filtered(cases_of(sweep.experiment, preset, options.overrides()), options.filter);
@@ -282,8 +282,11 @@ int run_here(const RunOptions& options, const fs::path& folder) {
   const std::uint64_t seed = options.order_seed.value_or(std::random_device{}());
   std::vector<Sweep> sweeps;
   std::set<std::string> names;
-  for (const std::string& name : options.experiments) {
-    sweeps.push_back(plan_sweep(options, name, seed));
+  std::vector<fs::path> files;
+  for (const std::string& name : options.experiments)
+    for (const fs::path& file : experiments_named(name)) files.push_back(file);
+  for (const fs::path& file : files) {
+    sweeps.push_back(plan_sweep(options, file, seed));
     if (!names.insert(sweeps.back().experiment.name).second)
       throw InputError(fmt::format("{}: this experiment is given twice", sweeps.back().experiment.name));
   }

@@ -99,7 +99,7 @@ void declare_cases(CLI::App& command, RunOptions& options) {
 void declare(CLI::App& command, RunOptions& options) {
   command
       .add_option("experiment", options.experiments,
-                  "Experiments: names that `pelage list` shows, or FILE.toml")
+                  "Experiments or collections of experiments: names that `pelage list` shows, or FILE.toml")
       ->required()
       ->type_name("EXPERIMENT|FILE.toml");
   declare_cases(command, options);

@@ -10,8 +10,10 @@
 
 #include "harness/error.hpp"
 #include "harness/experiment/example_scenes.hpp"
+#include "harness/experiment/experiment.hpp"
 #include "harness/mesh/quality.hpp"
 #include "harness/mesh/soup.hpp"
+#include "harness/nearest_name.hpp"
 #include "harness/prepare/scene_mesh.hpp"
 #include "harness/scene/scene_keys.hpp"
 #include "harness/scene/scene_toml.hpp"
@@ -47,6 +49,24 @@ fs::path scene_file(const std::string& name_or_file) {
   return file_or_example("", name_or_file);
 }
 
+/// Returns the scene of the case `name` of the experiment. Throws InputError if no preset has such a case.
+Scene case_scene(const std::string& experiment_name, const std::string& name) {
+  if (experiment_name.empty())
+    throw InputError(fmt::format("--case {}: give also an experiment, such as silva2010-fig01", name));
+  const Experiment experiment = read_experiment(experiment_file(experiment_name));
+  std::vector<std::string> known;
+  for (const auto& [preset_name, preset] : experiment.presets)
+    for (const Case& which : cases_of(experiment, preset)) {
+      if (which.name == name) return scene_of(experiment, which);
+      known.push_back(which.name);
+    }
+  const std::string near = nearest_name(name, known);
+  throw InputError(fmt::format("--case {}: {} has no such case; {}", name, experiment.name,
+                               near.empty()
+                                   ? fmt::format("`pelage list {}` prints its cases", experiment.name)
+                                   : fmt::format("did you mean {}?", near)));
+}
+
 }  // namespace
 
 void add_up_option(CLI::App& command, std::string& up) {
@@ -66,6 +86,11 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
           "Scene file, or name of an example scene, such as wet-curls; without one, all keys of the scene "
           "have their default values")
       ->type_name("SCENE");
+  command
+      .add_option("--case", options.case_name,
+                  "Use the scene of this case of an experiment; SCENE is then the name of the experiment, or "
+                  "FILE.toml")
+      ->type_name("CASE");
   command.add_option("--set", options.set, "Override one key of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
@@ -78,7 +103,10 @@ void add_scene_options(CLI::App& command, SceneOptions& options, bool draws) {
 
 Scene resolve_scene(const SceneOptions& options) {
   Scene scene;
-  if (!options.file.empty()) scene = read_scene(scene_file(options.file));
+  if (!options.case_name.empty())
+    scene = case_scene(options.file, options.case_name);
+  else if (!options.file.empty())
+    scene = read_scene(scene_file(options.file));
   if (!options.model.empty()) apply_set(scene, "model=" + options.model, "--model");
   if (!options.up.empty()) apply_set(scene, "mesh.up=" + options.up, "--up");
   for (const std::string& assignment : options.set) apply_set(scene, assignment);

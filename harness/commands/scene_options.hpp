@@ -11,15 +11,17 @@
 namespace pelage {
 
 struct SceneOptions {
-  std::string file;   ///< scene file, or name of an example; empty: the default scene
-  std::string model;  ///< name of a model, or mesh file; empty: the model of the scene file
-  std::string up;     ///< value for the scene key mesh.up; empty: the value in the scene file
-  std::string size;   ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
+  /// Scene file, or name of an example; empty: the default scene. With `case_name`: an experiment.
+  std::string file;
+  std::string case_name;  ///< case of the experiment `file`, whose scene is used; empty: `file` is a scene
+  std::string model;      ///< name of a model, or mesh file; empty: the model of the scene file
+  std::string up;         ///< value for the scene key mesh.up; empty: the value in the scene file
+  std::string size;  ///< picture size "WxH" in pixels; empty: image.width and image.height of the scene file
   std::vector<std::string> set;  ///< overrides, key=value
 };
 
-/// Adds the positional argument SCENE and the options --set, --model and --up to the command. If `draws` is
-/// true, also adds the option --size.
+/// Adds the positional argument SCENE and the options --case, --set, --model and --up to the command. If
+/// `draws` is true, also adds the option --size.
 void add_scene_options(CLI::App& command, SceneOptions& options, bool draws);
 
 /// Adds the option --up, which sets the scene key mesh.up.

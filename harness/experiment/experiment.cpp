@@ -210,6 +210,16 @@ fs::path experiment_file(const std::string& name_or_file) {
                                fmt::join(known, ", ")));
 }
 
+std::vector<fs::path> experiments_named(const std::string& name_or_file) {
+  const std::vector<fs::path> files = experiment_files();
+  const auto shipped = [&](const fs::path& file) { return file.stem() == name_or_file; };
+  std::vector<fs::path> collection;
+  if (!name_or_file.ends_with(".toml") && std::none_of(files.begin(), files.end(), shipped))
+    for (const fs::path& file : files)
+      if (read_experiment(file).collection == name_or_file) collection.push_back(file);
+  return collection.empty() ? std::vector{experiment_file(name_or_file)} : collection;
+}
+
 const Preset& preset_of(const Experiment& experiment, const std::string& name) {
   const auto found = experiment.presets.find(name);
   if (found != experiment.presets.end()) return found->second;

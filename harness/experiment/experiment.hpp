@@ -66,6 +66,8 @@ inline constexpr std::string_view pipeline_key = "pipeline", mapping_key = "mapp
 
 struct Experiment {
   std::string name, title, paper, table, hardware;
+  std::string
+      collection;  ///< name with which `pelage run` runs all experiments of a collection; may be empty
   std::filesystem::path file;
   std::filesystem::path scene_file;  ///< value of the key `file` in the table [scene]; may be empty
   Scene base;                        ///< the scene in `scene_file`; if that is empty, the default scene
@@ -117,6 +119,9 @@ Experiment read_experiment(const std::filesystem::path& file);
 /// ends in .toml. Throws InputError if there is no such file. If the argument is a name, the message lists
 /// the known names.
 std::filesystem::path experiment_file(const std::string& name_or_file);
+/// Returns the files of the experiments that `pelage run` runs for a word: all shipped experiments of the
+/// collection with this name, sorted; if there is no such collection, the experiment_file() of the word.
+std::vector<std::filesystem::path> experiments_named(const std::string& name_or_file);
 std::vector<std::filesystem::path> experiment_files();  ///< all shipped experiment files, sorted
 
 /// Returns the preset `name`. If the experiment has no preset with this name, throws InputError with the

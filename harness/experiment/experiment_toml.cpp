@@ -32,9 +32,9 @@ struct Source {
 };
 
 /// Top-level keys of experiment files. An axis must not have one of these names.
-const std::set<std::string, std::less<>> reserved{"name",     "title",  "paper", "table",
-                                                  "hardware", "axes",   "scene", "published",
-                                                  "require",  "preset", "report"};
+const std::set<std::string, std::less<>> reserved{"name",       "title",    "paper",  "table",
+                                                  "collection", "hardware", "axes",   "scene",
+                                                  "published",  "require",  "preset", "report"};
 
 /// Columns of exported CSV files and data frames. Each axis becomes a column too, so an axis must not have
 /// one of these names.
@@ -56,8 +56,8 @@ std::string literal(const toml::node& node) {
     const std::string digits = fmt::format("{}", *number);
     return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
   }
-  // This code does not use toml++'s formatter of arrays. For numbers below 0.1, that formatter converts a
-  // negative logarithm to an unsigned integer, which is undefined behaviour.
+  // toml++'s formatter of arrays is not used. For numbers below 0.1, it converts a negative logarithm to an
+  // unsigned integer, which is undefined behaviour.
   if (const auto* array = node.as_array()) {
     std::string text;
     for (const toml::node& entry : *array) text += (text.empty() ? "" : ", ") + literal(entry);
@@ -234,8 +234,7 @@ std::vector<Published> read_published(const fs::path& file, const toml::table& t
   return result;
 }
 
-/// A variant may have the keys "pipeline", "mapping" and "opengl", which select its implementation.
-/// Returns true for these keys. All other keys of a variant are scene keys.
+/// True for the keys of a variant that select its implementation. All its other keys are scene keys.
 bool says_how(std::string_view key) {
   return key == pipeline_key || key == mapping_key || key == opengl_key;
 }
@@ -285,12 +284,12 @@ void read_tables_of_own_axis(const fs::path& file, const std::string& axis, cons
   add(into.axes);
   for (const auto& [name, preset] : into.presets) add(preset.axes);
   if (values.empty())
-    refuse(
-        file, &node,
-        fmt::format("unknown key {} (known: axes, hardware, layers, model, name, paper, preset, published, "
-                    "reading, require, scene, size, table, title, variant, and the names of axes; scene "
-                    "keys belong in the table [scene])",
-                    axis));
+    refuse(file, &node,
+           fmt::format("unknown key {} (known: axes, collection, hardware, layers, model, name, paper, "
+                       "preset, published, "
+                       "reading, require, scene, size, table, title, variant, and the names of axes; scene "
+                       "keys belong in the table [scene])",
+                       axis));
   if (!node.is_table()) refuse(file, &node, fmt::format("{} must be a table", axis));
   read_tables_of_axis(file, axis, *node.as_table(), into);
   const auto& tables = into.at[axis];
@@ -354,10 +353,11 @@ Experiment read_experiment(const fs::path& file) {
   result.paper = text_at(file, table, "paper");
   result.table = text_at(file, table, "table");
   result.hardware = text_at(file, table, "hardware");
+  result.collection = text_at(file, table, "collection");
   if (!RE2::FullMatch(result.name, "[A-Za-z0-9][A-Za-z0-9._-]*"))
     refuse(file, table.get("name"),
            "name must begin with a letter or digit and consist of letters, digits, '.', '_' and '-'");
-  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware"};
+  static const std::set<std::string_view> texts{"name", "title", "paper", "table", "hardware", "collection"};
   static const std::set<std::string_view> tabled{"model", "layers", "size", "reading", "variant"};
 
   for (const auto& [key, node] : table) {

@@ -3,6 +3,10 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
+#include <chrono>
+#include <iterator>
+#include <thread>
+
 #include "harness/error.hpp"
 
 namespace pelage {
@@ -24,14 +28,31 @@ fs::path module_file() {
       PELAGE_IMAGE_MODULE, folder.string(), (folder / PELAGE_MODULE_FOLDER).lexically_normal().string()));
 }
 
+/// Returns the number of threads of this process.
+std::ptrdiff_t thread_count() {
+  std::error_code error;
+  return std::distance(fs::directory_iterator("/proc/self/task", error), fs::directory_iterator());
+}
+
+// When it is loaded, OpenImageIO starts worker threads, and the module ends them at once. They hold a lock
+// while they end. A child process that is forked at this moment inherits the locked lock and waits for ever,
+// so the threads must be gone before image_module() returns. Threads of other libraries may start meanwhile,
+// so the wait has a limit.
+void wait_for_threads(std::ptrdiff_t expected) {
+  for (int i = 0; i < 500 && thread_count() > expected; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
 }  // namespace
 
 const ImageModule& image_module() {
   // The module is never unloaded, because OpenImageIO keeps its own threads running.
   static const auto* const module = [] {
+    const std::ptrdiff_t threads = thread_count();
     void* const library = ::dlopen(module_file().c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const symbol = library ? ::dlsym(library, "pelage_image_module") : nullptr;
     if (!symbol) throw InputError(fmt::format("the image module cannot be loaded: {}", ::dlerror()));
+    wait_for_threads(threads);
     return static_cast<const ImageModule*>(symbol);
   }();
   return *module;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "harness/picture/picture.hpp"
+#include "harness/picture/text_mask.hpp"
 
 namespace pelage {
 
@@ -16,6 +17,8 @@ struct ImageModule {
   void (*write_float)(const std::filesystem::path& file, const std::string& name, const Picture& picture);
   /// Writes the picture as a WebP file with 8-bit RGB values. `quality` is 1 to 100.
   void (*write_webp)(const std::filesystem::path& file, const Picture& picture, int quality);
+  /// Paints the text, and returns the values of TextMask::byte.
+  std::string (*text_bytes)(const TextLine& line, int side);
 };
 
 /// Returns the module; the first call loads it. Throws InputError if the module is missing or cannot be

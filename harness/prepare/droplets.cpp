@@ -9,6 +9,7 @@
 #include "harness/error.hpp"
 #include "harness/mesh/search.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/picture/text_mask.hpp"
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/seams.hpp"
@@ -150,15 +151,23 @@ class Patches {
   double threshold_ = 0;
 };
 
-/// The part of UV space in which the picture wetness.image permits random droplets. If the scene has no such
-/// picture, random droplets are permitted everywhere.
+constexpr int text_side = 2048;  // number of pixels per side of the painted wetness.text
+
+/// The part of UV space in which wetness.image and wetness.text permit random droplets. If the scene has
+/// neither of them, random droplets are permitted everywhere.
 class Rain {
  public:
-  explicit Rain(const std::filesystem::path& path) {
-    if (!path.empty()) picture_ = read_picture(path);
+  explicit Rain(const WetnessScene& wetness) {
+    if (!wetness.image.empty()) picture_ = read_picture(wetness.image);
+    if (!wetness.text.empty())
+      letters_ = paint_text({wetness.text, wetness.text_font.empty() ? default_font() : wetness.text_font,
+                             double(wetness.text_u), double(wetness.text_v), double(wetness.text_height)},
+                            text_side);
   }
-  /// True if the texel at uv is bright: its Rec. 601 luma is at least 0.5. The picture's top row is at v = 1.
+  /// True if uv lies in a letter of the text, and the picture's pixel at uv is bright: its Rec. 601 luma is
+  /// at least 0.5. The picture's top row is at v = 1.
   bool falls(glm::dvec2 uv) const {
+    if (letters_ && !letters_->inside(uv.x, uv.y)) return false;
     if (picture_.pixel.empty()) return true;
     const int x = std::clamp(int(uv.x * picture_.width), 0, picture_.width - 1);
     const int y = std::clamp(int((1.0 - uv.y) * picture_.height), 0, picture_.height - 1);
@@ -168,6 +177,7 @@ class Rain {
 
  private:
   Picture picture_;
+  std::optional<TextMask> letters_;
 };
 
 constexpr int tries_per_droplet = 30;  // number of random positions that are tried per requested droplet
@@ -179,7 +189,7 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
 
   const Random random(wetness.seed, 0xd20bu);
   const Patches patches(skin, wetness);
-  const Rain rain(wetness.image);
+  const Rain rain(wetness);
   const double largest = double(wetness.radius) * (1.0 + double(wetness.radius_spread));
   const double scale = double(std::min(mesh.length_per_uv.x, mesh.length_per_uv.y));
   const double widest = std::max(1e-6, double(wetness.spacing) * largest);

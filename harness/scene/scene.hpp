@@ -116,6 +116,13 @@ struct WetnessScene {
   float soak = 0.0f;    ///< time in which a droplet soaks into the fur, s; 0: at once
   float drying = 0.0f;  ///< time constant of evaporation, s; 0: no evaporation
   float drip = 0.0f;    ///< wetness that a droplet loses per second because water drips off, 1/s
+  /// Random droplets are placed only in the letters of this text, which is painted into UV space; empty:
+  /// everywhere. Printable ASCII characters, at least one of them visible.
+  std::string text;
+  float text_u = 0.5f;              ///< u of the centre of the text
+  float text_v = 0.5f;              ///< v of the centre of the text
+  float text_height = 0.2f;         ///< height of the capital letter H, UV
+  std::filesystem::path text_font;  ///< TrueType or OpenType file; empty: DejaVu Sans Bold
 };
 
 inline constexpr std::array clump_scales{"relative", "literal", "distance", "converge"};

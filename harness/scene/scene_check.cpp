@@ -16,6 +16,8 @@
 namespace pelage {
 namespace {
 
+constexpr std::size_t longest_wet_text = 80;  // characters of wetness.text
+
 /// Returns true if a value is outside the range of its key. Floats are compared with the bounds in single
 /// precision, because the float nearest to 0.99 is greater than the double 0.99.
 bool outside(const Key& key, double value) {
@@ -102,6 +104,23 @@ void check_rain(const WetnessScene& wetness, const std::string& source) {
     throw InputError(fmt::format(
         "{}: wetness.rate: there are no random droplets that can arrive; give wetness.random above 0",
         source));
+}
+
+/// Throws InputError if wetness.text cannot be painted, or if no droplets can be placed in it.
+void check_text(const WetnessScene& wetness, const std::string& source) {
+  if (wetness.text.empty()) return;
+  const auto refuse = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: wetness.text: {}", source, what));
+  };
+  for (std::size_t i = 0; i < wetness.text.size(); ++i)
+    if (wetness.text[i] < ' ' || wetness.text[i] > '~')
+      refuse(fmt::format(
+          "byte {} is not a printable ASCII character; give letters, digits and signs of ASCII", i + 1));
+  if (wetness.text.find_first_not_of(' ') == std::string::npos)
+    refuse("has no visible character; give a text, or \"\" for none");
+  if (wetness.text.size() > longest_wet_text)
+    refuse(fmt::format("has {} characters; give at most {}", wetness.text.size(), longest_wet_text));
+  if (wetness.random == 0) refuse("has no effect without random droplets; give wetness.random above 0");
 }
 
 /// Throws InputError for a key that the scene's dynamics.topology does not support. The function does
@@ -206,7 +225,8 @@ std::string complaint(const Key& key, const std::vector<double>& values) {
 }
 
 std::string complaint(const Key& key, const std::string& value) {
-  if (key.choices.empty()) return value.empty() ? fmt::format("is empty; give {}", key.help) : std::string{};
+  if (key.choices.empty())
+    return value.empty() && !key.may_be_empty ? fmt::format("is empty; give {}", key.help) : std::string{};
   if (std::find(key.choices.begin(), key.choices.end(), value) != key.choices.end()) return {};
   return fmt::format("\"{}\" is not known; give {}", value, describe_range(key));
 }
@@ -218,6 +238,7 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_droplets(scene.wetness, source);
   check_soaked(scene, source);
   check_rain(scene.wetness, source);
+  check_text(scene.wetness, source);
   check_sizes(scene, source);
   check_topology(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);

@@ -152,6 +152,11 @@ std::vector<Key> scene_keys(Scene& s) {
       {"wetness.soak", &wetness.soak, "s", 0, 3600, "time in which a droplet soaks into the fur; its wetness grows linearly from 0; 0: at once"},
       {"wetness.drying", &wetness.drying, "s", 0, 3600, "time constant of evaporation: without dripping, the wetness of a soaked droplet falls to 1/e in this time; 0: no evaporation"},
       {"wetness.drip", &wetness.drip, "1/s", 0, 1000, "wetness that a soaked droplet loses per second because water drips off, until it is dry"},
+      {.name = "wetness.text", .slot = &wetness.text, .unit = "", .help = "text in UV space: random droplets are placed only in its letters; printable ASCII characters; \"\": everywhere", .may_be_empty = true},
+      {"wetness.text_u", &wetness.text_u, "UV units", 0, 1, "u of the centre of wetness.text"},
+      {"wetness.text_v", &wetness.text_v, "UV units", 0, 1, "v of the centre of wetness.text"},
+      {"wetness.text_height", &wetness.text_height, "UV units", 0.01, 1, "height of the capital letter H in wetness.text"},
+      {.name = "wetness.text_font", .slot = &wetness.text_font, .unit = "", .help = "TrueType or OpenType file with the letters of wetness.text; \"\": DejaVu Sans Bold (Debian: fonts-dejavu-core)"},
 
       {"clump.shape", &clump.shape, "", 0, 1, "w of S Eq. 5, which determines how the displacement of the fur by a clump grows with the height; 0: linearly, 1: logarithmically"},
       {"clump.gain", &clump.gain, "", 0, 100, "factor of the displacement of the fur by a clump if clump.scale is \"relative\""},

@@ -27,6 +27,7 @@ struct Key {
   std::string_view help = {};
   std::vector<std::string_view> choices = {};  ///< permitted values of a string; empty: any string
   bool power_of_two = false;
+  bool may_be_empty = false;  ///< permits the empty string, for a string without `choices`
 };
 
 /// Returns all keys in the order in which write_scene() writes them, except those of the lists

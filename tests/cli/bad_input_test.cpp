@@ -52,6 +52,17 @@ const Bad usage[] = {
 };
 
 const Bad scenes[] = {
+    {"scene --set wetness.text=\"' '\" --set wetness.random=9", 2, "wetness.text: has no visible character"},
+    {"scene --set wetness.text=caf\xc3\xa9 --set wetness.random=9", 2,
+     "wetness.text: byte 4 is not a printable ASCII character"},
+    {"scene --set wetness.text=A", 2, "wetness.text: has no effect without random droplets"},
+    {"scene wet --case a", 2, "there is no experiment 'wet'"},
+    {"scene --case a", 2, "--case a: give also an experiment"},
+    {"scene silva2010-fig01 --case dri-640x480", 2, "has no such case; did you mean dry-640x480?"},
+    {"diagram mask", 2, "diagram mask: is a picture; give a file with -o, such as mask.png"},
+    {"diagram clump -o a.png", 2, "a.png: diagram clump is a table"},
+    {"diagram fly", 2, "fly"},
+    {"diagram curl -o nowhere/a.csv", 2, "nowhere"},
     {"scene missing.toml", 2, "missing.toml: there is no such scene file"},
     {"scene wet-curlz", 2, "wet-curlz: there is no such scene file, and no such example in"},
     {"scene nowhere/wet.toml", 2, "nowhere/wet.toml: there is no such scene file"},
@@ -99,6 +110,12 @@ const Bad images[] = {
     {"--set coat.image=huge.png", 2, "huge.png: "},
     {"--set coat.image=text.gif", 2,
      "text.gif: pelage does not read this format; it reads PNG, JPEG, TIFF and EXR"},
+    {"--set wetness.text=A --set wetness.random=10 --set wetness.text_font=missing.ttf", 2,
+     "missing.ttf: there is no such font file"},
+    {"--set wetness.text=A --set wetness.random=10 --set wetness.text_font=text.png", 2,
+     "text.png: not a readable font; give a TrueType or OpenType file"},
+    {"--set wetness.text=WWWWWW --set wetness.random=10 --set wetness.text_height=0.9", 2,
+     "leaves the unit square; give a smaller wetness.text_height"},
     {"--set wetness.image=missing.png --set wetness.random=10", 2, "missing.png: there is no such file"},
 };
 

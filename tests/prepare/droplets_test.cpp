@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
 
@@ -102,6 +103,40 @@ TEST(Droplets, EvenlyOverOneTriangle) {
   // = 0.24.
   EXPECT_NEAR(mean.x, 1.0 / 3, 0.021);
   EXPECT_NEAR(mean.y, 1.0 / 3, 0.021);
+}
+
+TEST(Droplets, LieInTheLettersOfAText) {
+  auto mesh = std::make_shared<Mesh>();
+  mesh->position = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  mesh->uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  mesh->weld = {0, 1, 2, 3};
+  mesh->welded = 4;
+  mesh->triangle = {{0, 1, 2}, {0, 2, 3}};
+  mesh->length_per_uv = {1, 1};
+  WetnessScene wetness = rain();
+  wetness.spacing = 0.5f;
+  wetness.text = "H";
+  wetness.text_u = 0.4f;
+  wetness.text_v = 0.6f;
+  wetness.text_height = 0.5f;
+  const auto drops = make_droplets(mesh, weld(*mesh), wetness);
+  ASSERT_GT(drops.size(), 300u);
+  int bar = 0, left = 0, right = 0;
+  for (const Droplet& d : drops) {
+    const glm::vec2 from_centre = d.centre - glm::vec2(0.4f, 0.6f);
+    EXPECT_LE(std::abs(from_centre.y), 0.255f);  // half of the letter's height and a pixel
+    EXPECT_LE(std::abs(from_centre.x), 0.255f);  // the letter H is less wide than high
+    // Between its stems, the letter has only its bar.
+    if (std::abs(from_centre.x) < 0.06f) {
+      ++bar;
+      EXPECT_LT(std::abs(from_centre.y), 0.08f);
+    }
+    left += from_centre.x < -0.1f;
+    right += from_centre.x > 0.1f;
+  }
+  EXPECT_GT(bar, 10);
+  EXPECT_GT(left, 100);
+  EXPECT_GT(right, 100);
 }
 
 TEST(Droplets, ExplicitOnesComeFirstAndLandOnTheSurface) {

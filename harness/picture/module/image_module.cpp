@@ -2,10 +2,12 @@
 // pelage itself were linked to OpenImageIO, every start of pelage would take a third of a second longer.
 #include "harness/picture/image_module.hpp"
 
+#include <OpenImageIO/imagebufalgo.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <vector>
 
@@ -129,10 +131,47 @@ void write_webp(const fs::path& file, const Picture& picture, int quality) {
   }
 }
 
+/// Returns the bounds of the painted text in pixels, relative to the left end of its baseline.
+OIIO::ROI text_bounds(const TextLine& line, const std::string& text, int size) {
+  const OIIO::ROI bounds = OIIO::ImageBufAlgo::text_size(text, size, line.font.string());
+  if (!bounds.defined())
+    throw InputError(
+        fmt::format("{}: not a readable font; give a TrueType or OpenType file", line.font.string()));
+  return bounds;
+}
+
+std::string text_bytes(const TextLine& line, int side) {
+  // A font's nominal size is not the height of its letters. The height of H at a known size gives the scale.
+  constexpr int known_size = 512;
+  const int known_height = text_bounds(line, "H", known_size).height();
+  if (known_height < 1) throw InputError(fmt::format("{}: the font has no letter H", line.font.string()));
+  const int size = std::max(1, int(known_size * line.height * side / known_height + 0.5));
+  const OIIO::ROI bounds = text_bounds(line, line.text, size);
+  const int x = int(std::lround(line.u * side - 0.5 * (bounds.xbegin + bounds.xend)));
+  const int y = int(std::lround((1.0 - line.v) * side - 0.5 * (bounds.ybegin + bounds.yend)));
+  if (bounds.width() < 1 || bounds.height() < 1)
+    throw InputError(fmt::format("wetness.text: {} has no letters for this text", line.font.string()));
+  if (x + bounds.xbegin < 0 || y + bounds.ybegin < 0 || x + bounds.xend > side || y + bounds.yend > side)
+    throw InputError(
+        fmt::format("wetness.text: the text is {:.3f} wide and {:.3f} high in UV, and leaves the unit "
+                    "square; give a smaller "
+                    "wetness.text_height, or another wetness.text_u or wetness.text_v",
+                    double(bounds.width()) / side, double(bounds.height()) / side));
+  OIIO::ImageBuf picture(OIIO::ImageSpec(side, side, 1, OIIO::TypeDesc::UINT8));
+  OIIO::ImageBufAlgo::zero(picture);
+  if (!OIIO::ImageBufAlgo::render_text(picture, x, y, line.text, size, line.font.string()))
+    throw InputError(
+        fmt::format("{}: the text cannot be painted: {}", line.font.string(), one_line(picture.geterror())));
+  std::string bytes(std::size_t(side) * std::size_t(side), '\0');
+  picture.get_pixels(picture.roi(), OIIO::TypeDesc::UINT8, bytes.data());
+  return bytes;
+}
+
 }  // namespace
 }  // namespace pelage
 
 extern "C" {
 extern const pelage::ImageModule pelage_image_module;
-const pelage::ImageModule pelage_image_module{pelage::read, pelage::write_float, pelage::write_webp};
+const pelage::ImageModule pelage_image_module{pelage::read, pelage::write_float, pelage::write_webp,
+                                              pelage::text_bytes};
 }

@@ -229,6 +229,10 @@ double clump_shape(double h, double w, int layers, Mutant mutant) {
   return (1.0 - w) * h + w * (1.0 + std::log(std::max(h, 1e-9)) / k);
 }
 
+glm::dvec2 drawn_at(const Scene& scene, const Clump& clump, double f, const glm::dvec2& root) {
+  return clump_reading(scene, clump).drawn(f, root);
+}
+
 namespace {
 
 /// Calls use(clump, weight) for the clumps of the four texels around uv, with their bilinear weights.

@@ -64,6 +64,10 @@ double blended_share(const FrameInput& input, int frames = 1);
 /// Here w is the scene's clump.shape, and N is `layers`. The factor is in [0, 1] for h in [1/N, 1].
 double clump_shape(double h, double w, int layers, Mutant mutant = Mutant::none);
 
+/// Returns the UV position at which `clump` draws the strand with the root `root`, in a layer with the factor
+/// `f` (clump_shape()) of S Eq. 5: the position p with p + d(p) = root.
+glm::dvec2 drawn_at(const Scene& scene, const Clump& clump, double f, const glm::dvec2& root);
+
 /// A place where a clump draws a strand, and the weight of this clump among those around the strand's root.
 struct Placement {
   double weight = 0.0;

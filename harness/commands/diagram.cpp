@@ -1,0 +1,180 @@
+#include "harness/commands/diagram.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "harness/atomic_file.hpp"
+#include "harness/commands/renderers.hpp"
+#include "harness/commands/scene_options.hpp"
+#include "harness/compare/frame_output.hpp"
+#include "harness/diagrams/mask_picture.hpp"
+#include "harness/diagrams/section.hpp"
+#include "harness/diagrams/strand_lines.hpp"
+#include "harness/diagrams/textures.hpp"
+#include "harness/picture/image_io.hpp"
+#include "harness/prepare/prepare.hpp"
+#include "harness/report/plot.hpp"
+#include "harness/scene/keyframes.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+using diagrams::Section;
+
+struct DiagramOptions {
+  std::string kind, output = "-", device;
+  SceneOptions scene;
+  int side = 1024;
+  std::size_t most = 400;
+  double width = 1.5;
+};
+
+/// Number of frames after which the fur is shown.
+int frames_of(const Scene& scene) {
+  return frames_before(scene.dynamics) + 1;
+}
+
+Picture mask_of(const Scene& scene, const DiagramOptions& options) {
+  const auto input = prepare(scene, load_scene_mesh(scene));
+  return diagrams::mask_picture(*input, reference_motion(*input, 0).mask, options.side);
+}
+
+Picture coat_of(const Scene& scene, const DiagramOptions&) {
+  return diagrams::coat_picture(prepare(scene, load_scene_mesh(scene))->coat);
+}
+
+Picture slices_of(const Scene& scene, const DiagramOptions&) {
+  return diagrams::slices_picture(prepare(scene, load_scene_mesh(scene))->fur);
+}
+
+Picture lines_of(const Scene& scene, const DiagramOptions& options) {
+  RendererOptions choice;
+  choice.device = options.device;
+  const auto renderer = open_renderer(choice, scene);
+  const auto mesh = load_scene_mesh(scene);
+  Picture picture = renderer->draw(scene, mesh).image;
+  const auto input = prepare(scene, mesh);
+  const FrameOutput motion = reference_motion(*input, frames_of(scene));
+  diagrams::draw_strands(picture, *input, diagrams::strand_curves(*input, motion.tips, options.most),
+                         options.width);
+  return picture;
+}
+
+Section shape_of(const Scene& scene) {
+  return diagrams::shape_section(scene);
+}
+Section clump_of(const Scene& scene) {
+  const glm::vec2 length = load_scene_mesh(scene)->length_per_uv;
+  return diagrams::clump_section(scene, 0.5 * (double(length.x) + double(length.y)));
+}
+Section curl_of(const Scene& scene) {
+  return diagrams::curl_section(scene);
+}
+Section layers_of(const Scene& scene) {
+  return diagrams::layer_section(*prepare(scene, load_scene_mesh(scene)), frames_of(scene));
+}
+
+/// A diagram that this command draws: either a picture or a table.
+struct Kind {
+  const char* name;
+  const char* what;
+  Picture (*picture)(const Scene&, const DiagramOptions&);
+  Section (*section)(const Scene&);
+};
+
+constexpr Kind kinds[] = {
+    {"mask", "the wetness mask with the triangles of the UV map", mask_of, nullptr},
+    {"coat", "the coat's colour texture", coat_of, nullptr},
+    {"slices", "four slices of the fur's volume texture", slices_of, nullptr},
+    {"lines", "the fur with the strands of the mass-spring model as white lines", lines_of, nullptr},
+    {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, shape_of},
+    {"clump", "the strands of a clump in a vertical plane", nullptr, clump_of},
+    {"curl", "the curl of an upright strand for three wetnesses", nullptr, curl_of},
+    {"layers", "the layers over the cut of the mesh by the plane z = 0", nullptr, layers_of},
+};
+
+int write_section(const DiagramOptions& options, const Section& section) {
+  const std::string text = diagrams::csv_of(section);
+  if (options.output == "-") {
+    fmt::print("{}", text);
+    return 0;
+  }
+  const fs::path file = options.output;
+  write_text_atomically(fs::path(file).replace_extension(".csv"), text);
+  if (file.extension() == ".csv") return 0;
+  const std::string problem = draw_plot(plot_program("section"), fs::path(file).replace_extension(".csv"),
+                                        fs::path(file).replace_extension());
+  if (!problem.empty()) throw InputError(fmt::format("{}: {}", file.string(), problem));
+  return 0;
+}
+
+int diagram(const DiagramOptions& options) {
+  const Kind* kind = nullptr;
+  for (const Kind& k : kinds)
+    if (options.kind == k.name) kind = &k;
+  if (kind->picture) {
+    if (options.output == "-")
+      throw InputError(fmt::format("diagram {}: is a picture; give a file with -o, such as {}.png",
+                                   options.kind, options.kind));
+    check_picture_path(options.output);
+  } else if (options.output != "-") {
+    const std::string ending = fs::path(options.output).extension().string();
+    if (ending != ".csv" && ending != ".svg" && ending != ".pdf")
+      throw InputError(
+          fmt::format("{}: diagram {} is a table; it is written as .csv, or drawn as .svg and .pdf",
+                      options.output, options.kind));
+    require_place(options.output);
+  }
+  const Scene resolved = resolve_scene(options.scene);
+  const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
+  if (kind->section) return write_section(options, kind->section(scene));
+  write_picture(options.output, kind->picture(scene, options));
+  return 0;
+}
+
+}  // namespace
+
+void add_diagram(CLI::App& app, Chosen& chosen) {
+  auto options = std::make_shared<DiagramOptions>();
+  CLI::App* command =
+      app.add_subcommand("diagram", "Draw an inset, a section or an overlay of a scene (docs/figures.md)");
+  std::string help;
+  std::vector<std::string> names;
+  for (const Kind& k : kinds) {
+    names.emplace_back(k.name);
+    help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", k.name, k.what);
+  }
+  command->add_option("kind", options->kind, help)
+      ->required()
+      ->check(CLI::IsMember(names))
+      ->type_name("KIND");
+  add_scene_options(*command, options->scene, true);
+  command
+      ->add_option(
+          "-o,--output", options->output,
+          "Picture to write (.png, .exr or .tif), or table (.csv); a table as .svg or .pdf is drawn in "
+          "both formats, beside the .csv; - prints the table")
+      ->type_name("FILE")
+      ->capture_default_str();
+  command->add_option("--side", options->side, "Pixels per side of the mask")
+      ->check(CLI::Range(16, 8192))
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  command->add_option("--most", options->most, "Largest number of strands that are drawn as lines")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--line-width", options->width, "Width of the strands' lines in pixels")
+      ->check(CLI::Range(0.5, 50.0))
+      ->type_name("PIXELS")
+      ->capture_default_str();
+  command
+      ->add_option("--device", options->device,
+                   "Device that draws the fur of the kind lines: PLATFORM:INDEX, or part of its name")
+      ->type_name("DEVICE");
+  command->callback([options, &chosen] { chosen = [options] { return diagram(*options); }; });
+}
+
+}  // namespace pelage

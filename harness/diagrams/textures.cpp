@@ -1,0 +1,41 @@
+#include "harness/diagrams/textures.hpp"
+
+#include <algorithm>
+
+namespace pelage::diagrams {
+namespace {
+
+Picture empty_picture(int width, int height) {
+  return {width, height,
+          std::vector<glm::vec4>(std::size_t(width) * std::size_t(height), glm::vec4(0, 0, 0, 1))};
+}
+
+}  // namespace
+
+Picture coat_picture(const CoatTexture& coat) {
+  Picture picture = empty_picture(coat.size, coat.size);
+  for (int y = 0; y < coat.size; ++y)
+    for (int x = 0; x < coat.size; ++x) {
+      const auto& t = coat.texel[std::size_t(coat.size - 1 - y) * std::size_t(coat.size) + std::size_t(x)];
+      picture.at(x, y) = glm::vec4(t[0], t[1], t[2], 255) / 255.0f;
+    }
+  return picture;
+}
+
+Picture slices_picture(const FurTexture& fur) {
+  constexpr int shown = 4, gap = 2;  // number of slices; width of the line between them in pixels
+  const auto size = std::size_t(fur.size);
+  Picture picture = empty_picture(shown * fur.size + (shown - 1) * gap, fur.size);
+  for (int i = 0; i < shown; ++i) {
+    const auto layer = std::size_t(fur.layers * (2 * i + 1) / (2 * shown));
+    for (int y = 0; y < fur.size; ++y)
+      for (int x = 0; x < fur.size; ++x) {
+        const auto& t = fur.level[0][(layer * size + std::size_t(fur.size - 1 - y)) * size + std::size_t(x)];
+        const float grey = std::min(1.0f, float(t[0]) / 255.0f * float(t[1]) / 127.5f);
+        picture.at(i * (fur.size + gap) + x, y) = glm::vec4(grey, grey, grey, 1);
+      }
+  }
+  return picture;
+}
+
+}  // namespace pelage::diagrams

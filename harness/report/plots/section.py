@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Draws a section of the fur. The columns of the table select the section (docs/figures.md).
+
+usage: section.py TABLE.csv OUT.svg [OUT.pdf ...]
+
+TABLE.csv is a table that `pelage diagram` writes. The program needs only matplotlib.
+"""
+import csv
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+# Colour-blind readers can distinguish these colours of Okabe and Ito.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"]
+
+
+def grouped(rows, key):
+    """Returns the rows of each value of the column `key`, in the order of the table."""
+    groups = {}
+    for row in rows:
+        groups.setdefault(row[key], []).append(row)
+    return groups
+
+
+def column(rows, key):
+    return [row[key] for row in rows]
+
+
+def plain(axis, x, y, equal=True):
+    axis.set_xlabel(x)
+    axis.set_ylabel(y)
+    for side in ("top", "right"):
+        axis.spines[side].set_visible(False)
+    if equal:
+        axis.set_aspect("equal")
+
+
+def draw_shape(rows):
+    figure, axis = plt.subplots(figsize=(3.6, 3.2), constrained_layout=True)
+    for i, (w, line) in enumerate(grouped(rows, "w").items()):
+        axis.plot(column(line, "f"), column(line, "h"), color=COLOURS[i % len(COLOURS)], label=f"w = {w:g}")
+    plain(axis, "f(h), factor of the displacement", "h, height")
+    axis.legend(frameon=False)
+    return figure
+
+
+def draw_clump(rows):
+    figure, axis = plt.subplots(figsize=(5.2, 3.2), constrained_layout=True)
+    for strand, line in grouped(rows, "strand").items():
+        wet = line[0]["inside"] > 0
+        colour = "black" if strand == 0 else "#D55E00" if wet else "0.6"
+        axis.plot(column(line, "x"), column(line, "y"), color=colour, linewidth=1.6 if strand == 0 else 1.0)
+    axis.axhline(0, color="0.3", linewidth=0.8)
+    plain(axis, "distance from the clump's centre, R", "height over the surface, R")
+    return figure
+
+
+def draw_curl(rows):
+    lines = grouped(rows, "rho")
+    figure, axes = plt.subplots(1, len(lines), figsize=(2.3 * len(lines), 3.4), sharex=True, sharey=True, squeeze=False,
+                                subplot_kw={"projection": "3d"}, constrained_layout=True)
+    reach = max(max(abs(row["x"]), abs(row["y"])) for row in rows) or 1.0
+    top = max(row["z"] for row in rows)
+    for axis, (rho, line) in zip(axes[0], lines.items()):
+        axis.plot([0, 0], [0, 0], [0, top], color="0.6", linewidth=0.8, linestyle="--")
+        axis.plot(column(line, "x"), column(line, "y"), column(line, "z"), color=COLOURS[0])
+        axis.set_title(f"wetness {rho:g}", fontsize=10)
+        axis.set_xlim(-reach, reach)
+        axis.set_ylim(-reach, reach)
+        axis.set_zlim(0, top)
+        axis.set_box_aspect((2 * reach, 2 * reach, top))
+        axis.set_xticks([])
+        axis.set_yticks([])
+        axis.set_zticks([])
+        axis.view_init(elev=18)
+    return figure
+
+
+def draw_layers(rows):
+    figure, axis = plt.subplots(figsize=(6.0, 3.6), constrained_layout=True)
+    for layer, of_layer in grouped(rows, "layer").items():
+        base = layer < 0
+        for line in grouped(of_layer, "segment").values():
+            axis.plot(column(line, "x"), column(line, "y"), color="black" if base else COLOURS[0],
+                      linewidth=1.6 if base else 0.8, solid_capstyle="round")
+    for line in grouped(rows, "segment").values():
+        strand = [row for row in line if row["end"] == 0]
+        axis.plot(column(strand, "x"), column(strand, "y"), color=COLOURS[1], linewidth=0.9)
+    plain(axis, "x, R", "y, R")
+    return figure
+
+
+DRAWN = {"w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers}
+
+
+def main(table, outputs):
+    with open(table, newline="", encoding="utf-8") as file:
+        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    # Without dates and random identifiers, equal tables give equal files.
+    plt.rcParams.update({"font.size": 9, "svg.hashsalt": "pelage", "svg.fonttype": "none", "pdf.fonttype": 42})
+    figure = DRAWN[next(iter(rows[0]))](rows)
+    for output in outputs:
+        meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
+        figure.savefig(output, metadata=meta, dpi=150)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(sys.argv[1], sys.argv[2:])

@@ -1,0 +1,84 @@
+// Tests the experiments of the papers' figures, and that docs/figures.md lists them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "harness/error.hpp"
+#include "harness/experiment/experiment.hpp"
+
+namespace pelage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Experiment> figures() {
+  std::vector<Experiment> found;
+  for (const fs::path& file : experiments_named("figures")) found.push_back(read_experiment(file));
+  return found;
+}
+
+TEST(FigureExperiments, AreAllExperimentsNamedAfterAFigure) {
+  std::set<std::string> named, collected;
+  for (const fs::path& file : experiment_files())
+    if (file.stem().string().find("-fig") != std::string::npos) named.insert(file.stem().string());
+  for (const Experiment& e : figures()) collected.insert(e.name);
+  EXPECT_EQ(collected, named);
+  EXPECT_EQ(collected.size(), 16u);
+}
+
+TEST(FigureExperiments, AreDrawnWithTheReadingsOfTheSharedScene) {
+  for (const Experiment& e : figures()) {
+    EXPECT_EQ(e.scene_file.filename(), "figures.toml") << e.name;
+    for (const Case& which : cases_of(e, preset_of(e, "quick"))) {
+      const Scene scene = scene_of(e, which);
+      EXPECT_EQ(scene.blend.faces, "back-then-front") << which.name;
+      EXPECT_EQ(scene.clump.scale, "converge") << which.name;
+      EXPECT_EQ(scene.clump.cells, "consistent") << which.name;
+      EXPECT_EQ(scene.shading.tangent, "strand") << which.name;
+      EXPECT_EQ(scene.wetness.blend, "overlap") << which.name;
+      EXPECT_EQ(scene.wetness.seams, "joined") << which.name;
+      EXPECT_EQ(scene.shading.model, e.paper == "silva2010-wet-fur" ? "wet" : "curling") << which.name;
+    }
+  }
+}
+
+/// Returns the rows of a table in docs/figures.md, keyed by the experiment in the second column.
+std::map<std::string, std::string> rows_of_document() {
+  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/figures.md");
+  std::map<std::string, std::string> rows;
+  static const std::regex row(R"(^\|[^|]*\| `((?:silva2010|wetfur2010)-fig[0-9]+)`)");
+  for (std::string line; std::getline(stream, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, row)) rows[match[1]] = line;
+  }
+  return rows;
+}
+
+TEST(FigureExperiments, HaveARowWithAllTheirCasesInTheDocument) {
+  std::map<std::string, std::string> rows = rows_of_document();
+  for (const Experiment& e : figures()) {
+    ASSERT_TRUE(rows.contains(e.name)) << e.name;
+    const auto axis =
+        std::find_if(e.axes.begin(), e.axes.end(), [](const Axis& a) { return a.key == "figure"; });
+    ASSERT_NE(axis, e.axes.end()) << e.name;
+    for (const std::string& value : axis->values)
+      EXPECT_NE(rows[e.name].find("`" + value + "`"), std::string::npos) << e.name << " " << value;
+    rows.erase(e.name);
+  }
+  for (const auto& [name, line] : rows) ADD_FAILURE() << name << " is in the document, but is no experiment";
+}
+
+TEST(Collections, AWordThatIsNoCollectionIsAnExperiment) {
+  ASSERT_EQ(experiments_named("layers").size(), 1u);
+  EXPECT_EQ(experiments_named("layers").front().stem(), "layers");
+  EXPECT_THROW(experiments_named("figurez"), InputError);
+  EXPECT_THROW(experiments_named("figures.toml"), InputError);
+}
+
+}  // namespace
+}  // namespace pelage

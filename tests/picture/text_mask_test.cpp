@@ -1,0 +1,93 @@
+// Tests that text is painted where the scene places it, and that fonts which cannot be read are refused.
+#include "harness/picture/text_mask.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "harness/error.hpp"
+
+namespace pelage {
+namespace {
+
+constexpr int side = 400;
+
+/// The smallest rectangle in UV that contains all pixels inside letters.
+struct Bounds {
+  double left = 1, right = 0, low = 1, high = 0;
+};
+
+Bounds bounds_of(const TextMask& mask) {
+  Bounds b;
+  for (int y = 0; y < mask.side; ++y)
+    for (int x = 0; x < mask.side; ++x) {
+      const double u = (x + 0.5) / mask.side, v = 1.0 - (y + 0.5) / mask.side;
+      if (!mask.inside(u, v)) continue;
+      b.left = std::min(b.left, u), b.right = std::max(b.right, u);
+      b.low = std::min(b.low, v), b.high = std::max(b.high, v);
+    }
+  return b;
+}
+
+std::string failure_of(const TextLine& line) {
+  try {
+    paint_text(line, side);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TextMask, HasItsCentreAndHeightWhereTheyAreGiven) {
+  for (const double height : {0.1, 0.4}) {
+    const Bounds b = bounds_of(paint_text({"H", default_font(), 0.3, 0.7, height}, side));
+    // A border of a letter is rounded to a pixel, and the font's size to a whole number.
+    EXPECT_NEAR(b.high - b.low, height, 4.0 / side);
+    EXPECT_NEAR(0.5 * (b.left + b.right), 0.3, 2.0 / side);
+    EXPECT_NEAR(0.5 * (b.low + b.high), 0.7, 2.0 / side);
+  }
+}
+
+TEST(TextMask, IsReadableFromLeftToRightAndUpright) {
+  // The letter L has its stem on the left and its bar below.
+  const TextMask mask = paint_text({"L", default_font(), 0.5, 0.5, 0.6}, side);
+  const Bounds b = bounds_of(mask);
+  const double edge = 0.04;
+  EXPECT_TRUE(mask.inside(b.left + edge, b.high - edge));
+  EXPECT_TRUE(mask.inside(b.left + edge, b.low + edge));
+  EXPECT_TRUE(mask.inside(b.right - edge, b.low + edge));
+  EXPECT_FALSE(mask.inside(b.right - edge, b.high - edge));
+  EXPECT_FALSE(mask.inside(0.5, 1.5));
+  EXPECT_FALSE(mask.inside(std::numeric_limits<double>::quiet_NaN(), 0.5));
+}
+
+TEST(TextMask, TextThatLeavesTheSquareIsRefused) {
+  EXPECT_NE(failure_of({"CGI10", default_font(), 0.5, 0.5, 0.5}).find("leaves the unit square"),
+            std::string::npos);
+  EXPECT_NE(failure_of({"I", default_font(), 0.01, 0.5, 0.5}).find("leaves the unit square"),
+            std::string::npos);
+  EXPECT_EQ(failure_of({"I", default_font(), 0.5, 0.5, 0.5}), "");
+}
+
+TEST(TextMask, FilesThatAreNoFontsAreRefused) {
+  EXPECT_NE(failure_of({"I", "missing.ttf"}).find("missing.ttf: there is no such font file"),
+            std::string::npos);
+  const auto file = std::filesystem::temp_directory_path() / ("pelage-" + std::to_string(getpid()) + ".ttf");
+  std::ofstream(file) << "not a font";
+  EXPECT_NE(failure_of({"I", file}).find("not a readable font"), std::string::npos)
+      << failure_of({"I", file});
+  // A font that is cut off must not crash the program.
+  std::ifstream whole(default_font(), std::ios::binary);
+  std::string bytes(20000, '\0');
+  whole.read(bytes.data(), std::streamsize(bytes.size()));
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_NE(failure_of({"I", file}).find(file.string()), std::string::npos);
+  std::filesystem::remove(file);
+}
+
+}  // namespace
+}  // namespace pelage
