@@ -166,13 +166,14 @@ void refuse_metrics(const Row& row) {
     const double computed = covered->second.value / (median_of(frame) / 1000);
     if (!equal(rate->second.value, computed)) refuse("fragments_per_s", rate->second.value, computed);
   }
-  // For the phases "half" and "quarter", which draw fewer layers, the metric PHASE_ratio is frame time /
-  // phase time. For the phases of baselines, the metric is phase time / frame time.
+  // For the phases "half" and "quarter", which draw fewer layers, and "baseline", which draws another scene,
+  // the metric PHASE_ratio is frame time / phase time. For the phases of other pipelines, the metric is phase
+  // time / frame time.
   for (const auto& [phase, times] : row.samples) {
     const auto ratio = row.metrics.find(phase + "_ratio");
     if (phase == "frame" || times.wall_ms.empty() || ratio == row.metrics.end()) continue;
-    const bool fewer = phase == "half" || phase == "quarter";
-    const double computed = fewer ? ratio_of(frame, times.wall_ms) : ratio_of(times.wall_ms, frame);
+    const bool cost = phase == "half" || phase == "quarter" || phase == "baseline";
+    const double computed = cost ? ratio_of(frame, times.wall_ms) : ratio_of(times.wall_ms, frame);
     if (!equal(ratio->second.value, computed)) refuse(ratio->first, ratio->second.value, computed);
   }
 }

@@ -235,6 +235,7 @@ std::vector<std::string> members() {
                                                   {"CurlScene", "curl."},
                                                   {"WetnessScene", "wetness."},
                                                   {"ClumpScene", "clump."},
+                                                  {"SoakedScene", "soaked."},
                                                   {"BlendScene", "blend."},
                                                   {"WindScene", "dynamics.wind."},
                                                   {"DynamicsScene", "dynamics."},
