@@ -164,8 +164,22 @@ class Painter {
                         [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
   }
 
-  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n.
+  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n. With curl.turns_map, the
+  /// axes and the factor of the turns are interpolated, and the factor is rounded like that of a vertex.
   glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
+    if (!input_.style.curl_turns.empty()) {
+      const double share =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.turns_share(s); });
+      const double turns = std::round(share * turn_steps) / turn_steps * double(input_.scene.curl.turns);
+      const glm::dvec3 u =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).u; });
+      const glm::dvec3 v =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).v; });
+      const auto at = [&](int n) {
+        return curl(n < 0 ? 0.0 : layer_height(n, input_.scene.fur.layers), 0.0, 1.0, turns, u, v);
+      };
+      return at(layer_) - at(layer_ - 1);
+    }
     return interpolated(face, sample, [&](std::size_t s) {
       return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
     });
@@ -234,7 +248,8 @@ class Painter {
       const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
       return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
     });
-    fur.coverage *= shown(clump, sample, normal, eye);
+    fur.coverage *= shown(clump, sample, normal, eye) * double(scene.fur.density) *
+                    sample_density(input_.style.density, where + clump.d);
     const double h = layer_height(layer_, scene.fur.layers, options_.mutant);
     const double film = cover_with_film(fur, clump.film, film_coverage(scene, h));
     if (!(fur.coverage > 0.0)) return;
