@@ -145,6 +145,15 @@ glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant
   return bent(input, bend, n, mutant) - bent(input, bend, n - 1, mutant);
 }
 
+glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n) {
+  const double turns = std::round(share * turn_steps) / turn_steps * double(scene.curl.turns);
+  const auto at = [&](int layer) {
+    const double h = layer < 0 ? 0.0 : layer_height(layer, scene.fur.layers);
+    return curl(h, 0.0, 1.0, turns, axes.u, axes.v);
+  };
+  return at(n) - at(n - 1);
+}
+
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n) {
   std::vector<glm::dvec3> corners(3 * input.mesh->triangle.size());
   for (std::size_t i = 0; i < corners.size(); ++i)
