@@ -53,7 +53,9 @@ double LumaMap::at(glm::dvec2 uv) const {
   const double py = std::clamp((1.0 - uv.y) * height_ - 0.5, 0.0, height_ - 1.0);
   const int x = int(px), y = int(py), right = std::min(x + 1, width_ - 1),
             below = std::min(y + 1, height_ - 1);
-  const auto pixel = [&](int i, int j) { return double(luma_[std::size_t(j) * std::size_t(width_) + i]); };
+  const auto pixel = [&](int i, int j) {
+    return double(luma_[std::size_t(j) * std::size_t(width_) + std::size_t(i)]);
+  };
   return between(between(pixel(x, y), pixel(right, y), px - x),
                  between(pixel(x, below), pixel(right, below), px - x), py - y);
 }
