@@ -75,8 +75,8 @@ void Vertices::set_mask(const std::vector<glm::vec4>& mask) {
   const bool discs = scene.clump.cells == "consistent";
   for (std::size_t i = 0; i < copy_.size(); ++i) {
     const std::uint32_t point = input_->mesh->weld[copy_[i]];
-    const float radius =
-        scene.curl.radius * share_of(input_->style.curl_radius, point) * (1.0f - wetness_at(mask, scene.wetness.size, curl.mask_uv[point], discs));
+    const float radius = scene.curl.radius * share_of(input_->style.curl_radius, point) *
+                         (1.0f - wetness_at(mask, scene.wetness.size, curl.mask_uv[point], discs));
     fixed_[i].curl_u = radius * curl.u[point];
     fixed_[i].curl_v = radius * curl.v[point];
   }
