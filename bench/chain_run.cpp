@@ -19,10 +19,10 @@
 #include <optional>
 
 #include "bench/program.hpp"
+#include "harness/distance/closed_surface.hpp"
 #include "harness/prepare/camera.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/strands/body/closed_surface.hpp"
 #include "harness/strands/groom/fur.hpp"
 #include "harness/strands/opencl/chains.hpp"
 #include "harness/strands/opencl/drawer.hpp"
@@ -86,7 +86,7 @@ Scene scene_of(const std::string& model, std::uint32_t faces, int cells) {
   d.motion.axis = {0.2f, 1, 0};
   d.motion.swing = 0.8f;
   d.motion.swing_frequency = 0.5f;
-  if (cells > 0) d.body = strands::kept_distance_field(s.mesh, cells);
+  if (cells > 0) d.body = kept_distance_field(s.mesh, cells);
   return s;
 }
 
@@ -158,7 +158,7 @@ strands::Drawer drawer_of(const cl::Queue& queue, const Scene& s) {
 }
 
 /// Prints how deep joints and tips lie in the true mesh.
-void print_penetration(const char* when, const Scene& s, const strands::ClosedSurface* surface,
+void print_penetration(const char* when, const Scene& s, const ClosedSurface* surface,
                        const std::vector<strands::KeyStrand>& keys) {
   if (!surface) return;
   std::array<std::vector<glm::vec3>, 2> ends;
@@ -179,7 +179,7 @@ bool run(const std::string& model, std::uint32_t faces, int seconds, int cells) 
   const cl::Device device = cl::choose_device("");
   const cl::Queue queue(device);
   strands::Chains simulated(queue, s.chains, s.dynamics);
-  std::optional<strands::ClosedSurface> surface;
+  std::optional<ClosedSurface> surface;
   if (strands::is_closed(*s.mesh))
     surface.emplace(s.mesh);
   else

@@ -23,6 +23,9 @@ flat in vec4 look;
 layout(binding = 0) uniform FUR_SAMPLER fur;  // red: coverage; green: half of the shade, a factor of the coat's colour
 layout(binding = 1) uniform sampler2D coat;
 layout(binding = 2) uniform sampler2D mask;   // c_u, c_v, r, rho; sampled with NEAREST
+#ifdef DENSITY_MAP
+layout(binding = 3) uniform sampler2D density;  // factor of DENSITY; the top row is at v = 1
+#endif
 layout(location = 0) out vec4 colour;
 
 #if defined(FUR_ARRAY)
@@ -209,6 +212,12 @@ void main() {
     float per_footprint = stretch / exp2(level);
     texel.r *= border_share(depth, border, per_footprint) * consistency(at, look.x, per_footprint);
   }
+#endif
+#ifdef THINNED
+  texel.r *= DENSITY;
+#endif
+#ifdef DENSITY_MAP
+  texel.r *= textureLod(density, vec2(at.x, 1.0 - at.y), 0.0).r;
 #endif
   float film = 0.0;  // the part of the coverage that the film of soaked fur has
 #ifdef SOAKED_FUR

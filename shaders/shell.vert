@@ -9,6 +9,10 @@ layout(location = 4) in vec3 curl_u;    // first axis of the curl, in R: (1 - rh
 layout(location = 5) in vec3 curl_v;    // second axis of the curl, in R: (1 - rho) K_alpha v
 layout(location = 6) in vec3 dx_du;     // dX/du, the derivative of the surface point X, in R per unit of u
 layout(location = 7) in vec3 dx_dv;
+#ifdef TURNS_MAP
+layout(location = 8) in float turn;     // number of the factor of curl.turns
+layout(binding = 4) uniform sampler2D turns;  // texel (k, n): h cos(wh) and h sin(wh) of factor k in layer n
+#endif
 
 out vec2 uv;
 out vec3 normal;
@@ -28,9 +32,18 @@ void main() {
   normal = a;
 #ifndef SKIN
   vec4 bend = LAYER_BEND, step = LAYER_STEP;
+#ifdef CONTACT
+  p = vec3(0.0);  // the displacement from the base, before colliders push the vertex
+#endif
   p += bend.x * a + bend.y * b;  // S Eq. 1
+#ifdef TURNS_MAP
+  bend.zw = texelFetch(turns, ivec2(int(turn), int(LAYER_LOOK.w)), 0).rg;
+#endif
 #ifdef CURLS
   p += bend.z * curl_u + bend.w * curl_v;  // S Eq. 4
+#endif
+#ifdef CONTACT
+  p = position + kept_share(position, p) * p;
 #endif
   rise = step.x * a + step.y * b;
 #ifdef INSTANCED

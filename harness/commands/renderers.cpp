@@ -72,7 +72,7 @@ std::unique_ptr<SceneRenderer> open_opengl(const RendererOptions& given, const S
         const auto input = prepare(scene, mesh);
         FrameOutput output = reference_motion(*input, frames_before(scene.dynamics) + 1);
         OpenGl opengl(input, output.mask, options);
-        opengl.bend(output.tips);
+        opengl.bend(output.tips, output.frames);
         const double ms = opengl.frame();
         output.pipeline = fmt::format("opengl on {}, {}", renderer, to_text(options));
         output.image = opengl.read();

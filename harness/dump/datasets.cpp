@@ -35,7 +35,9 @@ std::vector<glm::vec3> vertex_normals(const FrameInput& input) {
     }
     glm::dvec3 mean(0.0);
     for (std::uint32_t i = strands.row[point]; i < strands.row[point + 1]; ++i) {
-      mean += double(strands.weight[i]) * glm::dvec3(strands.normal[strands.face[i]]);
+      const std::vector<float>& length = input.style.length;
+      const double share = length.empty() ? 1.0 : double(length[strands.face[i]]);
+      mean += double(strands.weight[i]) * share * glm::dvec3(strands.normal[strands.face[i]]);
     }
     if (glm::length(mean) > 0) normals[v] = glm::vec3(glm::normalize(mean));
   }
@@ -75,7 +77,8 @@ void write_strand_rules(Hdf5File& file, const StrandSet& strands) {
   file.write("strand/normal", {faces, 3}, flat<float>(strands.normal), "1",
              "unit normals n of the triangles");
   file.write("strand/anchor", {faces, 3}, flat<float>(strands.anchor), "R",
-             "vectors from the roots to the rest positions of the tips; their length is fur.length");
+             "vectors from the roots to the rest positions of the tips; their length is fur.length, or with "
+             "fur.length_map that of the strand");
   file.write("strand/phase", {faces, 2}, flat<float>(strands.phase), "1",
              "cosine and sine of the wind gust's phase at the root");
   file.write("weight/row", {strands.row.size()}, std::span<const std::uint32_t>(strands.row), "1",

@@ -27,6 +27,7 @@ void dump_frame(const std::filesystem::path& path, const FrameInput& input, cons
     dump::write_textures(file, input);
     dump::write_layers(file, input, output);
     dump::write_camera(file, input.camera);
+    dump::write_style(file, input);
     const Picture& image = output.image;
     file.write("image", {static_cast<std::size_t>(image.height), static_cast<std::size_t>(image.width), 4},
                dump::flat<float>(image.pixel), "1",

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "harness/distance/field.hpp"
 #include "harness/mesh/mesh.hpp"
 #include "harness/scene/scene.hpp"
 
@@ -20,8 +21,10 @@ namespace pelage {
 struct StrandSet {
   std::vector<glm::vec3> root;    ///< centroid of each triangle, in units of R (the mesh radius)
   std::vector<glm::vec3> normal;  ///< unit normal of each triangle
-  std::vector<glm::vec3> anchor;  ///< vector of length L0 from each root to the strand's tip at rest
-  std::vector<glm::vec2> phase;   ///< (cos, sin) of the phase of the wind's gusts at each root
+  /// Vector from each root to the strand's tip at rest. Its length is L0, or with fur.length_map the length
+  /// of the strand.
+  std::vector<glm::vec3> anchor;
+  std::vector<glm::vec2> phase;  ///< (cos, sin) of the phase of the wind's gusts at each root
   // A sparse matrix in compressed row storage, with one row per surface point and one column per strand.
   // Vertices that differ only in their UV are one surface point. The matrix converts one value per strand to
   // one value per surface point. The value at a point is the mean over the strands of the triangles around
@@ -48,6 +51,26 @@ struct CurlFrame {
 struct SurfaceTangents {
   std::vector<glm::vec3> t, b;  ///< one pair per vertex
 };
+
+/// The maps of the fur's shape (docs/style.md), as factors of the scene's values. An array is empty if the
+/// scene has no such map. All factors are 0 to 1.
+struct Style {
+  /// The factor of fur.density, as a picture: height rows of width values, the top row (v = 1) first.
+  struct Density {
+    int width = 0, height = 0;
+    std::vector<float> value;
+  };
+  std::vector<float> length;       ///< factor of fur.length, one per triangle, above 0
+  std::vector<float> comb;         ///< factor of fur.comb, one per surface point
+  std::vector<float> curl_radius;  ///< factor of curl.radius, one per surface point
+  /// Factor of curl.turns, one per surface point: multiples of 1 / turn_steps.
+  std::vector<float> curl_turns;
+  Density density;
+};
+
+/// Number of steps of the factor of curl.turns between 0 and 1. The angles of the curls are tabulated for all
+/// steps.
+inline constexpr int turn_steps = 1024;
 
 /// The fur volume texture. Mip level l has layers x side x side texels of two bytes, where side is
 /// size >> l. The first byte is the coverage; 255 is opaque. The second byte is 127.5 times the shade,
@@ -101,6 +124,7 @@ struct FrameInput {
   /// replace the strands. If the scene uses no such topology, the list is empty.
   std::vector<glm::vec3> stick_normal;
   CurlFrame curl;
+  Style style;
   SurfaceTangents tangents;
   FurTexture fur;
   CoatTexture coat;
@@ -110,6 +134,9 @@ struct FrameInput {
   /// nearest texel (in UV) inside a chart.
   std::vector<glm::vec3> mask_surface;
   glm::vec2 fur_scale{1.0f};  ///< number of repeats of the fur texture per unit of u and of v
+  /// Distances from the mesh contact.mesh, scaled to a bounding sphere of radius 1 around the origin. Null
+  /// without such a mesh.
+  std::shared_ptr<const DistanceField> contact_field;
   Camera camera;
 };
 

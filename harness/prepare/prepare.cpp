@@ -6,9 +6,11 @@
 
 #include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
+#include "harness/prepare/contact.hpp"
 #include "harness/prepare/droplets.hpp"
 #include "harness/prepare/skin.hpp"
 #include "harness/prepare/strands.hpp"
+#include "harness/prepare/style.hpp"
 #include "harness/prepare/tangents.hpp"
 #include "harness/prepare/texture_cache.hpp"
 
@@ -31,8 +33,16 @@ std::vector<glm::vec3> points_of(const FrameInput& input, const Mesh& mesh, cons
   return points;
 }
 
-Camera camera_of(const Scene& scene, std::span<const glm::vec3> points) {
-  return make_camera(scene.camera, scene.image, points, scene.curl.radius);
+Camera camera_of(const Scene& scene, const Style& style, std::span<const glm::vec3> points) {
+  return make_camera(scene.camera, scene.image, points, most_curl_radius(scene.curl, style));
+}
+
+/// Returns the keys that the fur texture depends on. Hairs are widened for the longest strands.
+FurScene of_texture(FurScene fur, const Style& style) {
+  if (!style.length.empty()) fur.length *= *std::max_element(style.length.begin(), style.length.end());
+  fur.density = FurScene{}.density;
+  fur.length_map = fur.density_map = fur.comb_map = std::filesystem::path();
+  return fur;
 }
 
 }  // namespace
@@ -45,7 +55,7 @@ std::shared_ptr<const FrameInput> with_view(const FrameInput& input, const Scene
                                             std::span<const glm::vec3> points) {
   auto changed = std::make_shared<FrameInput>(input);
   changed->scene = scene;
-  changed->camera = camera_of(scene, points);
+  changed->camera = camera_of(scene, input.style, points);
   return changed;
 }
 
@@ -60,12 +70,17 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   if (!mesh->frames.empty())
     throw InputError("mesh.frames: only pipelines that draw strands follow the frames of a mesh; give 1");
   auto input = std::make_shared<FrameInput>();
-  // Another thread prepares the fur texture, which does not depend on the mesh. The preparation of the fur
-  // texture takes longer than that of any other array, even if the texture is read from the cache.
-  auto fur = std::async(std::launch::async, [&] { return kept_fur_texture(scene.fur); });
   const Skin skin = weld(*mesh);
+  input->style = make_style(*mesh, skin, scene);
+  // Another thread prepares the fur texture, which depends on the mesh only by the longest strand. The
+  // preparation of the fur texture takes longer than that of any other array, even if the texture is read
+  // from the cache.
+  auto fur = std::async(std::launch::async, [texture = of_texture(scene.fur, input->style)] {
+    return kept_fur_texture(texture);
+  });
+  input->contact_field = contact_field(scene.contact.mesh);
   input->scene = scene;
-  input->strands = make_strands(skin, scene.fur, scene.dynamics.wind);
+  input->strands = make_strands(skin, scene.fur, scene.dynamics.wind, input->style);
   input->tangents = surface_tangents(*mesh, skin);
   input->curl = curl_frame(*mesh, skin, input->tangents, scene.curl);
   input->coat = kept_coat(*mesh, scene.coat);
@@ -75,7 +90,7 @@ std::shared_ptr<const FrameInput> prepare(const Scene& scene, std::shared_ptr<co
   input->fur = fur.get();
 
   if (has_springs(scene.dynamics)) input->stick_normal.assign(skin.normal.begin(), skin.normal.end());
-  input->camera = camera_of(scene, points_of(*input, *mesh, skin));
+  input->camera = camera_of(scene, input->style, points_of(*input, *mesh, skin));
   input->mesh = std::move(mesh);
   return input;
 }

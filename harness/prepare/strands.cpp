@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "harness/prepare/noise.hpp"
+#include "harness/prepare/style.hpp"
 
 namespace pelage {
 namespace {
@@ -20,7 +21,7 @@ constexpr int comb_iterations = 20;  // number of iterations of smooth_tangents(
 /// Returns the tilt of the strands at each surface point. The tilt is a tangential vector, and its length is
 /// the tangent of the angle between strand and normal. Where the comb direction is nearly normal to the
 /// surface, its tangential part changes direction rapidly. The tilt therefore decreases to 0 there.
-std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
+std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur, const Style& style) {
   const glm::dvec3 given(fur.comb_direction);
   const glm::dvec3 direction = glm::length(given) > 0 ? glm::normalize(given) : glm::dvec3(0);
   std::vector<glm::dvec3> lean;
@@ -29,7 +30,8 @@ std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
     const glm::dvec3 t = tangential(direction, skin.normal[w]);
     const double grip = glm::length(t);
     const glm::dvec3 ruffle = noise3(skin.position[w] / noise_size, fur.seed);
-    lean.push_back(double(fur.comb) * t / std::hypot(grip, least_grip) +
+    const float comb = style.comb.empty() ? fur.comb : fur.comb * style.comb[w];
+    lean.push_back(double(comb) * t / std::hypot(grip, least_grip) +
                    double(fur.comb_noise) * 2.0 * tangential(ruffle, skin.normal[w]));
   }
   return smooth_tangents(skin, std::move(lean), comb_iterations, false);
@@ -37,10 +39,10 @@ std::vector<glm::dvec3> comb_field(const Skin& skin, const FurScene& fur) {
 
 }  // namespace
 
-StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind) {
+StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& wind, const Style& style) {
   const std::size_t faces = skin.triangle.size();
   const bool combed = fur.comb != 0.0f || fur.comb_noise != 0.0f;
-  const auto lean = combed ? comb_field(skin, fur) : std::vector<glm::dvec3>();
+  const auto lean = combed ? comb_field(skin, fur, style) : std::vector<glm::dvec3>();
   const glm::dvec3 blow(wind.direction);
   const glm::dvec3 along = glm::length(blow) > 0 ? glm::normalize(blow) : glm::dvec3(0);
 
@@ -51,12 +53,13 @@ StrandSet make_strands(const Skin& skin, const FurScene& fur, const WindScene& w
     const glm::vec3 normal(skin.face_normal[f]);
     set.root.push_back(glm::vec3(root));
     set.normal.push_back(normal);
+    const float length = strand_length(fur, style, f);
     if (combed) {
       const glm::dvec3 mean = (lean[t.x] + lean[t.y] + lean[t.z]) / 3.0;
       const glm::dvec3 n = skin.face_normal[f];
-      set.anchor.push_back(glm::vec3(double(fur.length) * glm::normalize(n + tangential(mean, n))));
+      set.anchor.push_back(glm::vec3(double(length) * glm::normalize(n + tangential(mean, n))));
     } else {
-      set.anchor.push_back(fur.length * normal);
+      set.anchor.push_back(length * normal);
     }
     const double phase = 2.0 * std::numbers::pi * glm::dot(root, along) / double(wind.wavelength);
     set.phase.push_back({float(std::cos(phase)), float(std::sin(phase))});

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/scene/contact_scene.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/spring_kinds.hpp"
 #include "harness/scene/strands_scene.hpp"
@@ -58,6 +59,10 @@ struct FurScene {
   glm::vec3 comb_direction{0.0f, -1.0f, -0.25f};  ///< combing direction, projected onto the surface
   float lod_bias = -1.0f;  ///< value added to the mip level when the fur texture is sampled
   int substeps = 1;        ///< number of samples of the fur texture per fragment, 1 to 8
+  float density = 1.0f;    ///< factor of the fur's coverage, 0..1
+  /// Maps of the fur's shape (docs/style.md): pictures in UV space whose luma multiplies `length`, `density`
+  /// and `comb` at each point of the surface. Empty: a map that is 1 everywhere.
+  std::filesystem::path length_map, density_map, comb_map;
   std::uint32_t seed = 1;
   std::string layer_spacing = "paper";  ///< spacing of the layers at rest: "paper" (as in S) | "uniform"
   /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
@@ -73,6 +78,8 @@ struct CurlScene {
   /// if `frame` is "smooth".
   float variation = 0.0f;
   std::string frame = "smooth";  ///< tangent frame of the curl: "smooth" | "uv" (gradient of the UV map)
+  /// Pictures in UV space whose luma multiplies `radius` and `turns` (docs/style.md). Empty: no map.
+  std::filesystem::path radius_map, turns_map;
 };
 
 /// A droplet on the surface. Exactly one of `uv` and `point` is given; `point`, in R, is moved to the nearest
@@ -348,6 +355,7 @@ struct Scene {
   SoakedScene soaked;
   BlendScene blend;
   DynamicsScene dynamics;
+  ContactScene contact;
   ShadingScene shading;
   CoatScene coat;
   StrandsScene strands;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "harness/error.hpp"
+#include "harness/scene/contact_keys.hpp"
 #include "harness/scene/keyframes.hpp"
 #include "harness/scene/scene_toml.hpp"
 
@@ -121,6 +122,37 @@ void check_text(const WetnessScene& wetness, const std::string& source) {
   if (wetness.text.size() > longest_wet_text)
     refuse(fmt::format("has {} characters; give at most {}", wetness.text.size(), longest_wet_text));
   if (wetness.random == 0) refuse("has no effect without random droplets; give wetness.random above 0");
+}
+
+/// Throws InputError if a collider ends before it begins, or if there are too many colliders.
+void check_contact(const ContactScene& contact, const std::string& source) {
+  const auto check_times = [&](const std::string& key, const ContactMotion& motion) {
+    if (!(motion.begin < motion.end))
+      throw InputError(fmt::format("{}: {}: {} s is not after the beginning, {} s; give a later time", source,
+                                   key, motion.end, motion.begin));
+  };
+  for (std::size_t i = 0; i < contact.spheres.size(); ++i)
+    check_times(fmt::format("{}[{}].end", contact_sphere_list, i + 1), contact.spheres[i].motion);
+  for (std::size_t i = 0; i < contact.capsules.size(); ++i)
+    check_times(fmt::format("{}[{}].end", contact_capsule_list, i + 1), contact.capsules[i].motion);
+  check_times("contact.mesh_end", contact.mesh.motion);
+  const std::size_t count = contact.spheres.size() + contact.capsules.size();
+  if (count > most_colliders)
+    throw InputError(fmt::format("{}: {}: {} spheres and capsules; give at most {} together", source,
+                                 contact_capsule_list, count, most_colliders));
+}
+
+/// Throws InputError for a key that only Silva's strands support.
+void check_strands_only(const Scene& scene, const std::string& source) {
+  const auto refuse = [&](std::string_view key) {
+    throw InputError(fmt::format("{}: {}: not supported by dynamics.topology \"{}\"; give \"silva\"", source,
+                                 key, scene.dynamics.topology));
+  };
+  if (!scene.fur.length_map.empty()) refuse("fur.length_map");
+  if (!scene.fur.comb_map.empty()) refuse("fur.comb_map");
+  if (!scene.contact.spheres.empty()) refuse(contact_sphere_list);
+  if (!scene.contact.capsules.empty()) refuse(contact_capsule_list);
+  if (!scene.contact.mesh.file.empty()) refuse("contact.mesh");
 }
 
 /// Throws InputError for a key that the scene's dynamics.topology does not support. The function does
@@ -241,6 +273,8 @@ void check_scene(const Scene& scene, const std::string& source) {
   check_text(scene.wetness, source);
   check_sizes(scene, source);
   check_topology(scene, source);
+  check_contact(scene.contact, source);
+  if (has_springs(scene.dynamics) || has_chains(scene.dynamics)) check_strands_only(scene, source);
   if (!has_springs(scene.dynamics) && !has_chains(scene.dynamics)) check_step(scene.dynamics, source);
   check_time(scene.dynamics, source);
   check_camera(scene.camera, source);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "harness/error.hpp"
+#include "harness/scene/contact_keys.hpp"
 #include "harness/scene/shading_models.hpp"
 #include "harness/scene/spring_kinds.hpp"
 #include "harness/scene/strand_keys.hpp"
@@ -123,6 +124,10 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.comb_direction", &fur.comb_direction, "direction", -1e6, 1e6, "direction in which the fur is combed, projected onto the surface"},
       {"fur.lod_bias", &fur.lod_bias, "mip levels", -16, 16, "value added to the mip level of the fur texture lookup"},
       {.name = "fur.substeps", .slot = &fur.substeps, .unit = "", .least = 1, .most = 8, .help = "number of samples of the fur texture per fragment along the view ray within a layer; with few layers, more samples make curls smooth; 1: as in S and W", .power_of_two = true},
+      {"fur.density", &fur.density, "", 0, 1, "factor of the fur's coverage: 0 is no fur, 1 is all fur"},
+      {.name = "fur.length_map", .slot = &fur.length_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.length (docs/style.md); \"\": no map"},
+      {.name = "fur.density_map", .slot = &fur.density_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.density; \"\": no map"},
+      {.name = "fur.comb_map", .slot = &fur.comb_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of fur.comb; \"\": no map"},
       {"fur.seed", &fur.seed, "", 0, most_seed, "random seed of the fur volume texture"},
       {.name = "fur.layer_spacing", .slot = &fur.layer_spacing, .unit = "", .help = "positions of the layers at rest: \"paper\" spaces the layers equally in the Bezier parameter t, as in S; \"uniform\" spaces them equally in height", .choices = {"paper", "uniform"}},
       {.name = "fur.binding", .slot = &fur.binding, .unit = "", .help = "displacement of the corners of a triangle: with \"shared\", a corner has the weighted mean of the displacements of the strands of all triangles around it; with \"separate\", all three corners have the displacement of the triangle's own strand", .choices = {"shared", "separate"}},
@@ -132,6 +137,8 @@ std::vector<Key> scene_keys(Scene& s) {
       {"curl.turns", &curl.turns, "", -64, 64, "number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4"},
       {"curl.variation", &curl.variation, "turns", 0, 8, "greatest random shift of a curl's phase; the shift varies smoothly over the surface; used only if curl.frame is \"smooth\""},
       {.name = "curl.frame", .slot = &curl.frame, .unit = "", .help = "tangent frame of the curl: \"smooth\" uses a smoothed vector field, \"uv\" uses the gradient of the UV map", .choices = {"smooth", "uv"}},
+      {.name = "curl.radius_map", .slot = &curl.radius_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of curl.radius (docs/style.md); \"\": no map"},
+      {.name = "curl.turns_map", .slot = &curl.turns_map, .unit = "", .help = "picture in UV space whose luma, 0 to 1, is a factor of curl.turns; \"\": no map"},
 
       {"wetness.size", &wetness.size, "texels", 8, 4096, "number of texels per side of the wetness mask"},
       {"wetness.random", &wetness.random, "", 0, 100000, "maximum number of random droplets"},
@@ -230,7 +237,8 @@ std::vector<Key> scene_keys(Scene& s) {
       {"coat.seed", &coat.seed, "", 0, most_seed, "random seed of the procedural coat"},
       {"coat.texture", &coat.texture, "texels", 1, 4096, "number of texels per side of a procedural coat"},
   };
-  const std::vector<Key> strands = strand_keys(s.strands);
+  const std::vector<Key> contact = contact_keys(s.contact), strands = strand_keys(s.strands);
+  keys.insert(keys.end(), contact.begin(), contact.end());
   keys.insert(keys.end(), strands.begin(), strands.end());
   const std::vector<Key> view{
       {.name = "camera.framed", .slot = &camera.framed, .unit = "", .help = "true: the camera is placed along camera.direction, at the nearest position at which the model with its fur fills at most 88% of the picture's height and at most 94% of its width; false: camera.eye and camera.target are used"},
@@ -252,10 +260,14 @@ std::vector<Key> scene_keys(Scene& s) {
 // clang-format on
 
 std::vector<KeyList> scene_lists(Scene& scene) {
-  return {list_of(droplet_list, "droplets", 0, 100000, scene.wetness.droplets, droplet_keys),
-          list_of(light_list, "lights", 1, 2, scene.shading.lights, light_keys),
-          list_of(strand_layer_list, "fur layers", 1, 16, scene.strands.layers, strand_layer_keys),
-          list_of(strand_fill_list, "fill lights", 0, 1000, scene.strands.fills, strand_fill_keys)};
+  return {
+      list_of(droplet_list, "droplets", 0, 100000, scene.wetness.droplets, droplet_keys),
+      list_of(light_list, "lights", 1, 2, scene.shading.lights, light_keys),
+      list_of(contact_sphere_list, "spheres", 0, most_colliders, scene.contact.spheres, contact_sphere_keys),
+      list_of(contact_capsule_list, "capsules", 0, most_colliders, scene.contact.capsules,
+              contact_capsule_keys),
+      list_of(strand_layer_list, "fur layers", 1, 16, scene.strands.layers, strand_layer_keys),
+      list_of(strand_fill_list, "fill lights", 0, 1000, scene.strands.fills, strand_fill_keys)};
 }
 
 std::string describe_range(const Key& key) {

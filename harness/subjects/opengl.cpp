@@ -52,7 +52,7 @@ class OpenGlSubject : public Subject {
     std::vector<glm::vec3> tips;
     tips.reserve(strands_.size());
     for (const reference::Strand& strand : strands_) tips.emplace_back(strand.tip);
-    opengl_.bend(tips);
+    opengl_.bend(tips, frames_);
     FrameSample sample;
     sample.cpu_ms = cost_of([&] { sample.wall_ms = opengl_.frame(); }).cpu_ms;
     return sample;

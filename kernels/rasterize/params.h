@@ -51,6 +51,13 @@ typedef struct {
   // Soaked fur (docs/soaked.md): from this wetness on, a smooth film of water replaces the clumps. 1: nowhere.
   float soaked;
   float film_height, film_gloss;              // the film's height as a fraction of L0, and the factor of its highlight
+  // Maps of the fur's shape (docs/style.md). Their arrays follow the layer table in its buffer; turn_points,
+  // turn_angles and density_map are the indices of their first floats there.
+  int turn_levels;                            // number of tabulated factors of curl.turns; 0: no map
+  int turn_points;                            // one float per vertex: the number of its factor
+  int turn_angles;                            // for each layer and factor: cosine and sine of the curl's angle
+  float density;                              // fur.density
+  int density_width, density_height, density_map;
   // Textures.
   int fur_size, fur_levels;
   float fur_scale[2];                         // repeats of the fur texture per unit of u and of v

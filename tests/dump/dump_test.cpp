@@ -126,6 +126,36 @@ INSTANTIATE_TEST_SUITE_P(Of, Dumps,
                            return text;
                          });
 
+// A scene with maps and with a mesh among its colliders has the datasets of both.
+TEST(DumpOfMaps, HoldsThemAndTheField) {
+  FrameInput input = frame_of("silva", "shared");
+  const std::size_t faces = input.mesh->triangle.size(), points = input.mesh->welded;
+  input.style.length.assign(faces, 0.5f);
+  input.style.comb.assign(points, 1.0f);
+  input.style.curl_radius.assign(points, 0.25f);
+  input.style.curl_turns.assign(points, 0.75f);
+  input.style.density = {3, 2, std::vector<float>(6, 0.5f)};
+  auto field = std::make_shared<DistanceField>();
+  field->nodes = {2, 3, 4};
+  field->cell = 1;
+  field->distance.assign(24, 1.0f);
+  input.contact_field = field;
+  const Datasets file = dumped(input), table = documented();
+  const std::map<std::string, std::vector<std::string>> shapes{{"style/length", {fmt::format("{}", faces)}},
+                                                               {"style/comb", {fmt::format("{}", points)}},
+                                                               {"style/radius", {fmt::format("{}", points)}},
+                                                               {"style/turns", {fmt::format("{}", points)}},
+                                                               {"style/density", {"2", "3"}},
+                                                               {"contact/field", {"4", "3", "2"}},
+                                                               {"contact/grid", {"4"}}};
+  for (const auto& [name, shape] : shapes) {
+    ASSERT_TRUE(file.contains(name) && table.contains(name)) << name;
+    EXPECT_EQ(file.at(name).shape, shape) << name;
+    EXPECT_EQ(file.at(name).type, table.at(name).type) << name;
+    EXPECT_EQ(file.at(name).units, table.at(name).units) << name;
+  }
+}
+
 // docs/frame.md may name only datasets of the table of docs/dump.md.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
   std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");

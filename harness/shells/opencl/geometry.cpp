@@ -6,6 +6,7 @@
 #include <span>
 
 #include "harness/error.hpp"
+#include "harness/prepare/style.hpp"
 #include "kernels/rasterize/params.h"
 #include "kernels/simulate/params.h"
 
@@ -35,6 +36,11 @@ struct Vertex {
   std::span<const std::uint32_t> faces;
   std::span<const float> weights;
 };
+
+// Returns an entry of a map of `Style`, or 1 if the scene has no such map.
+double share_of(const std::vector<float>& map, std::size_t entry) {
+  return map.empty() ? 1.0 : double(map[entry]);
+}
 
 constexpr float whole_weight = 1.0f;
 
@@ -71,7 +77,8 @@ void lay_out_corners(const Mesh& mesh, bool separate, Geometry& g) {
           static_cast<std::int32_t>(separate ? 3 * f + k : mesh.triangle[f][static_cast<int>(k)]);
 }
 
-void lay_out_strands(const StrandSet& strands, Geometry& g) {
+void lay_out_strands(const FrameInput& input, Geometry& g) {
+  const StrandSet& strands = input.strands;
   const std::size_t count = strands.root.size();
   g.strands = padded(count);
   g.strand_constants.assign(std::size_t(STRAND_COLUMNS) * std::size_t(g.strands), 0.0f);
@@ -82,6 +89,14 @@ void lay_out_strands(const StrandSet& strands, Geometry& g) {
     g.strand_constants[std::size_t(PHASE_COS) * std::size_t(g.strands) + f] = strands.phase[f].x;
     g.strand_constants[std::size_t(PHASE_SIN) * std::size_t(g.strands) + f] = strands.phase[f].y;
   }
+  const auto append = [&](const auto& value) {
+    for (std::size_t f = 0; f < count; ++f) g.strand_constants.push_back(value(f));
+    g.strand_constants.resize(g.strand_constants.size() + std::size_t(g.strands) - count, 0.0f);
+  };
+  if (!input.style.length.empty())
+    append([&](std::size_t f) { return strand_length(input.scene.fur, input.style, f); });
+  if (!has_contact(input.scene.contact)) return;
+  for (int k = 0; k < 3; ++k) append([&](std::size_t f) { return strands.root[f][k]; });
 }
 
 }  // namespace
@@ -103,7 +118,9 @@ Geometry lay_out(const FrameInput& input, int lanes) {
   const auto stride = std::size_t(g.vertices);
   g.vertex.assign(VERTEX_COLUMNS * stride, 0.0f);
   g.uv.assign(2 * stride, 0.0f);
-  g.mask_uv.assign(2 * stride, 0.0f);
+  const bool radii = !input.style.curl_radius.empty();
+  g.mask_uv.assign((radii ? 3 : 2) * stride, 0.0f);
+  if (!input.style.curl_turns.empty()) g.turns.assign(stride, 0.0f);
   g.tangent.assign(RECORD * stride, 0.0f);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vertex& v = vertices[i];
@@ -111,7 +128,8 @@ Geometry lay_out(const FrameInput& input, int lanes) {
     const int row = static_cast<int>(i);
     glm::dvec3 a(0.0);
     for (std::size_t e = 0; e < v.faces.size(); ++e)
-      a += double(v.weights[e]) * glm::dvec3(strands.normal[v.faces[e]]);
+      a += double(v.weights[e]) * share_of(input.style.length, v.faces[e]) *
+           glm::dvec3(strands.normal[v.faces[e]]);
     if (sticks) {
       a = input.stick_normal[point];
       g.stick.push_back(separate ? std::uint32_t(i) : point);
@@ -122,6 +140,8 @@ Geometry lay_out(const FrameInput& input, int lanes) {
     set_column3(g.vertex, CURL_VX, g.vertices, row, input.curl.v[point]);
     g.mask_uv[i] = input.curl.mask_uv[point].x;
     g.mask_uv[stride + i] = input.curl.mask_uv[point].y;
+    if (radii) g.mask_uv[2 * stride + i] = input.style.curl_radius[point];
+    if (!g.turns.empty()) g.turns[i] = input.style.curl_turns[point];
     for (std::size_t k = 0; k < 2; ++k) g.uv[2 * i + k] = mesh.uv[v.copy][static_cast<int>(k)];
     for (std::size_t k = 0; k < 3; ++k) {
       g.tangent[RECORD * i + k] = input.tangents.t[v.copy][static_cast<int>(k)];
@@ -145,7 +165,7 @@ Geometry lay_out(const FrameInput& input, int lanes) {
     g.slice.push_back(g.slice.back() + static_cast<std::int32_t>(longest));
   }
   lay_out_corners(mesh, separate, g);
-  lay_out_strands(strands, g);
+  lay_out_strands(input, g);
   return g;
 }
 

@@ -16,8 +16,9 @@ struct Geometry {
   std::vector<float> vertex;  ///< VERTEX_COLUMNS columns of `vertices` floats (kernels/rasterize/params.h)
   std::vector<float> uv;      ///< u, v per vertex
   /// UV coordinates at which the vertices sample the wetness mask: first u of all vertices, then v of all
-  /// vertices.
+  /// vertices. With curl.radius_map, the factors of curl.radius of all vertices follow.
   std::vector<float> mask_uv;
+  std::vector<float> turns;  ///< factor of curl.turns of each vertex; empty without curl.turns_map
   /// RECORD floats per vertex: derivatives of the position with respect to u and v, then two unused floats.
   std::vector<float> tangent;
   /// Four values per triangle. The first three values are the indices of its vertices. A kernel writes the
@@ -36,7 +37,9 @@ struct Geometry {
   std::vector<std::int32_t> slice;
   std::vector<std::int32_t> strand;
   std::vector<float> weight;
-  std::vector<float> strand_constants;  ///< STRAND_COLUMNS columns of `strands` floats
+  /// STRAND_COLUMNS columns of `strands` floats. With fur.length_map, one more column holds the lengths in R.
+  /// With colliders, three more columns hold the roots.
+  std::vector<float> strand_constants;
 };
 
 /// Converts the mesh and the strands of `input` to the layout of Geometry. `lanes` is the number of vertices

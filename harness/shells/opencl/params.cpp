@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "harness/scene/shading_models.hpp"
+#include "harness/shells/opencl/style_table.hpp"
 
 namespace pelage::shells {
 namespace {
@@ -105,6 +106,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.film_height = scene.soaked.height;
   p.film_gloss = scene.soaked.gloss;
   p.log_layers = float(std::log(double(scene.fur.layers)));
+  place_maps(input, geometry, p);
   p.fur_size = input.fur.size;
   p.fur_levels = int(input.fur.level.size());
   p.fur_scale[0] = input.fur_scale.x;

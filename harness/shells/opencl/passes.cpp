@@ -44,7 +44,11 @@ void RasterStage::set_pass(int number) {
 void RasterStage::begin_pass(const cl::Queue& queue, int number, Mapping& mapping, cl::PhaseEvents* events) {
   set_pass(number);
   const RasterBuffers& b = buffers_;
-  layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);
+  if (contact_)
+    layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box, contact_->table(),
+                 contact_->field(), std::int32_t(contact_->last()));
+  else
+    layers_.with(params_, b.vertex, *b.tip, b.dry, b.layer_table, b.screen, b.box);
   cl::Event event = layers_.enqueue(queue, std::size_t(params_.vertices / lanes_));
   if (events) events->emplace_back("transform", std::move(event));
   if (params_.faces != FACES_ALL) {

@@ -11,6 +11,7 @@
 #include "harness/error.hpp"
 #include "harness/shells/opencl/packed_textures.hpp"
 #include "harness/shells/opencl/params.hpp"
+#include "harness/shells/opencl/style_table.hpp"
 
 namespace pelage::shells {
 namespace {
@@ -59,10 +60,11 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
                          const WetStage& wet, const ShellOptions& options)
     : kind_(mapping_named(options.mapping, queue.device().info())),
       tuning_(kind_.tuning(options.tuning)),
+      maps_(style_options(input)),
       params_(tiled(raster_params(input, g), tuning_, queue.device())),
       lanes_(kind_.lanes(queue.device().info())),
       layers_at_once_(layers_at_once(params_, options.layers_at_once, queue.device())),
-      geometry_(queue.device(), "rasterize/geometry/geometry.cl", build_options(lanes_, tuning_)),
+      geometry_(queue.device(), "rasterize/geometry/geometry.cl", build_options(lanes_, tuning_) + maps_),
       strand_tips_(geometry_, "vertex_tips"),
       layers_(geometry_, "layer_vertices"),
       facing_(geometry_, "triangle_facing"),
@@ -84,7 +86,7 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   tip_ = cl::Buffer<float>(device, 3 * vertices);
   buffers_.tip = &tip_;
   RasterBuffers& b = buffers_;
-  b.layer_table = upload(queue, layer_table(input.scene));
+  b.layer_table = upload(queue, styled_layer_table(input, g));
   b.corner = upload(queue, g.corner);
   b.screen = cl::Buffer<float>(device, 4 * screens);
   b.box = cl::Buffer<float>(device, 4 * vertices * std::size_t(params_.layer_batches + 1));
@@ -122,8 +124,8 @@ void RasterStage::set_view(const cl::Device& device, const FrameInput& input, co
   set_pass(0);
 }
 
-MappingSetup RasterStage::setup(const cl::Device& device, const std::string& options) const {
-  return {device, geometry_, options};
+MappingSetup RasterStage::setup(const cl::Device& device, std::string options) const {
+  return {device, geometry_, std::move(options) + maps_};
 }
 
 void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
@@ -133,7 +135,7 @@ void RasterStage::use_mask(const cl::Queue& queue, cl::PhaseEvents* events) {
   dryness_.with(params_, mask_uv_, *buffers_.mask, buffers_.dry);
   keep(dryness_.enqueue(queue, std::size_t(params_.vertices / lanes_)));
   if (params_.substeps > 1) {
-    curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.curl);
+    curls_.with(params_, buffers_.vertex, buffers_.dry, buffers_.layer_table, buffers_.curl);
     keep(curls_.enqueue(queue, work_items(queue.device(), params_.vertices)));
   }
   reach_->run(queue, params_, buffers_.layer_table, uv_, *buffers_.mask, buffers_.corner, events);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/picture/picture.hpp"
+#include "harness/shells/opencl/contact_stage.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "harness/shells/opencl/mapping.hpp"
 #include "harness/shells/opencl/reach_stage.hpp"
@@ -31,6 +32,9 @@ class RasterStage {
   /// Draws one frame. `tips` has the layout of the result of strand_tips(). The buffer `tips` must stay valid
   /// until the next call of frame(), because count() and tally() read it again.
   void frame(const cl::Queue& queue, const cl::Buffer<float>& tips, cl::PhaseEvents* events);
+  /// Sets the colliders that push the layers; null without colliders. A scene with colliders cannot be drawn
+  /// before this call. `contact` must outlive this stage.
+  void collide_with(const ContactStage* contact) { contact_ = contact; }
   const RasterParams& params() const { return params_; }
   /// Changes the values of the camera and of the shading for the following frames (Shells::set_view()).
   void set_view(const cl::Device& device, const FrameInput& input, const Geometry& geometry);
@@ -54,7 +58,7 @@ class RasterStage {
   // `mapping` determines whether there is one counter per tile, one per pixel, or three per pixel. The
   // kernels write picture and counts to temporary buffers, so the last frame's picture does not change.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
-  MappingSetup setup(const cl::Device& device, const std::string& options) const;
+  MappingSetup setup(const cl::Device& device, std::string options) const;  // adds the options of the maps
   // Returns the number of passes. There are several passes if the screen positions of all layers do not fit
   // in memory. Passes with higher numbers are drawn earlier: first the passes of sweep 0 (params.h), then
   // those of sweep 1. Within a sweep, passes with higher numbers contain layers farther outside.
@@ -65,6 +69,8 @@ class RasterStage {
 
   const MappingKind& kind_;
   Tuning tuning_;
+  std::string maps_;  // build options of the scene's maps and colliders (style_options())
+  const ContactStage* contact_ = nullptr;
   RasterParams params_;
   int lanes_, layers_at_once_;
   cl::Program geometry_;

@@ -1,8 +1,11 @@
 // The stage that simulates the strands of Silva et al. 2010 (Curling and Clumping Fur).
 #pragma once
+#include <optional>
+
 #include "harness/cl/phases.hpp"
 #include "harness/prepare/frame_input.hpp"
 #include "harness/shells/opencl/build_options.hpp"
+#include "harness/shells/opencl/contact_stage.hpp"
 #include "harness/shells/opencl/geometry.hpp"
 #include "kernels/simulate/params.h"
 
@@ -15,6 +18,8 @@ class SimulateStage {
   SimulateStage(const cl::Queue& queue, const FrameInput& input, const Geometry& geometry, int lanes,
                 const Tuning& tuning = {});
   void frame(const cl::Queue& queue, int number, cl::PhaseEvents* events);
+  /// Returns the colliders of the last frame; null if the scene has none.
+  const ContactStage* contact() const { return contact_ ? &*contact_ : nullptr; }
   /// Returns the tips and velocities of the strands: STATE_COLUMNS columns of stride() floats.
   const cl::Buffer<float>& state() const { return state_; }
   int stride() const { return params_.stride; }
@@ -28,6 +33,7 @@ class SimulateStage {
   int lanes_;
   std::size_t local_;  // number of work-items per work-group; 0: the driver chooses the number
   cl::Buffer<float> gusts_, constants_, state_;
+  std::optional<ContactStage> contact_;
 };
 
 }  // namespace pelage::shells

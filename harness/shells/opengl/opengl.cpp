@@ -15,6 +15,7 @@
 #include "harness/gl/objects.hpp"
 #include "harness/prepare/water.hpp"
 #include "harness/scene/shading_models.hpp"
+#include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/facing.hpp"
 #include "harness/shells/opengl/program.hpp"
 #include "harness/shells/opengl/textures.hpp"
@@ -76,7 +77,7 @@ struct OpenGl::State {
   double build_ms = 0;
   Program skin, fur;
   std::vector<Object> fur_textures;
-  Object coat, mask;
+  Object coat, mask, density, turns, field;
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
   Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
   Object colour, depth, framebuffer;
@@ -92,6 +93,9 @@ struct OpenGl::State {
         fur_textures(rivals::fur_textures(input->fur, options)),
         coat(coat_texture(input->coat, options)),
         mask(mask_texture(wetness, input->scene.wetness.size)),
+        density(density_texture(input->style.density)),
+        turns(turns_texture(*input)),
+        field(field_texture(*input)),
         fixed_buffer(make_buffer(vertices.fixed(), changes ? GL_DYNAMIC_STORAGE_BIT : 0)),
         bent_buffer(make_buffer(bent, GL_DYNAMIC_STORAGE_BIT)),
         index_buffer(make_buffer(vertices.index())),
@@ -121,6 +125,7 @@ struct OpenGl::State {
     skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
     fur = scene_program("shell.vert", "fur.frag", defines, constants, baked);
     build_ms = ms_since(begin);
+    set_colliders(fur.id(), *input, 0);
   }
 
   void lay_out_vertices() {
@@ -141,6 +146,7 @@ struct OpenGl::State {
     attribute(5, 3, offsetof(Vertex, curl_v), 0);
     attribute(6, 3, offsetof(Vertex, dx_du), 0);
     attribute(7, 3, offsetof(Vertex, dx_dv), 0);
+    attribute(8, 1, offsetof(Vertex, turn), 0);
   }
 
   /// Sets the OpenGL state that is the same for all frames. It is set only once, because no other scene uses
@@ -152,6 +158,9 @@ struct OpenGl::State {
     glBindTextureUnit(0, fur_textures.front().id());
     glBindTextureUnit(1, coat.id());
     glBindTextureUnit(2, mask.id());
+    glBindTextureUnit(3, density.id());
+    glBindTextureUnit(4, turns.id());
+    glBindTextureUnit(5, field.id());
     glViewport(0, 0, input->camera.width, input->camera.height);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);  // the depth is near / w, from 0 to 1
     glEnable(GL_DEPTH_TEST);
@@ -242,11 +251,14 @@ OpenGl::~OpenGl() = default;
 OpenGl::OpenGl(OpenGl&&) noexcept = default;
 OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
 
-void OpenGl::bend(const std::vector<glm::vec3>& tips) {
+void OpenGl::bend(const std::vector<glm::vec3>& tips, int frames) {
   if (tips.size() != state_->input->strands.anchor.size())
     throw InputError(fmt::format("OpenGL: the scene has {} strands, but {} tips were given",
                                  state_->input->strands.anchor.size(), tips.size()));
   state_->bent = state_->vertices.bent(tips);
+  const DynamicsScene& dynamics = state_->input->scene.dynamics;
+  state_->context.make_current();
+  set_colliders(state_->fur.id(), *state_->input, double(frames) * dynamics.substeps * double(dynamics.step));
 }
 
 void OpenGl::set_mask(const std::vector<glm::vec4>& mask) {

@@ -46,7 +46,7 @@ gl::Program scene_program(const std::string& vertex, const std::string& fragment
   std::string head = "#version 450 core\n" + defines;
   for (const Constant& constant : constants) head += declared(constant, baked);
   head += gl::shader_text("layers.glsl");
-  gl::Program program({vertex, head + gl::shader_text(vertex)},
+  gl::Program program({vertex, head + gl::shader_text("contact.glsl") + gl::shader_text(vertex)},
                       {fragment, head + gl::shader_text("light.glsl") + gl::shader_text(fragment)});
   if (!baked)
     for (const Constant& constant : constants) set_uniform(program.id(), constant);

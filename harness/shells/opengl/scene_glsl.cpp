@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "harness/scene/shading_models.hpp"
+#include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/program.hpp"
 
 namespace pelage::rivals {
@@ -64,6 +65,7 @@ std::vector<Constant> scene_constants(const FrameInput& input) {
       {"SOAKED", {scene.soaked.threshold}},
       {"FILM_HEIGHT", {scene.soaked.height}},
       {"FILM_GLOSS", {scene.soaked.gloss}},
+      {"DENSITY", {scene.fur.density}},
       {"SKIN_COLOUR", list(scene.coat.skin)},
       {"SPECULAR", list(shading.specular)},
       {"EXPONENT", {shading.exponent}},
@@ -102,6 +104,9 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
       options.power == "whole" && exponent == std::floor(exponent) && exponent >= 1.0f && exponent <= 1024.0f,
       fmt::format("WHOLE_EXPONENT {}", int(exponent)));
   define(scene.curl.radius > 0.0f, "CURLS");
+  define(scene.curl.radius > 0.0f && !input.style.curl_turns.empty(), "TURNS_MAP");
+  define(scene.fur.density < 1.0f || !input.style.density.value.empty(), "THINNED");
+  define(!input.style.density.value.empty(), "DENSITY_MAP");
   define(wet, "CLUMPS");
   define(true, fmt::format("CLUMP_READING CLUMP_{}", upper_case(scene.clump.scale)));
   define(true, fmt::format("TANGENT_READING TANGENT_{}", upper_case(scene.shading.tangent)));
@@ -110,7 +115,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(wet && scene.soaked.threshold < 1.0f, "SOAKED_FUR");
   define(shading_model(scene.shading.model).surface_light, "WET_MODEL");
   define(scene.shading.sides == "two", "TWO_SIDED");
-  return text;
+  return text + contact_defines(input);
 }
 
 std::vector<glm::vec4> layer_table(const Scene& scene) {

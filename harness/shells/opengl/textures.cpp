@@ -1,6 +1,8 @@
 #include "harness/shells/opengl/textures.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "harness/gl/context.hpp"
 
@@ -103,6 +105,41 @@ gl::Object mask_texture(const std::vector<glm::vec4>& mask, int size) {
   glTextureSubImage2D(texture.id(), 0, 0, 0, size, size, GL_RGBA, GL_FLOAT, mask.data());
   repeat(texture.id(), GL_NEAREST, GL_NEAREST);
   gl::check_gl("uploading the wetness mask");
+  return texture;
+}
+
+gl::Object density_texture(const Style::Density& map) {
+  const std::vector<float> one{1.0f};
+  const bool none = map.value.empty();
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  const GLsizei width = none ? 1 : map.width, height = none ? 1 : map.height;
+  glTextureStorage2D(texture.id(), 1, GL_R32F, width, height);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, width, height, GL_RED, GL_FLOAT,
+                      none ? one.data() : map.value.data());
+  repeat(texture.id(), GL_LINEAR, GL_LINEAR);
+  glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl::check_gl("uploading the map of the density");
+  return texture;
+}
+
+gl::Object turns_texture(const FrameInput& input) {
+  const bool none = input.style.curl_turns.empty();
+  const GLsizei layers = none ? 1 : input.scene.fur.layers, levels = none ? 1 : turn_steps + 1;
+  std::vector<glm::vec2> texels;
+  for (GLsizei n = 0; n < layers; ++n)
+    for (GLsizei k = 0; k < levels; ++k) {
+      const double h = (1.0 + double(n)) / double(layers);
+      const double turns = double(input.scene.curl.turns * (float(k) / float(turn_steps)));
+      const double angle = 2.0 * std::numbers::pi * turns * h;
+      texels.emplace_back(h * std::cos(angle), h * std::sin(angle));
+    }
+  gl::Object texture = gl::make_texture(GL_TEXTURE_2D);
+  glTextureStorage2D(texture.id(), 1, GL_RG32F, levels, layers);
+  glTextureSubImage2D(texture.id(), 0, 0, 0, levels, layers, GL_RG, GL_FLOAT, texels.data());
+  repeat(texture.id(), GL_NEAREST, GL_NEAREST);
+  gl::check_gl("uploading the angles of the curls");
   return texture;
 }
 

@@ -20,6 +20,11 @@ float wetness_at(const std::vector<glm::vec4>& mask, int size, const glm::vec2& 
   return clump.w * std::clamp(1.0f + depth * 2.0f * float(size), 0.0f, 1.0f);
 }
 
+/// Returns an entry of a map of `Style`, or 1 if the scene has no such map.
+float share_of(const std::vector<float>& map, std::size_t entry) {
+  return map.empty() ? 1.0f : map[entry];
+}
+
 }  // namespace
 
 /// Returns the weighted mean of of_strand(f) over the triangles f around a vertex. of_strand(f) returns a
@@ -49,15 +54,17 @@ Vertices::Vertices(const FrameInput& input, const std::vector<glm::vec4>& mask, 
   }
   const double length = double(input.scene.fur.length);
   for (std::size_t i = 0; i < copy_.size(); ++i) {
-    const std::uint32_t copy = copy_[i];
-    const glm::dvec3 normal = mean(i, [&](std::size_t f) { return input.strands.normal[f]; });
+    const std::uint32_t copy = copy_[i], point = mesh.weld[copy];
+    const glm::dvec3 normal =
+        mean(i, [&](std::size_t f) { return share_of(input.style.length, f) * input.strands.normal[f]; });
     fixed_.push_back({mesh.position[copy],
                       mesh.uv[copy],
                       glm::vec3(length * normal),
                       {},
                       {},
                       input.tangents.t[copy],
-                      input.tangents.b[copy]});
+                      input.tangents.b[copy],
+                      share_of(input.style.curl_turns, point) * float(turn_steps)});
   }
   set_mask(mask);
 }
@@ -68,8 +75,8 @@ void Vertices::set_mask(const std::vector<glm::vec4>& mask) {
   const bool discs = scene.clump.cells == "consistent";
   for (std::size_t i = 0; i < copy_.size(); ++i) {
     const std::uint32_t point = input_->mesh->weld[copy_[i]];
-    const float radius =
-        scene.curl.radius * (1.0f - wetness_at(mask, scene.wetness.size, curl.mask_uv[point], discs));
+    const float radius = scene.curl.radius * share_of(input_->style.curl_radius, point) *
+                         (1.0f - wetness_at(mask, scene.wetness.size, curl.mask_uv[point], discs));
     fixed_[i].curl_u = radius * curl.u[point];
     fixed_[i].curl_v = radius * curl.v[point];
   }

@@ -19,6 +19,7 @@ struct Vertex {
   glm::vec3 a;               ///< fur.length times the weighted mean normal of the strands around the vertex
   glm::vec3 curl_u, curl_v;  ///< axes of the curl, multiplied by the curl's radius and the dryness
   glm::vec3 dx_du, dx_dv;    ///< derivatives of the position with respect to u and v
+  float turn;                ///< factor of curl.turns times turn_steps: a whole number
 };
 
 class Vertices {

@@ -53,7 +53,10 @@ glm::dvec3 stick_displacement(const DynamicsScene& dynamics, const Bend& bend, d
 
 Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const std::vector<char>& wanted,
                    Mutant mutant, const std::vector<glm::dvec3>& sticks)
-    : input_(&input), mutant_(mutant), separate_(parts(input.scene)) {
+    : input_(&input),
+      mutant_(mutant),
+      separate_(parts(input.scene)),
+      colliders_(input, time_after(input.scene.dynamics, frames)) {
   const bool on_sticks = has_springs(input.scene.dynamics);
   const Mesh& mesh = *input.mesh;
   const StrandSet& strands = input.strands;
@@ -79,8 +82,7 @@ Geometry::Geometry(const FrameInput& input, const Mask& mask, int frames, const 
   std::vector<Bend> of_strand(faces);
   for_each_index(faces, 256, [&](std::size_t f) {
     if (!strand_wanted[f] || on_sticks) return;
-    of_strand[f] = {double(input.scene.fur.length) * glm::dvec3(strands.normal[f]),
-                    simulate(input, f, frames).tip};
+    of_strand[f] = {length_of(input, f) * glm::dvec3(strands.normal[f]), simulate(input, f, frames).tip};
   });
   for_each_index(count, 1024, [&](std::size_t s) {
     if (!wanted_[s]) return;
@@ -112,22 +114,44 @@ std::uint32_t Geometry::vertex(std::size_t slot) const {
   return separate_ ? input_->mesh->triangle[slot / 3][int(slot % 3)] : std::uint32_t(slot);
 }
 
+Geometry::CurlAxes Geometry::curl_axes(std::size_t slot) const {
+  const std::vector<float>& share = input_->style.curl_radius;
+  const std::uint32_t point = input_->mesh->weld[vertex(slot)];
+  const double radius =
+      (share.empty() ? 1.0 : double(share[point])) * double(input_->scene.curl.radius) * (1.0 - rho_[slot]);
+  return {radius * glm::dvec3(input_->curl.u[point]), radius * glm::dvec3(input_->curl.v[point])};
+}
+
+double Geometry::turns_share(std::size_t slot) const {
+  const std::vector<float>& share = input_->style.curl_turns;
+  return share.empty() ? 1.0 : double(share[input_->mesh->weld[vertex(slot)]]);
+}
+
 glm::dvec3 Geometry::curl_offset(std::size_t slot, int n) const {
   if (n < 0) return glm::dvec3(0.0);
-  const Scene& scene = input_->scene;
-  const std::uint32_t point = input_->mesh->weld[vertex(slot)];
-  return curl(layer_height(n, scene.fur.layers, mutant_), rho_[slot], double(scene.curl.radius),
-              double(scene.curl.turns), glm::dvec3(input_->curl.u[point]), glm::dvec3(input_->curl.v[point]));
+  const CurlAxes axes = curl_axes(slot);
+  return curl(layer_height(n, input_->scene.fur.layers, mutant_), 0.0, 1.0,
+              turns_share(slot) * double(input_->scene.curl.turns), axes.u, axes.v);
 }
 
 glm::dvec3 Geometry::position(std::size_t slot, int n) const {
   const glm::dvec3 surface(input_->mesh->position[vertex(slot)]);
   if (n < 0) return surface;
-  return surface + bent(*input_, bend_[slot], n, mutant_) + curl_offset(slot, n);
+  const glm::dvec3 along = bent(*input_, bend_[slot], n, mutant_) + curl_offset(slot, n);
+  return surface + (colliders_.none() ? along : colliders_.kept(surface, along));
 }
 
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant) {
   return bent(input, bend, n, mutant) - bent(input, bend, n - 1, mutant);
+}
+
+glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n) {
+  const double turns = std::round(share * turn_steps) / turn_steps * double(scene.curl.turns);
+  const auto at = [&](int layer) {
+    const double h = layer < 0 ? 0.0 : layer_height(layer, scene.fur.layers);
+    return curl(h, 0.0, 1.0, turns, axes.u, axes.v);
+  };
+  return at(n) - at(n - 1);
 }
 
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n) {

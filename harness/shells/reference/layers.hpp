@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "harness/prepare/frame_input.hpp"
+#include "harness/shells/reference/contact.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/strands.hpp"
 
@@ -77,6 +78,12 @@ class Geometry {
   /// Returns the offset by the curl on layer n for a slot (the index of a mesh vertex or of a triangle
   /// corner). The offset is 0 for the base surface, n = -1.
   glm::dvec3 curl_offset(std::size_t slot, int n) const;
+  /// The axes of the curl at a slot, times its radius and its dryness, in R.
+  struct CurlAxes {
+    glm::dvec3 u, v;
+  };
+  CurlAxes curl_axes(std::size_t slot) const;
+  double turns_share(std::size_t slot) const;  ///< factor of curl.turns by its map; 1 without a map
 
  private:
   const FrameInput* input_;
@@ -84,12 +91,17 @@ class Geometry {
   bool separate_;
   std::vector<char> wanted_;
   std::vector<Bend> bend_;
+  Colliders colliders_;      ///< at the time of the picture
   std::vector<double> rho_;  ///< for each slot, the wetness of the mask at its surface point
 };
 
 /// Returns the vector from the strand's point on layer n - 1 to its point on layer n, both without the curl.
 /// Shading uses the direction of this vector as the strand's tangent at layer n.
 glm::dvec3 chord(const FrameInput& input, const Bend& bend, int n, Mutant mutant = Mutant::none);
+
+/// Returns dphi(n), the displacement by the curl on layer n minus that on layer n - 1, with curl.turns_map.
+/// `share` is the factor of curl.turns before it is rounded to a multiple of 1 / turn_steps.
+glm::dvec3 curl_change(const Scene& scene, double share, const Geometry::CurlAxes& axes, int n);
 
 /// Returns the three corner positions of every triangle on layer n. n = -1 is the base surface.
 std::vector<glm::dvec3> layer_positions(const FrameInput& input, const Geometry& geometry, int n);

@@ -1,7 +1,5 @@
 // Draws the base surface and then the layers from the innermost to the outermost (docs/frame.md, sections 5
 // to 7, and section 4 of Silva et al. 2010, Curling and Clumping Fur).
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +7,9 @@
 #include <glm/vec4.hpp>
 #include <optional>
 
-#include "harness/error.hpp"
 #include "harness/parallel.hpp"
 #include "harness/shells/reference/coverage.hpp"
+#include "harness/shells/reference/input_check.hpp"
 #include "harness/shells/reference/layers.hpp"
 #include "harness/shells/reference/mask.hpp"
 #include "harness/shells/reference/reference.hpp"
@@ -164,8 +162,18 @@ class Painter {
                         [&](std::size_t s) { return glm::dvec3(input_.tangents.b[geometry_.vertex(s)]); });
   }
 
-  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n.
+  /// Returns dphi(n), the change of the curl offset from layer n - 1 to layer n. With curl.turns_map, the
+  /// axes and the factor of the turns are interpolated, and the factor is rounded like that of a vertex.
   glm::dvec3 curl_step(std::uint32_t face, const Sample& sample) const {
+    if (!input_.style.curl_turns.empty()) {
+      const double share =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.turns_share(s); });
+      const glm::dvec3 u =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).u; });
+      const glm::dvec3 v =
+          interpolated(face, sample, [&](std::size_t s) { return geometry_.curl_axes(s).v; });
+      return curl_change(input_.scene, share, {u, v}, layer_);
+    }
     return interpolated(face, sample, [&](std::size_t s) {
       return geometry_.curl_offset(s, layer_) - geometry_.curl_offset(s, layer_ - 1);
     });
@@ -234,7 +242,8 @@ class Painter {
       const glm::dvec3 delta = root_shift(step + curl_step(face, sample), normal, eye);
       return uv_shares(delta, tangent(face, sample), bitangent(face, sample));
     });
-    fur.coverage *= shown(clump, sample, normal, eye);
+    fur.coverage *= shown(clump, sample, normal, eye) * double(scene.fur.density) *
+                    sample_density(input_.style.density, where + clump.d);
     const double h = layer_height(layer_, scene.fur.layers, options_.mutant);
     const double film = cover_with_film(fur, clump.film, film_coverage(scene, h));
     if (!(fur.coverage > 0.0)) return;
@@ -308,49 +317,10 @@ std::vector<std::optional<bool>> sweeps(const std::string& faces) {
   return {std::nullopt};
 }
 
-void check(bool fits, const char* what) {
-  if (!fits) throw InputError(fmt::format("a frame cannot be drawn: {}", what));
-}
-
-void check(const FrameInput& input, const Options& options) {
-  check(input.mesh != nullptr, "the input has no mesh");
-  const Mesh& mesh = *input.mesh;
-  const std::size_t faces = mesh.triangle.size(), copies = mesh.position.size(), points = mesh.welded;
-  const std::size_t texels = std::size_t(input.scene.wetness.size) * std::size_t(input.scene.wetness.size);
-  check(mesh.uv.size() == copies && mesh.weld.size() == copies,
-        "the mesh needs one UV and one surface point per vertex");
-  check(input.strands.normal.size() == faces && input.strands.anchor.size() == faces &&
-            input.strands.phase.size() == faces,
-        "the input needs one strand per triangle");
-  const bool sticks = has_springs(input.scene.dynamics);
-  check(!sticks || input.stick_normal.size() == points,
-        "a mass-spring topology needs one normal per surface point");
-  check(
-      options.sticks.empty() || options.sticks.size() == (parts(input.scene) ? 3 * faces : points),
-      "Options::sticks must have one entry per surface point, or one per triangle corner if the topology is "
-      "separable-sticks or separable-prisms");
-  check(!sticks || !options.sticks.empty() || options.frames == 0,
-        "Options::sticks must not be empty if a mass-spring topology is drawn after more than 0 frames");
-  check(input.strands.row.size() == points + 1,
-        "the matrix of strand weights must have one row per surface point");
-  check(input.curl.u.size() == points && input.curl.v.size() == points && input.curl.mask_uv.size() == points,
-        "the arrays of the curl's axes must have one entry per surface point");
-  check(input.tangents.t.size() == copies && input.tangents.b.size() == copies,
-        "the arrays of surface tangents must have one entry per vertex");
-  check(input.scene.wetness.size > 0 && input.mask_surface.size() == texels,
-        "the wetness mask needs one surface point per texel");
-  check(input.scene.fur.layers >= 2 && input.fur.layers == input.scene.fur.layers && !input.fur.level.empty(),
-        "the fur texture needs one slice per layer, and at least 2 layers");
-  check(input.coat.size > 0, "the input has no coat texture");
-  check(input.scene.fur.substeps >= 1, "fur.substeps must be at least 1");
-  check(input.camera.width > 0 && input.camera.height > 0 && input.camera.near > 0.0f,
-        "the camera's size and near plane must be above 0");
-}
-
 }  // namespace
 
 Picture render(const FrameInput& input, const Options& options) {
-  check(input, options);
+  check_input(input, options);
   const Camera& camera = input.camera;
   const glm::vec4 background(input.scene.image.background, 0.0f);
   Picture picture{camera.width, camera.height, {}};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "harness/parallel.hpp"
+#include "harness/shells/reference/contact.hpp"
 #include "harness/shells/reference/vector.hpp"
 
 namespace pelage::reference {
@@ -20,6 +21,11 @@ glm::dvec3 wind_force(const WindScene& wind, const glm::dvec2& phase, double tim
 }
 
 }  // namespace
+
+double length_of(const FrameInput& input, std::size_t face) {
+  if (input.style.length.empty()) return double(input.scene.fur.length);
+  return double(input.scene.fur.length * input.style.length[face]);
+}
 
 Strand constrain(Strand strand, const glm::dvec3& normal, double length) {
   const double height = glm::dot(strand.tip, normal);
@@ -49,7 +55,11 @@ Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::si
       wind_force(dynamics.wind, glm::dvec2(input.strands.phase[face]), double(index) * dt);
   strand.velocity += dt / mass * force;
   strand.tip += dt * strand.velocity;
-  return constrain(strand, glm::dvec3(input.strands.normal[face]), double(input.scene.fur.length));
+  const glm::dvec3 normal(input.strands.normal[face]);
+  if (has_contact(input.scene.contact))
+    strand =
+        Colliders(input, double(index + 1) * dt).push(strand, glm::dvec3(input.strands.root[face]), normal);
+  return constrain(strand, normal, length_of(input, face));
 }
 
 Strand simulate(const FrameInput& input, std::size_t face, int frames) {

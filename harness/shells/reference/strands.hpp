@@ -21,12 +21,15 @@ struct Strand {
 /// The function also removes the component of the velocity that points out of the half ball.
 Strand constrain(Strand strand, const glm::dvec3& normal, double length);
 
+/// Returns the length of the strand of `face` in R: fur.length, times the factor of fur.length_map.
+double length_of(const FrameInput& input, std::size_t face);
+
 /// Returns the strand of `face` at rest. The tip is at the strand's anchor and has the velocity 0.
 Strand rest(const FrameInput& input, std::size_t face);
 
 /// Advances `strand`, the strand of the triangle `face`, by one substep. Integrates S Eq. 2 by semi-implicit
-/// Euler and then applies S Eq. 3. `index` is the number of earlier substeps since rest. `index` determines
-/// the time in the wind force.
+/// Euler, moves the strand out of the colliders, and then applies S Eq. 3. `index` is the number of earlier
+/// substeps since rest. `index` determines the time in the wind force.
 Strand substep(const FrameInput& input, std::size_t face, Strand strand, std::size_t index);
 
 /// Simulates one strand for `frames` frames from rest. A frame has scene.dynamics.substeps substeps.

@@ -44,6 +44,22 @@ FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, dou
   return {bytes.x / 255.0, bytes.y / 127.5};
 }
 
+double sample_density(const Style::Density& map, const glm::dvec2& uv) {
+  if (map.value.empty()) return 1.0;
+  // The top row of the picture is at v = 1.
+  const double x = std::clamp(uv.x * map.width - 0.5, 0.0, double(map.width - 1));
+  const double y = std::clamp((1.0 - uv.y) * map.height - 0.5, 0.0, double(map.height - 1));
+  const double s = x - std::floor(x), t = y - std::floor(y);
+  double sum = 0.0;
+  for (int corner = 0; corner < 4; ++corner) {
+    const int right = corner % 2, down = corner / 2;
+    const std::size_t i = std::size_t(std::min(int(x) + right, map.width - 1));
+    const std::size_t j = std::size_t(std::min(int(y) + down, map.height - 1));
+    sum += (right ? s : 1.0 - s) * (down ? t : 1.0 - t) * double(map.value[j * std::size_t(map.width) + i]);
+  }
+  return sum;
+}
+
 glm::dvec3 sample_coat(const CoatTexture& coat, const glm::dvec2& uv) {
   return bilinear(coat.size, uv,
                   [&](std::size_t j, std::size_t i) {

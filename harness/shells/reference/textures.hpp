@@ -18,6 +18,10 @@ struct FurSample {
 /// existing mip levels.
 FurSample sample_fur(const FurTexture& fur, const glm::dvec2& uv, int layer, double level);
 
+/// Returns the value of a map at uv by bilinear filtering between pixel centres. Outside the unit square, the
+/// value is that of the nearest point of the square. Returns 1 if there is no map.
+double sample_density(const Style::Density& map, const glm::dvec2& uv);
+
 /// Returns the coat's colour at uv by bilinear filtering. Channels are 0..1.
 glm::dvec3 sample_coat(const CoatTexture& coat, const glm::dvec2& uv);
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "harness/distance/field.hpp"
 #include "harness/springs/model/motion.hpp"
-#include "harness/strands/body/field.hpp"
 #include "harness/strands/body/skin.hpp"
 #include "kernels/strands/chain/params.h"
 

@@ -3,18 +3,25 @@
 // work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
 // compiled program. To save this time, the kernels of bin.clh, reach.clh and texel_reach.clh are part of this
 // program.
+#if CONTACT
+#include "common/contact.clh"
+#endif
 #include "rasterize/coverage/fan.clh"
 #include "rasterize/geometry/bin.clh"
 #include "rasterize/geometry/texel_reach.clh"
 #include "rasterize/geometry/transform.clh"
 
 // Computes the dryness 1 - rho at each vertex, once per wetness mask. rho is the wetness. mask_uv: a column of u, then
-// a column of v.
+// a column of v. With RADIUS_MAP, a third column holds the factor of curl.radius, and the dryness is multiplied by it.
 __kernel void vertex_dryness(RasterParams s, TABLE(float) mask_uv, TABLE(float) mask, __global float *dry) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
   real2 p = vec2(load_real(mask_uv, block), load_real(mask_uv + s.vertices, block));
-  store_real(REAL(1.0f) - wetness_at(&s, mask, p), dry, block);
+  real d = REAL(1.0f) - wetness_at(&s, mask, p);
+#if RADIUS_MAP
+  d = d * load_real(mask_uv + 2 * (size_t)s.vertices, block);
+#endif
+  store_real(d, dry, block);
 }
 
 // Computes the tip B of each vertex: the sum of weight * q over the strands around it, where q is a strand's tip minus
@@ -36,7 +43,8 @@ __kernel void vertex_tips(RasterParams s, TABLE(int) slice, TABLE(int) strand, T
   store_real(b.z, tip + 2 * (size_t)s.vertices, block);
 }
 
-static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, int block) {
+static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
+                            int block) {
   Corner c;
   c.position = column3(vertex, VERTEX_X, s->vertices, block);
   c.a = column3(vertex, ROOT_X, s->vertices, block);
@@ -44,6 +52,9 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
   c.u = column3(vertex, CURL_UX, s->vertices, block);
   c.v = column3(vertex, CURL_VX, s->vertices, block);
   c.dry = load_real(dry, block);
+#if TURNS_MAP
+  c.turn = load_real(table + s->turn_points, block);
+#endif
   return c;
 }
 
@@ -89,20 +100,35 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 // layers of the batch, and the greatest 1/w of these positions. The row of vertex i in batch g starts at
 // 4 * (g * vertices + i). Batch 0 is the base, and each of the batches 1 to layer_batches - 1 consists of adjacent
 // layers. One more batch, with the index layer_batches, contains the base and all layers of the pass.
+// With CONTACT, the colliders of the table `contact` at the time number `time` push the vertices towards their roots, and the
+// fourth number of a row is the share of the displacement that remains.
 // If a vertex needs clipping, its 1/w in `screen` is 0 and its greatest 1/w in `box` is infinite.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
-                             __global float *screen, __global float *box) {
+                             __global float *screen, __global float *box
+#if CONTACT
+                             , TABLE(float) contact, TABLE(float) field, int time
+#endif
+) {
   int block = (int)get_global_id(0);
   if (block * LANES >= s.vertices) return;
-  Corner c = corner(&s, vertex, tip, dry, block);
+  Corner c = corner(&s, vertex, tip, dry, table, block);
+#if CONTACT
+  Colliders colliders = colliders_at(contact, field, time);
+#endif
   Bounds all = nothing();
   for (int g = 0; g < s.layer_batches; ++g) {
     int first = g == 0 ? -1 : s.first_layer + (g - 1) * s.layer_batch;
     int last = g == 0 ? 0 : min(first + s.layer_batch, s.end_layer);
     Bounds bounds = nothing();
     for (int n = first; n < last; ++n) {
-      Screen v = to_screen(&s, to_clip(&s, layer_at(&s, table, n), c));
-      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, REAL(0.0f)};
+      Layer l = layer_at(&s, table, n);
+      real kept = REAL(0.0f);
+#if CONTACT
+      c.share = n < 0 ? REAL(1.0f) : kept_share(colliders, c.position, displacement(&s, l, c));
+      kept = c.share;
+#endif
+      Screen v = to_screen(&s, to_clip(&s, l, c));
+      real4 row = {bits_as_real(v.x), bits_as_real(v.y), v.iw, kept};
       store_rows(row, screen + 4 * screen_row(&s, n), block);
       bounds = both(bounds, bounds_of(&s, v));
     }
@@ -171,8 +197,9 @@ __kernel void vertex_records(RasterParams s, TABLE(float) vertex, TABLE(float) t
 }
 
 // Writes the two axes of the curl at each vertex, multiplied by the vertex's dryness: (1 - rho) u and (1 - rho) v,
-// where rho is the wetness and u and v are unit vectors.
-__kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, __global float *curls) {
+// where rho is the wetness and u and v are unit vectors. With TURNS_MAP, the seventh float is the number of the factor of
+// curl.turns. table: the layer table.
+__kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry, TABLE(float) table, __global float *curls) {
   for (int i = (int)get_global_id(0); i < s.vertices; i += (int)get_global_size(0)) {
     __global float *out = curls + (size_t)i * RECORD;
     for (int k = 0; k < 3; ++k) {
@@ -180,5 +207,8 @@ __kernel void vertex_curls(RasterParams s, TABLE(float) vertex, TABLE(float) dry
       out[3 + k] = dry[i] * vertex[(size_t)(CURL_VX + k) * s.vertices + i];
     }
     out[6] = out[7] = 0.0f;
+#if TURNS_MAP
+    out[6] = table[s.turn_points + i];
+#endif
   }
 }

@@ -71,7 +71,9 @@ struct Fragment : ::testing::Test {
     p.eye = c::eye_through(&s, 2.0, 2.0);
     p.a_square = c::dot3(p.a, p.a);
   }
-  c::Textures textures(bool wet) { return {fur.data(), coat.data(), wet ? mask.data() : dry.data()}; }
+  c::Textures textures(bool wet) {
+    return {fur.data(), coat.data(), wet ? mask.data() : dry.data(), nullptr};
+  }
   c::Layer layer() { return c::layer_at(&s, table.data(), 8); }
   double shaded(bool wet) {
     const c::Layer l = layer();

@@ -20,7 +20,7 @@ std::vector<glm::vec3> tips_of(const FrameInput& input) {
 
 Picture drawn_by_opengl(const std::shared_ptr<const FrameInput>& input, const std::string& options) {
   OpenGl opengl(input, mask_of(*input), opengl_options(options));
-  opengl.bend(tips_of(*input));
+  opengl.bend(tips_of(*input), frames);
   opengl.frame();
   return opengl.read();
 }

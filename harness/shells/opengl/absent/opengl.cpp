@@ -36,7 +36,7 @@ OpenGl::OpenGl(std::shared_ptr<const FrameInput>, const std::vector<glm::vec4>&,
 OpenGl::~OpenGl() = default;
 OpenGl::OpenGl(OpenGl&&) noexcept = default;
 OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
-void OpenGl::bend(const std::vector<glm::vec3>&) {
+void OpenGl::bend(const std::vector<glm::vec3>&, int) {
   refuse();
 }
 void OpenGl::set_mask(const std::vector<glm::vec4>&) {

@@ -1,4 +1,4 @@
-#include "harness/strands/body/closed_surface.hpp"
+#include "harness/distance/closed_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include "harness/error.hpp"
 
-namespace pelage::strands {
+namespace pelage {
 namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
@@ -147,4 +147,4 @@ double ClosedSurface::distance(glm::vec3 point) const {
   return winding(glm::dvec3(point)) > 0 ? -size : size;
 }
 
-}  // namespace pelage::strands
+}  // namespace pelage

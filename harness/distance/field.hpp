@@ -7,7 +7,7 @@
 
 #include "harness/mesh/mesh.hpp"
 
-namespace pelage::strands {
+namespace pelage {
 
 /// Distances in R at the nodes of a regular grid, below 0 inside the body. docs/chains.md, section Body,
 /// defines the values between the nodes.
@@ -46,4 +46,4 @@ class ClosedSurface;
 /// Measures the penetration of the true mesh, not of its field.
 Penetration penetration(const ClosedSurface& surface, const std::vector<glm::vec3>& points);
 
-}  // namespace pelage::strands
+}  // namespace pelage

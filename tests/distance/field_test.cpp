@@ -1,5 +1,5 @@
 // Tests the exact distances from a closed mesh, and the coarse distance field of a body.
-#include "harness/strands/body/field.hpp"
+#include "harness/distance/field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "harness/distance/closed_surface.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/random.hpp"
-#include "harness/strands/body/closed_surface.hpp"
 #include "tests/strands/support/meshes.hpp"
 
 namespace pelage::strands {

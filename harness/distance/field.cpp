@@ -1,4 +1,4 @@
-#include "harness/strands/body/field.hpp"
+#include "harness/distance/field.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "harness/distance/closed_surface.hpp"
 #include "harness/error.hpp"
 #include "harness/hash.hpp"
 #include "harness/mesh/disk_cache.hpp"
-#include "harness/strands/body/closed_surface.hpp"
 
-namespace pelage::strands {
+namespace pelage {
 namespace {
 
 constexpr std::string_view title = "pelage field 1\n";
@@ -102,4 +102,4 @@ Penetration penetration(const ClosedSurface& surface, const std::vector<glm::vec
   return found;
 }
 
-}  // namespace pelage::strands
+}  // namespace pelage

@@ -10,7 +10,7 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/search.hpp"
 
-namespace pelage::strands {
+namespace pelage {
 
 /// Largest number of edges of a hole that is_closed() permits.
 inline constexpr std::size_t small_hole = 16;
@@ -46,4 +46,4 @@ class ClosedSurface {
   std::vector<std::uint32_t> row_, member_;
 };
 
-}  // namespace pelage::strands
+}  // namespace pelage

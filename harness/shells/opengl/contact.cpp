@@ -1,0 +1,77 @@
+#include "harness/shells/opengl/contact.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
+#include "harness/gl/context.hpp"
+
+namespace pelage::rivals {
+namespace {
+
+bool active(const ContactMotion& motion, double time) {
+  return time >= double(motion.begin) && time < double(motion.end);
+}
+
+glm::vec3 at_time(const glm::vec3& place, const ContactMotion& motion, double time) {
+  return glm::vec3(glm::dvec3(place) + (time - double(motion.begin)) * glm::dvec3(motion.velocity));
+}
+
+void set_vectors(GLuint program, const char* name, const std::vector<glm::vec4>& values) {
+  const GLint place = glGetUniformLocation(program, name);
+  if (place >= 0) glProgramUniform4fv(program, place, GLsizei(values.size()), &values.front().x);
+}
+
+}  // namespace
+
+std::string contact_defines(const FrameInput& input) {
+  const ContactScene& contact = input.scene.contact;
+  if (!has_contact(contact)) return {};
+  return fmt::format("#define CONTACT {}\n{}", contact.spheres.size() + contact.capsules.size(),
+                     input.contact_field ? "#define CONTACT_MESH\n" : "");
+}
+
+gl::Object field_texture(const FrameInput& input) {
+  const std::vector<float> far{1.0f};
+  const DistanceField* field = input.contact_field.get();
+  const glm::ivec3 nodes = field ? field->nodes : glm::ivec3(1);
+  gl::Object texture = gl::make_texture(GL_TEXTURE_3D);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureStorage3D(texture.id(), 1, GL_R32F, nodes.x, nodes.y, nodes.z);
+  glTextureSubImage3D(texture.id(), 0, 0, 0, 0, nodes.x, nodes.y, nodes.z, GL_RED, GL_FLOAT,
+                      field ? field->distance.data() : far.data());
+  glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl::check_gl("uploading a distance field");
+  return texture;
+}
+
+void set_colliders(GLuint program, const FrameInput& input, double time) {
+  const ContactScene& contact = input.scene.contact;
+  if (!has_contact(contact)) return;
+  std::vector<glm::vec4> from, axis;
+  for (const ContactSphereScene& s : contact.spheres) {
+    from.emplace_back(at_time(s.centre, s.motion, time), active(s.motion, time) ? s.radius : 0.0f);
+    axis.emplace_back(0.0f);
+  }
+  for (const ContactCapsuleScene& c : contact.capsules) {
+    const glm::dvec3 along = glm::dvec3(c.to) - glm::dvec3(c.from);
+    const double length = glm::length(along);
+    from.emplace_back(at_time(c.from, c.motion, time), active(c.motion, time) ? c.radius : 0.0f);
+    axis.emplace_back(glm::vec3(length > 0 ? along / length : along), float(length));
+  }
+  from.emplace_back(0.0f);
+  axis.emplace_back(0.0f);
+  set_vectors(program, "collider_from", from);
+  set_vectors(program, "collider_axis", axis);
+  const DistanceField* field = input.contact_field.get();
+  if (!field) return;
+  const ContactMeshScene& mesh = contact.mesh;
+  set_vectors(
+      program, "mesh_place",
+      {glm::vec4(at_time(mesh.position, mesh.motion, time), active(mesh.motion, time) ? mesh.scale : 0.0f)});
+  set_vectors(program, "mesh_grid", {glm::vec4(field->origin, 1.0f / field->cell)});
+}
+
+}  // namespace pelage::rivals

@@ -1,0 +1,92 @@
+// Tests the preparation of maps and colliders, and the refusal of bad ones.
+#include "harness/prepare/style.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "harness/error.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "harness/prepare/contact.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/style_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace style_scenes;
+
+template <class Call>
+std::string refusal(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Style, HasOneValuePerTriangleOrPoint) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "u.exr", 256, 1, [](glm::vec2 uv) { return uv.x; });
+  Scene scene;
+  scene.fur.length_map = scene.fur.comb_map = scene.curl.radius_map = scene.curl.turns_map = map;
+  const auto mesh = load_model("torus-40x24");
+  const Skin skin = weld(*mesh);
+  const Style style = make_style(*mesh, skin, scene);
+  ASSERT_EQ(style.length.size(), mesh->triangle.size());
+  ASSERT_EQ(style.comb.size(), mesh->welded);
+  EXPECT_TRUE(style.density.value.empty());
+  for (std::size_t f = 0; f < style.length.size(); ++f) {
+    const glm::uvec3 t = mesh->triangle[f];
+    const float u = (mesh->uv[t.x].x + mesh->uv[t.y].x + mesh->uv[t.z].x) / 3;
+    EXPECT_NEAR(style.length[f], u, 1e-5f);
+  }
+  for (std::size_t w = 0; w < style.comb.size(); ++w) {
+    const float u = std::clamp(mesh->uv[skin.first_copy[w]].x, 0.5f / 256, 1 - 0.5f / 256);
+    EXPECT_NEAR(style.comb[w], u, 1e-5f);
+    EXPECT_EQ(style.curl_radius[w], style.comb[w]);
+    EXPECT_EQ(style.curl_turns[w] * turn_steps, std::rint(style.comb[w] * turn_steps));
+  }
+}
+
+TEST(Style, LimitsTheLengthFromBelow) {
+  const test::Folder folder;
+  Scene scene;
+  scene.fur.length_map = write_map(folder.path / "zero.exr", 2, 2, [](glm::vec2) { return 0.0f; });
+  const auto mesh = load_model("torus-24x16");
+  for (const float share : make_style(*mesh, weld(*mesh), scene).length) EXPECT_EQ(share, least_length_share);
+}
+
+TEST(Style, RefusesPicturesThatAreNoMaps) {
+  const test::Folder folder;
+  const auto with = [](const std::filesystem::path& file) {
+    return refusal([&] { small_torus([&](Scene& s) { s.curl.turns_map = file; }); });
+  };
+  const std::string missing = with(folder.path / "missing.png");
+  EXPECT_NE(missing.find("curl.turns_map"), std::string::npos) << missing;
+  EXPECT_NE(missing.find("missing.png"), std::string::npos) << missing;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::string not_a_number =
+      with(write_map(folder.path / "nan.exr", 2, 2, [&](glm::vec2) { return nan; }));
+  EXPECT_NE(not_a_number.find("not a number"), std::string::npos) << not_a_number;
+  const std::string bright = with(write_map(folder.path / "two.exr", 2, 2, [](glm::vec2) { return 2.0f; }));
+  EXPECT_NE(bright.find("at most 1"), std::string::npos) << bright;
+}
+
+TEST(ContactField, RefusesAnOpenMesh) {
+  const test::Folder folder;
+  Mesh open = *load_model("torus-24x16");
+  open.triangle.resize(open.triangle.size() / 2);
+  write_ply(folder.path / "open.ply", open);
+  ContactMeshScene scene;
+  scene.file = folder.path / "open.ply";
+  const std::string message = refusal([&] { contact_field(scene); });
+  EXPECT_NE(message.find("not closed"), std::string::npos) << message;
+  EXPECT_NE(message.find("open.ply"), std::string::npos) << message;
+  scene.file = folder.path / "missing.ply";
+  EXPECT_NE(refusal([&] { contact_field(scene); }).find("contact.mesh"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,166 @@
+// Tests the maps of the fur's shape (docs/style.md) on the device.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <glm/geometric.hpp>
+
+#include "harness/compare/tolerances.hpp"
+#include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/style_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace pictures;
+using namespace style_scenes;
+
+bool same_bits(const Picture& a, const Picture& b) {
+  return a.pixel.size() == b.pixel.size() &&
+         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]) == 0;
+}
+
+/// A map of a scene, and the scalar key that it multiplies.
+struct MapKey {
+  const char* name;
+  std::filesystem::path& (*map)(Scene&);
+  float& (*value)(Scene&);
+};
+
+const MapKey keys[] = {{"length", [](Scene& s) -> auto& {return s.fur.length_map;
+}  // namespace
+, [](Scene& s) -> auto& {
+  return s.fur.length;
+}
+}  // namespace pelage
+, {"density", [](Scene& s) -> auto& {return s.fur.density_map;
+}
+, [](Scene& s) -> auto& {
+  return s.fur.density;
+}
+}
+, {"comb", [](Scene& s) -> auto& {return s.fur.comb_map;
+}
+, [](Scene& s) -> auto& {
+  return s.fur.comb;
+}
+}
+, {"radius", [](Scene& s) -> auto& {return s.curl.radius_map;
+}
+, [](Scene& s) -> auto& {
+  return s.curl.radius;
+}
+}
+, {"turns", [](Scene& s) -> auto& {return s.curl.turns_map;
+}
+, [](Scene& s) -> auto& {
+  return s.curl.turns;
+}
+}
+,
+}
+;
+
+struct Maps : testing::TestWithParam<int> {  // the parameter is fur.substeps
+  test::Folder folder;
+};
+
+TEST_P(Maps, OfTheValueOneChangeNoBit) {
+  const auto one = write_map(folder.path / "one.exr", 3, 2, [](glm::vec2) { return 1.0f; });
+  const Picture expected =
+      drawn_by_device(small_torus([](Scene& s) { s.fur.substeps = GetParam(); }), "tile");
+  for (const MapKey& key : keys)
+    EXPECT_TRUE(same_bits(drawn_by_device(small_torus([&](Scene& s) {
+                                            s.fur.substeps = GetParam();
+                                            key.map(s) = one;
+                                          }),
+                                          "tile"),
+                          expected))
+        << key.name;
+}
+
+TEST_P(Maps, OfTheValueOneHalfAreHalfTheKeyBitForBit) {
+  const auto half = write_map(folder.path / "half.exr", 3, 2, [](glm::vec2) { return 0.5f; });
+  const Picture whole = drawn_by_device(small_torus([](Scene& s) { s.fur.substeps = GetParam(); }), "tile");
+  for (const MapKey& key : keys) {
+    const Picture mapped = drawn_by_device(small_torus([&](Scene& s) {
+                                             s.fur.substeps = GetParam();
+                                             key.map(s) = half;
+                                           }),
+                                           "tile");
+    const Picture halved = drawn_by_device(small_torus([&](Scene& s) {
+                                             s.fur.substeps = GetParam();
+                                             key.value(s) *= 0.5f;
+                                           }),
+                                           "tile");
+    EXPECT_TRUE(same_bits(mapped, halved)) << key.name;
+    EXPECT_FALSE(same_bits(mapped, whole)) << key.name << " has no effect";
+  }
+}
+
+TEST_P(Maps, LookLikeTheReferenceInAllMappings) {
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  for (const MapKey& key : keys) {
+    const auto input = small_torus([&](Scene& s) {
+      s.fur.substeps = GetParam();
+      s.fur.density = 0.9f;
+      key.map(s) = map;
+    });
+    const Picture expected = drawn_by_reference(*input);
+    for (const std::string& mapping : mappings()) {
+      const Agreement agreement = compare(expected, drawn_by_device(input, mapping));
+      EXPECT_TRUE(within(agreement)) << key.name << " " << mapping << ": " << describe(agreement);
+      EXPECT_GT(agreement.pixels, 2000u);
+      RecordProperty(std::string(key.name) + "_" + mapping, describe(agreement));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Substeps, Maps, testing::Values(1, 4));
+
+// An eye inside the fur, so that triangles are clipped.
+TEST(MapsOfClippedFur, LookLikeTheReference) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  const auto input = small_torus([&](Scene& s) {
+    for (const MapKey& key : keys) key.map(s) = map;
+    s.fur.layers = 8;
+    s.camera.framed = false;
+    s.camera.eye = {1.05f, .04f, 0};
+    s.camera.target = {0, 0, 0};
+  });
+  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_device(input, "tile"));
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+}
+
+TEST(MapsOfSeparateTriangles, LookLikeTheReference) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  const auto input = small_torus([&](Scene& s) {
+    for (const MapKey& key : keys) key.map(s) = map;
+    s.fur.binding = "separate";
+  });
+  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_device(input, "tile"));
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+}
+
+TEST(MapOfTheLength, LimitsTheMovingStrands) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  const auto input = small_torus([&](Scene& s) { s.fur.length_map = map; });
+  Shells shells(device(), input);
+  shells.advance(frames);
+  const std::vector<glm::vec3> tips = shells.tips();
+  float shortest = 1, longest = 0;
+  for (std::size_t f = 0; f < tips.size(); ++f) {
+    const float length = input->scene.fur.length * input->style.length[f];
+    EXPECT_LE(glm::length(tips[f]), length * (1 + 1e-6f));
+    shortest = std::min(shortest, glm::length(tips[f]));
+    longest = std::max(longest, glm::length(tips[f]));
+  }
+  EXPECT_LT(shortest, 0.3f * longest);
+}
+
+}  // namespace
+}  // namespace pelage

@@ -1,0 +1,73 @@
+// Compares the OpenGL baseline's pictures of fur with maps (docs/style.md) and with colliders
+// (docs/contact.md) with the reference.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "harness/compare/tolerances.hpp"
+#include "harness/mesh/write_ply.hpp"
+#include "tests/shells/opengl/scenes.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/style_scenes.hpp"
+
+namespace pelage {
+namespace {
+
+using namespace rival_tests;
+using namespace style_scenes;
+
+void set_maps(Scene& s, const std::filesystem::path& map) {
+  s.fur.length_map = s.fur.density_map = s.fur.comb_map = s.curl.radius_map = s.curl.turns_map = map;
+}
+
+TEST(OpenGlStyle, LooksLikeTheReference) {
+  const test::Folder folder;
+  const auto map = write_map(folder.path / "wavy.exr", 32, 16, wavy);
+  const auto input = small_torus([&](Scene& s) { set_maps(s, map); });
+  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_opengl(input));
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  RecordProperty("agreement", describe(agreement));
+}
+
+TEST(OpenGlStyle, MapsOfOneHalfAreHalfTheKeysBitForBit) {
+  const test::Folder folder;
+  const auto half = write_map(folder.path / "half.exr", 2, 3, [](glm::vec2) { return 0.5f; });
+  const Picture mapped = drawn_by_opengl(small_torus([&](Scene& s) { set_maps(s, half); }));
+  const Picture halved = drawn_by_opengl(small_torus([](Scene& s) {
+    for (float* key : {&s.fur.length, &s.fur.density, &s.fur.comb, &s.curl.radius, &s.curl.turns})
+      *key *= 0.5f;
+  }));
+  EXPECT_EQ(
+      std::memcmp(mapped.pixel.data(), halved.pixel.data(), mapped.pixel.size() * sizeof mapped.pixel[0]), 0);
+}
+
+TEST(OpenGlContact, LooksLikeTheReference) {
+  const test::Folder folder;
+  const auto torus = folder.path / "torus.ply";
+  write_ply(torus, *load_model("torus-24x16"));
+  const auto input = small_torus([&](Scene& s) {
+    s.fur.length = 0.26f;
+    s.fur.comb = 0.2f;
+    ContactSphereScene sphere;
+    sphere.centre = {0.72f, 0.67f, 0.1f};
+    sphere.radius = 0.36f;
+    ContactCapsuleScene capsule;
+    capsule.from = {-0.4f, 0.54f, 0.5f};
+    capsule.to = {0.5f, 0.54f, 0.75f};
+    capsule.radius = 0.22f;
+    capsule.motion.velocity = {0.1f, 0, 0};
+    s.contact.spheres = {sphere};
+    s.contact.capsules = {capsule};
+    s.contact.mesh.file = torus;
+    s.contact.mesh.position = {-0.5f, 0.43f, 0.5f};
+    s.contact.mesh.scale = 0.4f;
+    s.contact.mesh.cells = 32;
+  });
+  const Agreement agreement = compare(drawn_by_reference(*input), drawn_by_opengl(input));
+  EXPECT_TRUE(within(agreement)) << describe(agreement);
+  RecordProperty("agreement", describe(agreement));
+}
+
+}  // namespace
+}  // namespace pelage
