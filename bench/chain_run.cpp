@@ -20,6 +20,7 @@
 
 #include "bench/program.hpp"
 #include "harness/distance/closed_surface.hpp"
+#include "harness/distance/field.hpp"
 #include "harness/prepare/camera.hpp"
 #include "harness/prepare/coat.hpp"
 #include "harness/prepare/random.hpp"
@@ -168,7 +169,7 @@ void print_penetration(const char* when, const Scene& s, const ClosedSurface* su
     ends[1].push_back(ends[0].back() + (1 - l1) * length * keys[i].second);
   }
   for (const std::size_t k : {0u, 1u}) {
-    const strands::Penetration p = strands::penetration(*surface, ends[k]);
+    const Penetration p = penetration(*surface, ends[k]);
     fmt::print("{}, {}: {:.2f}% inside the mesh, mean depth {:.4f} R, deepest {:.4f} R\n", when,
                k == 0 ? "joints" : "tips", 100.0 * double(p.inside) / double(p.points), p.mean, p.deepest);
   }
@@ -180,7 +181,7 @@ bool run(const std::string& model, std::uint32_t faces, int seconds, int cells) 
   const cl::Queue queue(device);
   strands::Chains simulated(queue, s.chains, s.dynamics);
   std::optional<ClosedSurface> surface;
-  if (strands::is_closed(*s.mesh))
+  if (is_closed(*s.mesh))
     surface.emplace(s.mesh);
   else
     fmt::print("the mesh is not closed: no penetration is measured\n");
