@@ -108,7 +108,7 @@ TEST(SceneRoundTrip, EveryKeyAloneSurvives) {
 TEST(SceneRoundTrip, ManyKeysTogetherSurvive) {
   std::mt19937 random(2);
   int read = 0;
-  for (int attempt = 0; attempt < 600; ++attempt) {
+  for (int attempt = 0; attempt < 1500; ++attempt) {
     Scene scene;
     for (const Key& key : scene_keys(scene)) {
       if (random() % 3 == 0) vary(key, random);
@@ -249,6 +249,7 @@ std::vector<std::string> members() {
                                                   {"SpringsScene", "dynamics.springs."},
                                                   {"MotionScene", "dynamics.motion."},
                                                   {"PokeScene", "dynamics.poke."},
+                                                  {"MeshScene", "mesh."},
                                                   {"ContactMeshScene", "contact.mesh_"},
                                                   {"ContactMotion", "contact.mesh_"}};
   const std::regex opening(R"(^struct (\w+) \{)"), member(R"(^  [\w:]+ ((\w+, )*\w+)( = [^;]+|\{[^;]*\})?;)"),

@@ -8,6 +8,7 @@
 
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
+#include "harness/prepare/scene_mesh.hpp"
 
 namespace pelage::style_scenes {
 
@@ -44,7 +45,7 @@ inline std::shared_ptr<const FrameInput> small_torus(const std::function<void(Sc
   scene.image.width = 160;
   scene.image.height = 100;
   change(scene);
-  return prepare(scene, load_model(scene.model));
+  return prepare(scene, load_scene_mesh(scene, {}));
 }
 
 /// A map that varies in u and v, from 0.1 to 1.
