@@ -49,8 +49,8 @@ Change change(const Picture& a, const Picture& b) {
   return c;
 }
 
-// The largest change of a channel per 0.01 of wetness is that of a pixel where the highlight of a clump appears or
-// disappears. It is a steep slope and not a jump: it becomes smaller with the step.
+// The largest change of a channel per 0.01 of wetness is that of a pixel where the highlight of a clump
+// appears or disappears. It is a steep slope and not a jump: it becomes smaller with the step.
 TEST(Soaked, ThePictureIsContinuousInTheWetness) {
   FrameInput input = wet_torus(0.5f);
   Change greatest;
@@ -81,7 +81,8 @@ TEST(Soaked, ThePictureIsContinuousInTheWetness) {
 
 TEST(Soaked, BelowTheThresholdNothingChanges) {
   FrameInput soaked = wet_torus(0.6f), plain = wet_torus(1);
-  for (FrameInput* input : {&soaked, &plain}) input->droplets.resize(1);  // overlapping droplets would be wetter
+  for (FrameInput* input : {&soaked, &plain})
+    input->droplets.resize(1);  // overlapping droplets would be wetter
   const Picture a = drawn(soaked, 0.6f), b = drawn(plain, 0.6f);
   EXPECT_EQ(std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]), 0);
 }
