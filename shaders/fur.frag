@@ -116,15 +116,15 @@ vec4 texel_around(vec2 p, int k, out float weight) {
   return texelFetch(mask, (ivec2(corner) + next) % size, 0);
 }
 
-// Returns the part of the surface at the fragment that the film of soaked fur covers.
-float film_share() {
-  float sum = 0.0;
+// Returns the part of the surface at the fragment that the film of soaked fur covers, and the film's wetness.
+vec2 film_here() {
+  vec2 sum = vec2(0.0);
   for (int k = 0; k < 4; ++k) {
     float weight;
     vec4 clump = texel_around(uv, k, weight);
-    sum += weight * soaked_share(clump.w) * ring_share(mask, clump, uv);
+    sum += weight * ring_share(mask, clump, uv) * vec2(soaked_share(clump.w), clump.w);
   }
-  return min(sum, 1.0);
+  return vec2(min(sum.x, 1.0), sum.y);
 }
 
 // Returns the part of the coverage of the strand with the root q that remains: the fragment shows the strand only where
@@ -219,13 +219,16 @@ void main() {
 #ifdef DENSITY_MAP
   texel.r *= textureLod(density, vec2(at.x, 1.0 - at.y), 0.0).r;
 #endif
-  float film = 0.0;  // the part of the coverage that the film of soaked fur has
+  float film = 0.0, light_rho = rho;  // film: the part of the coverage that the film of soaked fur has
 #ifdef SOAKED_FUR
   if (here.w > 0.0) {
-    float h = (look.w + 1.0) / float(LAYERS), share = film_share();
+    float h = (look.w + 1.0) / float(LAYERS), share;
+    vec2 water = film_here();
+    share = water.x;
     float of_film = share * clamp((FILM_HEIGHT - h) * float(LAYERS) + 1.0, 0.0, 1.0), strands = (1.0 - share) * texel.r;
     float total = of_film + strands, inverse = 1.0 / max(total, 1e-30);
     film = of_film * inverse;
+    light_rho = mix(rho, water.y, film);
     texel = vec2(total, 0.5 * film + strands * inverse * texel.g);  // texel.g is half of the shade
   }
 #endif
@@ -261,7 +264,7 @@ void main() {
   light.y = mix(light.y, FILM_GLOSS * gloss, film);
 #endif
 #ifdef WET_MODEL
-  gamma *= 1.0 - DARKENING * rho;  // W Eq. 5
+  gamma *= 1.0 - DARKENING * light_rho;  // W Eq. 5
 #endif
   vec3 hair = 2.0 * texel.g * textureLod(coat, at, 0.0).rgb;  // texel.g is half of the shade
   // The colour is multiplied by the coverage here, so that all four channels are blended in the same way.

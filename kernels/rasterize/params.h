@@ -48,8 +48,8 @@ typedef struct {
   int clump_reading;                          // CLUMP_RELATIVE, ...: the reading of S Eq. 5 (scene key clump.scale)
   int clump_cells;                            // CELLS_SEPARATE, ...: the scene key clump.cells
   float log_layers;                           // k = ln N, for S Eq. 5
-  // Soaked fur (docs/soaked.md): from this wetness on, a smooth film of water replaces the clumps. 1: nowhere.
-  float soaked;
+  int film;                                   // 1: a smooth film of water replaces the clumps of soaked fur (docs/soaked.md)
+  float soaked;                               // the wetness from which on it does
   float film_height, film_gloss;              // the film's height as a fraction of L0, and the factor of its highlight
   // Maps of the fur's shape (docs/style.md). Their arrays follow the layer table in its buffer; turn_points,
   // turn_angles and density_map are the indices of their first floats there.

@@ -102,6 +102,7 @@ RasterParams raster_params(const FrameInput& input, const Geometry& geometry) {
   p.clump_gain = scene.clump.gain;
   p.clump_reading = place_of(scene.clump.scale, clump_scales);
   p.clump_cells = place_of(scene.clump.cells, clump_borders);
+  p.film = scene.soaked.threshold < 1.0f;
   p.soaked = scene.soaked.threshold;
   p.film_height = scene.soaked.height;
   p.film_gloss = scene.soaked.gloss;

@@ -69,8 +69,7 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
   row_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.buckets() + 1);
   drop_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.entries());
   if (!input.droplets.empty()) {
-    program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
-    kernel_.emplace(*program_, "wetness_mask");
+    build(queue);
     if (changes_) make_lists(queue, input);
   }
   upload_droplets(queue, input, frames_before(input.scene.dynamics) + 1);
@@ -83,6 +82,11 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
     queue.finish();
     mask_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   }
+}
+
+void WetStage::build(const cl::Queue& queue) {
+  program_.emplace(queue.device(), "wet/wet.cl", build_options(1, {}));
+  kernel_.emplace(*program_, "wetness_mask");
 }
 
 WetParams WetStage::params() const {
@@ -117,6 +121,7 @@ void WetStage::upload_droplets(const cl::Queue& queue, const FrameInput& input, 
 
 cl::Event WetStage::run(const cl::Queue& queue) {
   if (lists_) return lists_->run(queue, params(), droplets_, mask_);
+  if (!kernel_) build(queue);
   kernel_->with(params(), droplets_, row_, drop_, surface_, mask_);
   return kernel_->enqueue(queue, {std::size_t(size_), std::size_t(size_)});
 }

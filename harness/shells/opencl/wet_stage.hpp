@@ -19,13 +19,15 @@ class WetStage {
   /// Uploads the droplets that are wet in the picture after `frames` frames. Call run() afterwards. Waits
   /// until the commands in the queue have finished.
   void upload_droplets(const cl::Queue& queue, const FrameInput& input, int frames);
-  cl::Event run(const cl::Queue& queue);     ///< computes the mask; the constructor calls run(), too
-  bool changes() const { return changes_; }  ///< true: the water changes over time
-  const cl::Buffer<float>& mask() const { return mask_; }                         ///< 4 floats per texel
+  /// Computes the mask. The constructor calls run(), too, if there are droplets.
+  cl::Event run(const cl::Queue& queue);
+  bool changes() const { return changes_; }                ///< true: the water changes over time
+  const cl::Buffer<float>& mask() const { return mask_; }  ///< 4 floats per texel
   const cl::Program* program() const { return program_ ? &*program_ : nullptr; }  ///< null without droplets
   double mask_ms() const { return mask_ms_; }  ///< wall time of the mask's kernel in ms; 0 without droplets
 
  private:
+  void build(const cl::Queue& queue);
   WetParams params() const;
   /// Makes the lists of the texels, unless they are long.
   void make_lists(const cl::Queue& queue, const FrameInput& input);

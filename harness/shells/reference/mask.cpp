@@ -261,13 +261,13 @@ std::vector<Placement> placements(const Scene& scene, const Mask& mask, double f
   return found;
 }
 
-/// Returns the part of the surface at `uv` that the film of soaked fur covers.
-double film_at(const Scene& scene, const Mask& mask, const glm::dvec2& uv) {
-  double sum = 0.0;
+/// Sets the film of soaked fur at `uv`: the part of the surface that it covers, and its wetness.
+void find_film(const Scene& scene, const Mask& mask, const glm::dvec2& uv, Displacement& result) {
   for_four(mask, uv, [&](const Clump& clump, double weight) {
-    sum += weight * soaked_share(scene.soaked, clump.wetness) * mask.ring_share(clump, uv);
+    const double part = weight * mask.ring_share(clump, uv);
+    result.film += part * soaked_share(scene.soaked, clump.wetness);
+    result.film_wetness += part * clump.wetness;
   });
-  return sum;
 }
 
 }  // namespace
@@ -299,7 +299,7 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   if (scene.cells == "consistent") {
     result.placements = placements(input.scene, mask, f(n), root, uv);
     result.border_d = clump_reading(input.scene, texel).displacement(f(n), uv);
-    result.film = film_at(input.scene, mask, uv);
+    find_film(input.scene, mask, uv, result);
     result.border_distance = std::abs(texel.radius - glm::length(uv - texel.centre));
     return result;
   }

@@ -95,6 +95,7 @@ struct Displacement {
   double stretch = 1.0;
   double wetness = 0.0;  ///< rho at uv
   double film = 0.0;     ///< the part of the surface at uv that the film of soaked fur covers
+  double film_wetness = 0.0;
 };
 Displacement clump_displacement(const FrameInput& input, const Mask& mask, const glm::dvec2& uv, int n,
                                 Mutant mutant = Mutant::none);

@@ -257,6 +257,7 @@ class Painter {
                             h,
                             clump.wetness,
                             film,
+                            clump.film_wetness,
                             double(scene.soaked.gloss)};
     const glm::dvec3 colour = fur_colour(scene.shading, fragment);
     tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];

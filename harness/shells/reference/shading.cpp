@@ -85,7 +85,8 @@ glm::dvec3 wet_colour(const ShadingScene& shading, const Fragment& f) {
     specular += intensity(shading, light, f.normal, towards) *
                 ((1.0 - f.film) * highlight(f.tangent, towards, f.view, exponent) + f.film * film);
   }
-  return wet_shadow(shading, f.height, f.wetness) *
+  const double wetness = (1.0 - f.film) * f.wetness + f.film * f.film_wetness;
+  return wet_shadow(shading, f.height, wetness) *
          (lambert(shading, f) + specular * glm::dvec3(shading.specular));
 }
 

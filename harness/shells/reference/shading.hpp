@@ -18,8 +18,9 @@ struct Fragment {
   glm::dvec3 view;     ///< E, the direction from the eye to the surface
   double height = 0;   ///< h, the layer's height; for the base surface 0, or 1 if shows_back() is true
   double wetness = 0;  ///< rho
-  double film = 0;     ///< S, the part that the film of soaked fur covers
-  double gloss = 0;    ///< soaked.gloss
+  double film = 0;     ///< F, the part that shows the film of soaked fur
+  double film_wetness = 0;
+  double gloss = 0;  ///< soaked.gloss
 };
 
 /// Returns true if the fragment shows the back of the surface and the back is lit like the front. This is the

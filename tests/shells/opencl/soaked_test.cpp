@@ -49,34 +49,48 @@ Change change(const Picture& a, const Picture& b) {
   return c;
 }
 
-// The largest change of a channel per 0.01 of wetness is that of a pixel where the highlight of a clump
-// appears or disappears. It is a steep slope and not a jump: it becomes smaller with the step.
+struct Steepest {
+  Change greatest;  ///< of all steps
+  int step = 0;     ///< the step with the greatest change of a pixel
+};
+
+/// Returns the greatest changes between the pictures of `steps` equal steps of the wetness from `low` to
+/// `high`.
+Steepest steepest(FrameInput& input, double low, double high, int steps) {
+  Steepest found;
+  Picture before = drawn(input, float(low));
+  for (int i = 1; i <= steps; ++i) {
+    const Picture now = drawn(input, float(low + (high - low) * i / steps));
+    const Change c = change(before, now);
+    if (c.most > found.greatest.most) found.step = i - 1;
+    found.greatest.most = std::max(found.greatest.most, c.most);
+    found.greatest.mean = std::max(found.greatest.mean, c.mean);
+    before = now;
+  }
+  return found;
+}
+
+// The change is steep where the highlight of a clump appears or disappears: in the step with the greatest
+// change, and in the part of this step with the greatest change, it becomes smaller with the step. Single
+// pixels at the border of a disc still change by 0.05 at once (docs/soaked.md).
 TEST(Soaked, ThePictureIsContinuousInTheWetness) {
   FrameInput input = wet_torus(0.5f);
-  Change greatest;
-  int at = 0;
-  Picture before = drawn(input, 0.2f);
-  for (int i = 21; i <= 100; ++i) {
-    const Picture now = drawn(input, float(i) / 100);
-    const Change c = change(before, now);
-    greatest.mean = std::max(greatest.mean, c.mean);
-    if (c.most > greatest.most) at = i;
-    greatest.most = std::max(greatest.most, c.most);
-    before = now;
-  }
+  const Steepest coarse = steepest(input, 0.2, 1, 80);
   RecordProperty("greatest_change_per_0.01",
-                 fmt::format("mean {:.4f} most {:.4f} at {}", greatest.mean, greatest.most, at));
-  EXPECT_GT(greatest.mean, 1e-4);
-  EXPECT_LT(greatest.mean, 0.01);
-  Change fine;
-  before = drawn(input, float(at - 1) / 100);
-  for (int k = 1; k <= 50; ++k) {
-    const Picture now = drawn(input, (float(at - 1) + float(k) / 50) / 100);
-    fine.most = std::max(fine.most, change(before, now).most);
-    before = now;
+                 fmt::format("mean {:.4f} most {:.4f}", coarse.greatest.mean, coarse.greatest.most));
+  EXPECT_GT(coarse.greatest.mean, 1e-4);
+  EXPECT_LT(coarse.greatest.mean, 0.01);
+  double low = 0.2 + 0.01 * coarse.step, width = 0.01;
+  Steepest fine;
+  for (int level = 0; level < 2; ++level) {
+    fine = steepest(input, low, low + width, 20);
+    width /= 20;
+    low += width * fine.step;
+    RecordProperty(fmt::format("greatest_change_level_{}", level),
+                   fmt::format("mean {:.6f} most {:.4f}", fine.greatest.mean, fine.greatest.most));
   }
-  RecordProperty("greatest_change_per_0.0002", fmt::format("most {:.4f}", fine.most));
-  EXPECT_LT(fine.most, 0.15 * greatest.most);
+  EXPECT_LT(fine.greatest.mean, 0.02 * coarse.greatest.mean);
+  EXPECT_LT(fine.greatest.most, 0.25 * coarse.greatest.most);
 }
 
 TEST(Soaked, BelowTheThresholdNothingChanges) {
