@@ -72,7 +72,8 @@ std::unique_ptr<Scenes> MutantsOf<suite>::scenes;
 
 struct Mutants : MutantsOf<0> {
   static void SetUpTestSuite() {
-    scenes.reset(new Scenes{pictures::small_frame("curling"), pictures::model_frame("torus", 16, "curling")});
+    scenes = std::make_unique<Scenes>(
+        Scenes{pictures::small_frame("curling"), pictures::model_frame("torus", 16, "curling")});
   }
 };
 
@@ -83,8 +84,8 @@ TEST_P(Mutants, AreSeen) {
 /// The same under the wet model, with the readings of docs/frame.md that let clumps appear without a jump.
 struct WetMutants : MutantsOf<1> {
   static void SetUpTestSuite() {
-    scenes.reset(new Scenes{with_wet_readings(*pictures::small_frame("wet")),
-                            with_wet_readings(*pictures::model_frame("torus", 16, "wet"))});
+    scenes = std::make_unique<Scenes>(Scenes{with_wet_readings(*pictures::small_frame("wet")),
+                                             with_wet_readings(*pictures::model_frame("torus", 16, "wet"))});
   }
 };
 
