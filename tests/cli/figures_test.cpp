@@ -1,4 +1,5 @@
 // Tests `pelage diagram`, the option --case, and the pages of the papers' figures.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,14 +46,15 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
   std::istringstream list(folder.read("list")), cases(dry.out);
   std::set<std::string> shown, known;
   for (std::string experiment, name, kind; list >> experiment >> name >> kind;) {
-    EXPECT_NE(dry.out.find(experiment + "\t" + name + "\t"), std::string::npos) << experiment << " " << name;
-    if (kind == "picture") shown.insert(experiment + " " + name);
+    EXPECT_NE(dry.out.find(fmt::format("{}\t{}\t", experiment, name)), std::string::npos)
+        << experiment << " " << name;
+    if (kind == "picture") shown.insert(fmt::format("{} {}", experiment, name));
   }
   for (std::string line; std::getline(cases, line);) {
     std::istringstream words(line);
     std::string experiment, name;
     words >> experiment >> name;
-    known.insert(experiment + " " + name);
+    known.insert(fmt::format("{} {}", experiment, name));
   }
   known.erase("silva2010-fig04 triangle-640x480");  // the page shows it with the strand drawn over it
   shown.erase("silva2010-fig04 triangle-640x480");
@@ -88,9 +90,9 @@ TEST(Diagrams, SectionsAreTablesAndPlots) {
   EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 1 + 5 * 4);
   for (const char* kind : {"shape", "clump", "curl", "layers"}) {
     const std::string name = kind;
-    const Outcome plot =
-        pelage(folder, "diagram " + name + " --model torus --set fur.layers=4 --set curl.radius=0.02 -o " +
-                           name + ".svg");
+    const Outcome plot = pelage(
+        folder,
+        fmt::format("diagram {0} --model torus --set fur.layers=4 --set curl.radius=0.02 -o {0}.svg", name));
     ASSERT_EQ(plot.code, 0) << plot.err;
     EXPECT_NE(folder.read(name + ".svg").find("<svg"), std::string::npos);
     EXPECT_FALSE(folder.read(name + ".csv").empty());

@@ -134,7 +134,8 @@ TEST(MeshFrames, AnAnimationHasThePicturesOfRender) {
   std::string last;
   for (int frame = 0; frame < 5; ++frame) {
     const std::string time = fmt::format("--set dynamics.time={} ", float(frame) / 40);
-    ASSERT_EQ(pelage(folder, "render " + scene + time + "-o a.png").code, 0) << folder.read("stderr");
+    ASSERT_EQ(pelage(folder, fmt::format("render {}{}-o a.png", scene, time)).code, 0)
+        << folder.read("stderr");
     const std::string picture = folder.read("a.png");
     EXPECT_TRUE(folder.read(fmt::format("frames/frame-{:05}.png", frame)) == picture) << frame;
     EXPECT_FALSE(picture == last);

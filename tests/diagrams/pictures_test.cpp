@@ -60,7 +60,7 @@ TEST(MaskPicture, IsBlueInsideTheDropletAndBlackOutside) {
 
 TEST(MaskPicture, ShowsTheMapsEdgesUnlessTheyAreTooShort) {
   const FrameInput input = square_with({}, "consistent");
-  const std::vector<glm::vec4> dry(64 * 64, glm::vec4(0));
+  const std::vector<glm::vec4> dry(std::size_t(64) * 64, glm::vec4(0));
   const Picture large = diagrams::mask_picture(input, dry, 256),
                 small = diagrams::mask_picture(input, dry, 8);
   EXPECT_GT(large.at(128, 40).x, 0.1f);  // on the line u = .5
@@ -131,7 +131,7 @@ TEST(Textures, ShowTheirTexelsWithTheTopRowAtVOne) {
   EXPECT_EQ(picture.at(0, 0), glm::vec4(0, 0, 1, 1));
   EXPECT_NEAR(picture.at(1, 0).x, 0.2f, 1e-6f);
 
-  FurTexture fur{2, 8, {std::vector<std::array<std::uint8_t, 2>>(8 * 4, {0, 0})}};
+  FurTexture fur{2, 8, {std::vector<std::array<std::uint8_t, 2>>(std::size_t(8) * 4, {0, 0})}};
   fur.level[0][(7 * 2 + 0) * 2 + 1] = {255, 255};  // last layer, row v = 0, column 1
   const Picture slices = diagrams::slices_picture(fur);
   ASSERT_EQ(slices.width, 4 * 2 + 3 * 2);
