@@ -84,7 +84,8 @@ bool is_closed(const Mesh& mesh) {
   return !mesh.triangle.empty() && fillings(mesh).has_value();
 }
 
-ClosedSurface::ClosedSurface(std::shared_ptr<const Mesh> mesh)
+ClosedSurface::ClosedSurface(std::shared_ptr<const Mesh> mesh)  // NOLINT(performance-unnecessary-value-param):
+                                                                // the object keeps the mesh
     : triangles_(*fillings(*closed(mesh))), search_(mesh) {
   glm::dvec2 most(-1e300);
   least_ = glm::dvec2(1e300);
