@@ -10,8 +10,8 @@ namespace pelage::diagrams {
 Picture coat_picture(const CoatTexture& coat);
 
 /// Returns four slices of the fur's texture side by side, one pixel per texel, with a black line between
-/// them: those of the layers floor(N (2 i + 1) / 8), i = 0..3. A pixel is the coverage times the strand's
-/// shade, at most 1; the top row of a slice is at v = 1.
+/// them: those of the layers floor(N (2 i + 1) / 8), i = 0..3. The value of a pixel is the coverage times
+/// the strand's shade, at most 1. The top row of a slice is at v = 1.
 Picture slices_picture(const FurTexture& fur);
 
 }  // namespace pelage::diagrams

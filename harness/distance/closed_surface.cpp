@@ -84,8 +84,7 @@ bool is_closed(const Mesh& mesh) {
   return !mesh.triangle.empty() && fillings(mesh).has_value();
 }
 
-ClosedSurface::ClosedSurface(std::shared_ptr<const Mesh> mesh)  // NOLINT(performance-unnecessary-value-param):
-                                                                // the object keeps the mesh
+ClosedSurface::ClosedSurface(const std::shared_ptr<const Mesh>& mesh)
     : triangles_(*fillings(*closed(mesh))), search_(mesh) {
   glm::dvec2 most(-1e300);
   least_ = glm::dvec2(1e300);

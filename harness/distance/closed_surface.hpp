@@ -25,7 +25,7 @@ bool is_closed(const Mesh& mesh);
 class ClosedSurface {
  public:
   /// Throws InputError if the mesh is not closed.
-  explicit ClosedSurface(std::shared_ptr<const Mesh> mesh);
+  explicit ClosedSurface(const std::shared_ptr<const Mesh>& mesh);
 
   /// Returns how often the surface winds around the point: 0 outside. It is the number of triangles that the
   /// ray from the point along +x leaves through, minus the number of triangles through which it enters.

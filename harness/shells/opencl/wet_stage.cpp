@@ -65,7 +65,7 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
       droplets_(queue.device(), DROP_COLUMNS * input.droplets.size()),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
       mask_(queue, std::span<const float>(std::vector<float>(4 * std::size_t(size_) * std::size_t(size_)))) {
-  // The buffers have room for all droplets. When the water changes, a picture has some of them.
+  // The buffers have room for all droplets, but a picture needs only the droplets that are wet at its time.
   row_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.buckets() + 1);
   drop_ = cl::Buffer<std::int32_t>(queue.device(), buckets_.entries());
   if (!input.droplets.empty()) {

@@ -108,8 +108,8 @@ glm::dvec3 Colliders::kept(const glm::dvec3& root, const glm::dvec3& along) cons
   for (std::size_t pass = 0; pass < capsules_.size() + 1; ++pass) {
     for (const Capsule& c : capsules_) {
       if (!in_capsule(c, share)) continue;
-      // A capsule is convex, so the points of the line that are inside form one interval. Its lower end is
-      // found by halving, because the root is outside or the result is 0.
+      // A capsule is convex, so the points of the line inside the capsule form one interval. If the root is
+      // inside, the result is 0. Otherwise bisection finds the lower end of the interval.
       double low = 0.0, high = share;
       if (in_capsule(c, 0.0)) high = 0.0;
       for (int i = 0; i < 60; ++i) {
