@@ -46,21 +46,6 @@ TEST(Drying, FurThatIsAlmostDryIsDryBitForBit) {
   }
 }
 
-struct Change {
-  double mean = 0, most = 0;  ///< of the channels' absolute differences
-};
-
-Change change(const Picture& a, const Picture& b) {
-  Change c;
-  for (std::size_t i = 0; i < a.pixel.size(); ++i) {
-    const glm::vec3 d = glm::abs(glm::vec3(a.pixel[i]) - glm::vec3(b.pixel[i]));
-    c.mean += double(d.x + d.y + d.z) / 3;
-    c.most = std::max({c.most, double(d.x), double(d.y), double(d.z)});
-  }
-  c.mean /= double(a.pixel.size());
-  return c;
-}
-
 // One more droplet, in the middle of the picture, of a wetness that falls by factors of 10. Its change must
 // fall at least as fast as its wetness.
 TEST(Drying, AFaintDropletChangesLittleOverDryAndOverWetFur) {

@@ -1,5 +1,8 @@
 #include "tests/shells/opencl/picture_scenes.hpp"
 
+#include <algorithm>
+#include <glm/common.hpp>
+
 namespace pelage::pictures {
 
 cl::Device device() {
@@ -13,6 +16,17 @@ Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const st
   shells.advance(frames - 1);
   shells.frame();
   return shells.read();
+}
+
+Change change(const Picture& a, const Picture& b) {
+  Change c;
+  for (std::size_t i = 0; i < a.pixel.size(); ++i) {
+    const glm::vec3 d = glm::abs(glm::vec3(a.pixel[i]) - glm::vec3(b.pixel[i]));
+    c.mean += double(d.x + d.y + d.z) / 3;
+    c.most = std::max({c.most, double(d.x), double(d.y), double(d.z)});
+  }
+  c.mean /= double(a.pixel.size());
+  return c;
 }
 
 }  // namespace pelage::pictures

@@ -13,4 +13,10 @@ cl::Device device();
 
 Picture drawn_by_device(const std::shared_ptr<const FrameInput>& input, const std::string& mapping);
 
+/// The absolute differences of the red, green and blue of two pictures of equal size, over all pixels.
+struct Change {
+  double mean = 0, most = 0;
+};
+Change change(const Picture& a, const Picture& b);
+
 }  // namespace pelage::pictures

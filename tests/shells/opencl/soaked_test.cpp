@@ -34,21 +34,6 @@ Picture drawn(FrameInput& input, float wetness) {
   return drawn_by_device(std::make_shared<FrameInput>(input), "tile");
 }
 
-struct Change {
-  double mean = 0, most = 0;  ///< of the channels' absolute differences
-};
-
-Change change(const Picture& a, const Picture& b) {
-  Change c;
-  for (std::size_t i = 0; i < a.pixel.size(); ++i) {
-    const glm::vec3 d = glm::abs(glm::vec3(a.pixel[i]) - glm::vec3(b.pixel[i]));
-    c.mean += double(d.x + d.y + d.z) / 3;
-    c.most = std::max({c.most, double(d.x), double(d.y), double(d.z)});
-  }
-  c.mean /= double(a.pixel.size());
-  return c;
-}
-
 struct Steepest {
   Change greatest;  ///< of all steps
   int step = 0;     ///< the step with the greatest change of a pixel
