@@ -196,7 +196,8 @@ void main() {
   vec4 there = textureLod(mask, at, 0.0);
   bool other = dot(from, from) > here.z * here.z || there.w == 0.0;
 #ifdef SEPARATE_CELLS
-  other = other || there.x != here.x || there.y != here.y;
+  float cells = 64.0 * float(textureSize(mask, 0).x);
+  other = other || floor(cells * there.xy) != floor(cells * here.xy);
 #endif
   if (rho > 0.0 && other) discard;
 #endif

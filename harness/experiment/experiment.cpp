@@ -148,7 +148,13 @@ Case make_case(const Experiment& experiment, const std::vector<Axis>& axes,
   result.mapping = part(mapping_key, "");
   result.opengl = part(opengl_key, "");
 
-  if (result.overrides.empty()) result.require = experiment.require;
+  if (result.overrides.empty()) {
+    result.require = experiment.require;
+    for (const auto& [key, values] : experiment.require_at)
+      if (const auto at = result.axes.find(key); at != result.axes.end())
+        if (const auto here = values.find(at->second); here != values.end())
+          for (const auto& [metric, least] : here->second) result.require[metric] = least;
+  }
   if (result.overrides.empty())
     for (const Published& published : experiment.published)
       if (std::all_of(published.at.begin(), published.at.end(), [&](const auto& key_value) {

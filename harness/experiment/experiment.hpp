@@ -80,7 +80,9 @@ struct Experiment {
   std::map<std::string, Preset> presets;
   std::vector<Published> published;
   std::map<std::string, double> require;  ///< metric -> least value that every case must reach
-  View view;                              ///< the keys of the table [report]
+  /// Axis key -> value of the axis -> metric -> least value that the cases with this value must reach.
+  std::map<std::string, std::map<std::string, std::map<std::string, double>>> require_at;
+  View view;  ///< the keys of the table [report]
 };
 
 struct Case {

@@ -15,6 +15,8 @@
 #include "harness/experiment/axes.hpp"
 #include "harness/experiment/example_scenes.hpp"
 #include "harness/experiment/experiment.hpp"
+#include "harness/experiment/require_toml.hpp"
+#include "harness/experiment/toml_values.hpp"
 #include "harness/experiment/view_toml.hpp"
 #include "harness/scene/scene_toml.hpp"
 #include "harness/toml_text.hpp"
@@ -42,12 +44,6 @@ const std::set<std::string, std::less<>> columns{"case",       "clock",   "conte
                                                  "experiment", "high_ms", "host",      "identity",  "low_ms",
                                                  "median_ms",  "ms",      "phase",     "overrides", "reason",
                                                  "repeat",     "run_id",  "sample",    "samples",   "status"};
-
-[[noreturn]] void refuse(const fs::path& file, const toml::node* node, const std::string& what) {
-  const auto line = node ? node->source().begin.line : 0;
-  throw InputError(line ? fmt::format("{}:{}: {}", file.string(), line, what)
-                        : fmt::format("{}: {}", file.string(), what));
-}
 
 /// Returns the value as TOML text. Decimal numbers have as few digits as possible: 0.05, not
 /// 0.050000000000000003.
@@ -126,16 +122,6 @@ std::string text_at(const fs::path& file, const toml::table& table, std::string_
   const auto text = node->value_exact<std::string>();
   if (!text) refuse(file, node, fmt::format("{} must be a string", key));
   return *text;
-}
-
-double number_at(const fs::path& file, const toml::table& table, std::string_view key, double otherwise,
-                 double least, double most) {
-  const toml::node* node = table.get(key);
-  if (!node) return otherwise;
-  const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!value || !(*value >= least && *value <= most))
-    refuse(file, node, fmt::format("{} must be a number in [{}, {}]", key, least, most));
-  return *value;
 }
 
 /// Adds the axes of `table` and of the tables in it to `found`. The tables in it come from dotted keys: TOML
@@ -374,8 +360,7 @@ Experiment read_experiment(const fs::path& file) {
     } else if (key == "report") {
       result.view = view_from_toml(file, *inner);
     } else if (key == "require") {
-      for (const auto& [metric, least] : *inner)
-        result.require[std::string(metric.str())] = number_at(file, *inner, metric.str(), 0, -1e300, 1e300);
+      read_require(file, *inner, result);
     } else if (key == "preset") {
       for (const auto& [name, preset] : *inner) {
         if (!preset.is_table()) refuse(file, &preset, fmt::format("preset.{} must be a table", name.str()));
@@ -390,6 +375,7 @@ Experiment read_experiment(const fs::path& file) {
   for (const auto& [key, node] : table)
     if (!reserved.contains(key.str()) && !tabled.contains(key.str()))
       read_tables_of_own_axis(file, std::string(key.str()), node, result);
+  check_require(file, table, result);
   if (result.axes.empty())
     refuse(file, nullptr, "there is no [axes] table; give it with at least model = [...]");
   if (result.presets.empty())

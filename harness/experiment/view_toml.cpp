@@ -6,16 +6,12 @@
 #include <set>
 #include <string_view>
 
-#include "harness/error.hpp"
+#include "harness/experiment/toml_values.hpp"
 
 namespace pelage {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void refuse(const fs::path& file, const toml::node* node, const std::string& what) {
-  throw InputError(fmt::format("{}:{}: {}", file.string(), node->source().begin.line, what));
-}
 
 /// Returns the strings at the key, which must be a list of strings or a single string. Returns an empty list
 /// if the key is missing.

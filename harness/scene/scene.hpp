@@ -109,10 +109,10 @@ struct WetnessScene {
   float patch_size = 0.6f;
   /// A droplet is blended with some wet texels of its disc: "near" (those whose clump's centre is not
   /// further from the droplet's centre than the droplet's radius) | "overlap" (all).
-  std::string blend = "near";
+  std::string blend = "overlap";
   /// Droplets at a UV seam: "cut" (the disc ends there) | "joined" (the droplet is repeated on the other
   /// side).
-  std::string seams = "cut";
+  std::string seams = "joined";
   /// Random droplets are placed only where the luma of this picture (in UV space) is at least 0.5; empty:
   /// everywhere.
   std::filesystem::path image;
@@ -144,8 +144,8 @@ struct ClumpScene {
   /// Reading of S Eq. 5, one of clump_scales: factor of the displacement by a clump "relative" (`gain`) or
   /// "literal" (r_mask of S) | "distance" (r_mask is the distance by which the tip of a fully wet strand
   /// moves) | "converge" (all strands of a clump lean by the same share of their distance from its centre).
-  std::string scale = "relative";
-  std::string cells = "separate";  ///< rule for fragments at a clump's border, one of clump_borders
+  std::string scale = "converge";
+  std::string cells = "consistent";  ///< rule for fragments at a clump's border, one of clump_borders
 };
 
 /// Soaked fur, our extension of both papers (docs/soaked.md).
@@ -162,7 +162,7 @@ struct BlendScene {
   /// One of face_orders. A triangle faces away from the eye if its base does. "all": all triangles of a
   /// layer, in the mesh's order | "front": only those that face the eye | "back-then-front": all layers of
   /// the triangles that face away, then all layers of those that face the eye.
-  std::string faces = "all";
+  std::string faces = "back-then-front";
 };
 
 struct WindScene {
@@ -298,7 +298,7 @@ struct ShadingScene {
   /// Reading of W Eq. 4, one of tangent_readings: "paper" (the printed sign, in R) | "drawn" (the opposite
   /// sign, so that the tangent tilts in the same direction as the drawn strands) | "strand" (the direction of
   /// the strand as drawn) | "printed" (the printed sign and the printed units).
-  std::string tangent = "paper";
+  std::string tangent = "strand";
   std::string sides = "one";  ///< sides of the surface that receive light: "one" (outside) | "two"
   std::vector<LightScene> lights{LightScene{}, LightScene{{0.35f, 0.3f, 0.9f}, 0.6f}};  ///< one or two lights
 };

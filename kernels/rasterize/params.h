@@ -105,6 +105,11 @@ enum { TANGENT_PAPER, TANGENT_DRAWN, TANGENT_STRAND, TANGENT_PRINTED };
 // Greatest rho f(h) with CLUMP_CONVERGE. Strands with rho f(h) = 1 would meet in one point.
 #define CLOSEST 0.98f
 
+// CELLS_SEPARATE: two texels of the mask belong to the same clump if the centres of their clumps are in the same cell of a
+// grid with this many cells per side of a texel. Where many droplets overlap, the centres of two clumps may differ by less
+// than rounding errors.
+#define CELLS_PER_TEXEL 64.0f
+
 // Columns of the layer table: h, cos(omega h), sin(omega h), ln h, and the power of h in B Eq. 4. Only the host
 // computes these values, so that all devices use the same bits.
 enum { LAYER_H, LAYER_COS, LAYER_SIN, LAYER_LOG, LAYER_POWER, LAYER_COLUMNS };

@@ -84,7 +84,7 @@ TEST(Experiment, EveryShippedCaseIsAScene) {
 TEST(Experiment, LaterSettingsWin) {
   const Experiment e = table1();
   const auto cases = cases_of(e, preset_of(e, "paper"));
-  EXPECT_EQ(cases.size(), 64u);
+  EXPECT_EQ(cases.size(), 96u);
   auto scene = [&](const std::string& name) {
     return scene_of(e,
                     *std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; }));
@@ -94,7 +94,8 @@ TEST(Experiment, LaterSettingsWin) {
   EXPECT_EQ(scene("torus-64-1680x1050").image.width, 1680);
   EXPECT_EQ(scene("torus-64-1680x1050").fur.layers, 64);
   EXPECT_EQ(scene("horse-16-800x600-literal").clump.scale, "literal");
-  EXPECT_EQ(scene("horse-16-800x600").clump.scale, "relative");
+  EXPECT_EQ(scene("horse-16-800x600-earlier").clump.scale, "relative");
+  EXPECT_EQ(scene("horse-16-800x600").clump.scale, "converge");
 }
 
 TEST(Experiment, OverridesAreRecordedAndLeaveThePapersTable) {
@@ -165,6 +166,23 @@ TEST(Experiment, BadFilesAreRefusedWithTheirLine) {
   EXPECT_NE(refusal_of("name = \"e\"\n[preset.quick]\n").find("no [axes]"), std::string::npos);
   EXPECT_NE(refusal_of("name = \"e\"\n[axes]\nmodel = [\"a\"]\n").find("preset"), std::string::npos);
   EXPECT_NE(refusal_of(good + "[published]\nunit=\"fps\"\nkeys=[\"model\"]\ncells=[[\"a\"]]\n").find("cell"),
+            std::string::npos);
+}
+
+TEST(Experiment, MetricsAreRequiredOfAllCasesOrOfSome) {
+  const Experiment e = table1();
+  for (const Case& c : cases_of(e, preset_of(e, "recorded"))) {
+    EXPECT_EQ(c.require.at("wet_share"), 0.3);
+    EXPECT_EQ(c.require.count("blended_share"), c.axes.at("reading") == "default" ? 1u : 0u) << c.name;
+  }
+  const std::string good =
+      "name = \"e\"\n[axes]\nmodel = [\"torus\"]\nmood = [\"calm\"]\n[preset.quick]\nleast = 3\n";
+  EXPECT_EQ(refusal_of(good + "[require]\nx = 1\n[require.mood.calm]\nx = 2\n"), "");
+  EXPECT_NE(refusal_of(good + "[require.mood.fog]\nx = 2\n").find("e.toml:7: require.mood.fog: no axis has"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(good + "[require.mood]\ncalm = 2\n").find("require.mood.calm must be a table"),
+            std::string::npos);
+  EXPECT_NE(refusal_of(good + "[require.mood.calm]\nx = \"2\"\n").find("x must be a number"),
             std::string::npos);
 }
 

@@ -7,8 +7,9 @@ namespace {
 
 double per_shaded(const RasterParams& p, double wet_share) {
   const int tables = 1 + (p.surface_light || p.substeps > 1) + (p.substeps > 1);
-  double sum = operations::point + tables * operations::record + operations::square +
-               operations::dry_fragment + wet_share * operations::clump;
+  double sum =
+      operations::point + tables * operations::record + operations::square + operations::dry_fragment +
+      wet_share * (p.clump_cells == CELLS_CONSISTENT ? operations::consistent_clump : operations::clump);
   if (p.substeps > 1) sum += operations::substeps + (p.substeps - 1) * operations::substep;
   return sum;
 }

@@ -41,8 +41,8 @@ inline constexpr double square = 5;
 /// once per shaded fragment.
 inline constexpr double dry_fragment = 107;
 /// Operations to compute the clumps of wet fur (S Algorithm 2). They are executed once per shaded fragment
-/// whose fur is wet.
-inline constexpr double clump = 24;
+/// whose fur is wet. `consistent_clump` is for clump.cells "consistent", `clump` for the other values.
+inline constexpr double clump = 34, consistent_clump = 159;
 /// Operations to compute the UV shift between two samples of the fur texture along the view ray. They are
 /// executed once per shaded fragment if fur.substeps > 1.
 inline constexpr double substeps = 98;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -134,6 +135,10 @@ Clump Mask::wet_at(const glm::dvec2& uv, const std::string& cells) const {
 double Mask::wetness_at(const glm::dvec2& uv, const std::string& cells) const {
   const Clump clump = nearest(uv);
   return cells == "consistent" ? clump.wetness * ring_share(clump, uv) : clump.wetness;
+}
+
+glm::dvec2 Mask::cell(const Clump& clump) const {
+  return glm::floor(64.0 * double(size) * clump.centre);
 }
 
 double Mask::ring_share(const Clump& clump, const glm::dvec2& uv) const {
@@ -306,7 +311,7 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
   const Clump there = look(root);
   if (glm::length(uv - here.centre) > here.radius) result.discarded = true;  // a different clump
   if (!(there.wetness > 0.0)) result.discarded = true;                       // a dry area
-  if (scene.cells == "separate" && there.centre != here.centre) result.discarded = true;
+  if (scene.cells == "separate" && mask.cell(there) != mask.cell(here)) result.discarded = true;
   return result;
 }
 

@@ -44,6 +44,9 @@ struct Mask {
   /// Returns the wetness at uv. With clump.cells "consistent", it falls to 0 in the ring around a clump's
   /// disc.
   double wetness_at(const glm::dvec2& uv, const std::string& cells) const;
+  /// Returns the cell that contains a clump's centre, in a grid of 64 cells per side of a texel. With
+  /// clump.cells "separate", texels with the same cell belong to the same clump.
+  glm::dvec2 cell(const Clump& clump) const;
   /// Returns the part of its wetness that a clump has at uv with clump.cells "consistent": 1 in its disc, 0
   /// outside of the ring around it, and linear in the ring. The ring is half a texel wide.
   double ring_share(const Clump& clump, const glm::dvec2& uv) const;

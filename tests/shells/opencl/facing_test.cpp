@@ -22,6 +22,10 @@ std::shared_ptr<const FrameInput> torus_wet_in_front(const char* faces, bool bot
   scene.fur.length = .15f;
   scene.fur.layers = 12;
   scene.wetness.size = 256;
+  scene.wetness.seams = "cut";
+  // With "consistent", fur at the silhouette depends on clumps within a pixel's footprint, which is large
+  // there.
+  scene.clump.cells = "separate";
   scene.image.width = 160;
   scene.image.height = 120;
   FrameInput input = synthetic::frame(scene, synthetic::torus(), 60, 36, 600);

@@ -33,12 +33,13 @@ constexpr Planted planted_wet[] = {
     {"facing_swapped", Mutant::facing_swapped},
 };
 
-std::shared_ptr<const FrameInput> with_wet_readings(FrameInput input) {
-  input.scene.blend.faces = "back-then-front";
-  input.scene.clump.scale = "converge";
-  input.scene.clump.cells = "consistent";
-  input.scene.shading.tangent = "strand";
-  input.scene.wetness.blend = "overlap";
+/// Returns the frame with the values of pelage's first version.
+std::shared_ptr<const FrameInput> with_first_readings(FrameInput input) {
+  input.scene.blend.faces = "all";
+  input.scene.clump.scale = "relative";
+  input.scene.clump.cells = "separate";
+  input.scene.shading.tangent = "paper";
+  input.scene.wetness.blend = "near";
   return std::make_shared<FrameInput>(std::move(input));
 }
 
@@ -72,8 +73,9 @@ std::unique_ptr<Scenes> MutantsOf<suite>::scenes;
 
 struct Mutants : MutantsOf<0> {
   static void SetUpTestSuite() {
-    scenes = std::make_unique<Scenes>(
-        Scenes{pictures::small_frame("curling"), pictures::model_frame("torus", 16, "curling")});
+    scenes =
+        std::make_unique<Scenes>(Scenes{with_first_readings(*pictures::small_frame("curling")),
+                                        with_first_readings(*pictures::model_frame("torus", 16, "curling"))});
   }
 };
 
@@ -81,11 +83,11 @@ TEST_P(Mutants, AreSeen) {
   expect_seen(GetParam().mutant);
 }
 
-/// The same under the wet model, with the readings of docs/frame.md that let clumps appear without a jump.
+/// The same under the wet model, with the default readings.
 struct WetMutants : MutantsOf<1> {
   static void SetUpTestSuite() {
-    scenes = std::make_unique<Scenes>(Scenes{with_wet_readings(*pictures::small_frame("wet")),
-                                             with_wet_readings(*pictures::model_frame("torus", 16, "wet"))});
+    scenes = std::make_unique<Scenes>(
+        Scenes{pictures::small_frame("wet"), pictures::model_frame("torus", 16, "wet")});
   }
 };
 

@@ -73,6 +73,8 @@ TEST_P(Mappings, OtherReadings) {
   input.scene.fur.layer_spacing = "uniform";
   input.scene.clump.scale = "literal";
   input.scene.clump.cells = "literal";
+  input.scene.wetness.blend = "near";
+  input.scene.blend.faces = "all";
   input.scene.shading.tangent = "drawn";
   input.scene.shading.wrap = 0;
   const auto wet = std::make_shared<FrameInput>(input);
@@ -80,6 +82,7 @@ TEST_P(Mappings, OtherReadings) {
   input.scene.shading.model = "curling";
   input.scene.shading.lights.resize(1);
   input.scene.clump.scale = "relative";
+  input.scene.clump.cells = "separate";
   const auto curling = std::make_shared<FrameInput>(input);
   expect_same(drawn_by_reference(*curling), drawn_by_device(curling, GetParam()), 5000);
 }
@@ -177,8 +180,12 @@ TEST_P(Mappings, AnyPictureSize) {
     const Picture expected = drawn_by_reference(*sized), drawn = drawn_by_device(sized, GetParam());
     const Agreement agreement = compare(expected, drawn);
     EXPECT_EQ(drawn.pixel.size(), std::size_t(width) * std::size_t(height));
-    EXPECT_LE(agreement.worst, tolerance::few_pixels_difference)
-        << describe(agreement);  // a picture of one pixel has too few pixels for a percentile
+    // A picture of one pixel has too few pixels for a percentile. In a large picture, a pixel on the border
+    // of two clumps may flip.
+    if (agreement.pixels < 1000)
+      EXPECT_LE(agreement.worst, tolerance::few_pixels_difference) << describe(agreement);
+    else
+      EXPECT_TRUE(within(agreement)) << describe(agreement);
   }
 }
 

@@ -233,6 +233,7 @@ TEST(Equations, ShiftsByAClumpAreTheReferences) {
     FrameInput input;
     input.scene.fur.layers = layers;
     input.scene.clump.scale = scale;
+    input.scene.clump.cells = "literal";
     input.scene.clump.shape = float(std::abs(any()));
     const double w = double(input.scene.clump.shape), rho = std::abs(any()), r = .2 + .1 * any();
     const double distance = .19 * std::abs(any()) + 1e-3;

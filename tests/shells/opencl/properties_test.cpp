@@ -245,6 +245,8 @@ TEST(KernelMask, IsAlgorithm1OverRandomDropletsInOrder) {
 
 TEST(KernelMask, HandMadeDropletsBlendAndOverwrite) {
   FrameInput input = rained(8, 0, 0);
+  input.scene.wetness.blend = "near";
+  input.scene.clump.cells = "separate";
   const auto drop = [](float u, float radius, float wetness) {
     return Droplet{{u, .55f}, radius, wetness, {0, 0, 0}, 100};
   };

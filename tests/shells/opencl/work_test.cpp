@@ -97,6 +97,11 @@ TEST_F(Fragment, TakesWhatTheRooflineSays) {
   const double dry_one = shaded(false);
   c::expect_near(cost::dry_fragment, dry_one, "dry fragment");
   c::expect_near(cost::clump, shaded(true) - dry_one, "clump");
+  s.clump_cells = CELLS_CONSISTENT;
+  s.clump_reading = CLUMP_CONVERGE;
+  c::expect_near(cost::consistent_clump, shaded(true) - dry_one, "clump with consistent borders");
+  s.clump_cells = CELLS_SEPARATE;
+  s.clump_reading = CLUMP_RELATIVE;
   s.substeps = 2;
   const double two = shaded(false);
   s.substeps = 4;

@@ -205,6 +205,7 @@ TEST(ReferenceSubsteps, FourLooksFollowAClumpAsSixteenLayersDo) {
   const auto drawn = [](int layers, int substeps) {
     Scene scene = sheet_scene(layers, substeps);
     scene.clump.shape = 0;
+    scene.clump.scale = "relative";
     scene.clump.gain = .7f;
     scene.camera.eye = {0, 0, 60};
     scene.camera.up = {0, 1, 0};
