@@ -60,7 +60,7 @@ WetStage::WetStage(const cl::Queue& queue, const FrameInput& input, const Tuning
       consistent_(input.scene.clump.cells == "consistent"),
       overlap_(input.scene.wetness.blend == "overlap"),
       changes_(water_changes(input.scene.wetness, input.droplets)),
-      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 16))),
+      bucket_(std::max(1, tuned(tuning, "WET_BUCKET", 8))),
       buckets_(input, bucket_, changes_),
       droplets_(queue.device(), DROP_COLUMNS * input.droplets.size()),
       surface_(queue, std::span<const float>(flat(input.mask_surface))),
