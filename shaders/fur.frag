@@ -199,7 +199,10 @@ void main() {
   float cells = 64.0 * float(textureSize(mask, 0).x);
   other = other || floor(cells * there.xy) != floor(cells * here.xy);
 #endif
-  if (rho > 0.0 && other) discard;
+  float kept = rho > 0.0 && other ? 0.0 : 1.0;
+#ifdef DISCARD
+  if (kept == 0.0) discard;
+#endif
 #endif
 #endif
 
@@ -213,6 +216,9 @@ void main() {
     float per_footprint = stretch / exp2(level);
     texel.r *= border_share(depth, border, per_footprint) * consistency(at, look.x, per_footprint);
   }
+#endif
+#if defined(CLUMPS) && !defined(CONSISTENT_CELLS) && !defined(DISCARD)
+  texel.r *= kept;
 #endif
 #ifdef THINNED
   texel.r *= DENSITY;
@@ -233,7 +239,9 @@ void main() {
     texel = vec2(total, 0.5 * film + strands * inverse * texel.g);  // texel.g is half of the shade
   }
 #endif
+#ifdef DISCARD
   if (texel.r == 0.0) discard;
+#endif
 
   vec3 t = rise;
   float exponent = EXPONENT;

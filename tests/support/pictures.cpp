@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "harness/mesh/mesh.hpp"
 #include "harness/prepare/prepare.hpp"
 #include "tests/support/synthetic.hpp"
@@ -41,6 +43,11 @@ Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant, bo
   options.eight_bit = eight_bit;
   options.mutant = mutant;
   return reference::render(input, options);
+}
+
+bool same_bits(const Picture& a, const Picture& b) {
+  return a.pixel.size() == b.pixel.size() &&
+         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]) == 0;
 }
 
 std::string describe(const Agreement& a) {

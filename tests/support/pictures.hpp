@@ -26,6 +26,9 @@ constexpr int frames = 16;
 Picture drawn_by_reference(const FrameInput& input, reference::Mutant mutant = reference::Mutant::none,
                            bool eight_bit = false);
 
+/// Returns true if two pictures have equal numbers of pixels, and equal bits in each of them.
+bool same_bits(const Picture& a, const Picture& b);
+
 /// Returns a summary for the message of a failed test: the PSNR, the PSNR without the flipped pixels, the
 /// number of flipped pixels, the 99.9th percentile of the pixels' differences, the largest difference and its
 /// pixel, and the number of fur pixels. A pixel is flipped if it differs from the reference by more than

@@ -42,18 +42,25 @@ bool faces_away(const Placed& a, const Placed& b, const Placed& c) {
 
 }  // namespace
 
-Facing facing(const Camera& camera, const Mesh& mesh, const std::vector<std::uint32_t>& index) {
+Facing facing(const Camera& camera, const Mesh& mesh) {
   std::vector<Placed> place;
   place.reserve(mesh.position.size());
   for (const glm::vec3& p : mesh.position) place.push_back(placed(camera, p));
   Facing found;
   for (std::size_t f = 0; f < mesh.triangle.size(); ++f) {
     const glm::uvec3& t = mesh.triangle[f];
-    std::vector<std::uint32_t>& list =
-        faces_away(place[t.x], place[t.y], place[t.z]) ? found.away : found.towards;
-    list.insert(list.end(), index.begin() + std::ptrdiff_t(3 * f), index.begin() + std::ptrdiff_t(3 * f + 3));
+    (faces_away(place[t.x], place[t.y], place[t.z]) ? found.away : found.towards).push_back(std::uint32_t(f));
   }
   return found;
+}
+
+std::vector<std::uint32_t> elements_of(const std::vector<std::uint32_t>& list,
+                                       const std::vector<std::uint32_t>& index) {
+  std::vector<std::uint32_t> elements;
+  elements.reserve(3 * list.size());
+  for (const std::uint32_t f : list)
+    for (std::size_t corner = 0; corner < 3; ++corner) elements.push_back(index[3 * std::size_t(f) + corner]);
+  return elements;
 }
 
 }  // namespace pelage::rivals

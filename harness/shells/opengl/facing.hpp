@@ -7,14 +7,18 @@
 
 namespace pelage::rivals {
 
-/// The places in `index` (3 per triangle, in the order of the mesh) of the triangles, sorted by facing. Both
-/// lists keep the mesh's order.
+/// The numbers of the triangles whose base faces away from the eye and towards it. Both lists keep the mesh's
+/// order.
 struct Facing {
-  std::vector<std::uint32_t> away, towards;  ///< elements of `index`, three per triangle
+  std::vector<std::uint32_t> away, towards;
 };
 
-/// Splits `index` by the facing of each triangle's base. The signed area of the screen positions, rounded to
-/// 1/256 pixel, decides. A triangle that crosses the near plane or the guard band is not rounded.
-Facing facing(const Camera& camera, const Mesh& mesh, const std::vector<std::uint32_t>& index);
+/// Returns the facing of each triangle's base. The signed area of the screen positions, rounded to 1/256
+/// pixel, decides. A triangle that crosses the near plane or the guard band is not rounded.
+Facing facing(const Camera& camera, const Mesh& mesh);
+
+/// Returns the elements of `index`, which has three per triangle, of the triangles in `list`.
+std::vector<std::uint32_t> elements_of(const std::vector<std::uint32_t>& list,
+                                       const std::vector<std::uint32_t>& index);
 
 }  // namespace pelage::rivals

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "harness/error.hpp"
@@ -18,6 +20,7 @@
 #include "harness/shells/opengl/contact.hpp"
 #include "harness/shells/opengl/facing.hpp"
 #include "harness/shells/opengl/program.hpp"
+#include "harness/shells/opengl/seen.hpp"
 #include "harness/shells/opengl/textures.hpp"
 #include "harness/shells/opengl/vertices.hpp"
 
@@ -81,6 +84,7 @@ struct OpenGl::State {
   Object fixed_buffer, bent_buffer, index_buffer, layer_buffer, arrays;
   Object away_buffer, towards_buffer;  ///< elements of the triangles that face away and of the others
   Object colour, depth, framebuffer;
+  std::optional<SeenTriangles> seen;  ///< only with triangles=seen
 
   State(std::shared_ptr<const FrameInput> from, const std::vector<glm::vec4>& wetness,
         const OpenGlOptions& how)
@@ -124,6 +128,7 @@ struct OpenGl::State {
     const bool baked = options.constants == "baked";
     skin = scene_program("shell.vert", "skin.frag", defines + "#define SKIN\n", constants, baked);
     fur = scene_program("shell.vert", "fur.frag", defines, constants, baked);
+    if (options.triangles == "seen") seen.emplace(defines, constants, baked);
     build_ms = ms_since(begin);
     set_colliders(fur.id(), *input, 0);
   }
@@ -180,7 +185,9 @@ struct OpenGl::State {
       glDrawElementsInstanced(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr, instances);
   }
 
-  void upload_mask() {
+  /// Uploads the bent vertices and a changed mask.
+  void upload() {
+    glNamedBufferSubData(bent_buffer.id(), 0, GLsizeiptr(bent.size() * sizeof(glm::vec3)), bent.data());
     if (next_mask.empty()) return;
     const std::vector<Vertex>& fixed = vertices.fixed();
     glNamedBufferSubData(fixed_buffer.id(), 0, GLsizeiptr(fixed.size() * sizeof(Vertex)), fixed.data());
@@ -198,47 +205,73 @@ struct OpenGl::State {
     draw_triangles(1);
   }
 
-  /// Triangles with their own element buffer.
-  struct Part {
-    GLuint buffer;
-    GLsizei corners;
-  };
+  /// Returns the numbers of the triangles of each sweep over the layers (docs/frame.md, section 5).
+  std::vector<std::vector<std::uint32_t>> sweeps() const {
+    if (input->scene.blend.faces == "all") {
+      std::vector<std::uint32_t> all(input->mesh->triangle.size());
+      std::iota(all.begin(), all.end(), 0u);
+      return {all};
+    }
+    Facing found = facing(input->camera, *input->mesh);
+    if (input->scene.blend.faces == "front") return {std::move(found.towards)};
+    return {std::move(found.away), std::move(found.towards)};
+  }
 
-  /// Sorts the triangles by their facing, and returns the parts to draw, in this order.
-  std::vector<Part> sorted_by_facing() const {
-    const Facing found = facing(input->camera, *input->mesh, vertices.index());
-    const auto part = [](const Object& buffer, const std::vector<std::uint32_t>& list) {
-      glNamedBufferSubData(buffer.id(), 0, GLsizeiptr(list.size() * sizeof(std::uint32_t)), list.data());
-      return Part{buffer.id(), GLsizei(list.size())};
-    };
-    const Part towards = part(towards_buffer, found.towards);
-    if (input->scene.blend.faces == "front") return {towards};
-    return {part(away_buffer, found.away), towards};
+  /// Finds the triangles of each layer that some pixel shows.
+  void find_seen() {
+    if (!seen) return;
+    upload();
+    draw_base();
+    seen->find(vertices.index(), layers, sweeps());
   }
 
   void draw_layers() const {
+    if (seen) return draw_seen();
     if (input->scene.blend.faces == "all") return draw_layers([this](GLsizei n) { draw_triangles(n); });
-    for (const Part& part : sorted_by_facing()) {
-      glVertexArrayElementBuffer(arrays.id(), part.buffer);
+    const auto lists = sweeps();
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      const std::vector<std::uint32_t> elements = elements_of(lists[i], vertices.index());
+      const GLuint buffer = (i == 0 ? away_buffer : towards_buffer).id();
+      glNamedBufferSubData(buffer, 0, GLsizeiptr(elements.size() * sizeof(std::uint32_t)), elements.data());
+      glVertexArrayElementBuffer(arrays.id(), buffer);
       draw_layers([&](GLsizei instances) {
-        glDrawElementsInstanced(GL_TRIANGLES, part.corners, GL_UNSIGNED_INT, nullptr, instances);
+        glDrawElementsInstanced(GL_TRIANGLES, GLsizei(elements.size()), GL_UNSIGNED_INT, nullptr, instances);
       });
     }
     glVertexArrayElementBuffer(arrays.id(), index_buffer.id());
   }
 
-  /// Draws the triangles of `draw(instances)` in all layers.
-  template <class Draw>
-  void draw_layers(const Draw& draw) const {
+  void draw_seen() const {
+    blend_layers();
+    glVertexArrayElementBuffer(arrays.id(), seen->buffer());
+    for (const SeenPart& part : seen->parts()) {
+      set_layer(std::size_t(part.layer));
+      // OpenGL takes the place of the first element as a pointer.
+      glDrawElements(GL_TRIANGLES, part.corners, GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)));
+    }
+    glVertexArrayElementBuffer(arrays.id(), index_buffer.id());
+  }
+
+  void blend_layers() const {
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_GEQUAL);
     glEnable(GL_BLEND);
     fur.use();
+  }
+
+  void set_layer(std::size_t n) const {
+    if (options.fur == "slices") glBindTextureUnit(0, fur_textures[n].id());
+    glUniform4fv(fur.place("layer"), 3, &layers[3 * n].x);
+  }
+
+  /// Draws the triangles of `draw(instances)` in all layers.
+  template <class Draw>
+  void draw_layers(const Draw& draw) const {
+    blend_layers();
     if (options.draws == "instanced") return draw(input->scene.fur.layers);
-    const GLint place = fur.place("layer");
     for (std::size_t n = 0; n < std::size_t(input->scene.fur.layers); ++n) {
-      if (options.fur == "slices") glBindTextureUnit(0, fur_textures[n].id());
-      glUniform4fv(place, 3, &layers[3 * n].x);
+      set_layer(n);
       draw(1);
     }
   }
@@ -272,10 +305,10 @@ void OpenGl::set_mask(const std::vector<glm::vec4>& mask) {
 double OpenGl::frame() {
   State& s = *state_;
   s.context.make_current();
+  s.find_seen();
   glFinish();
   const auto begin = Clock::now();
-  s.upload_mask();
-  glNamedBufferSubData(s.bent_buffer.id(), 0, GLsizeiptr(s.bent.size() * sizeof(glm::vec3)), s.bent.data());
+  s.upload();
   s.draw_base();
   s.draw_layers();
   glFinish();

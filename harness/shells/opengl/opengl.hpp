@@ -41,6 +41,12 @@ struct OpenGlOptions {
   std::string power = "whole";
   /// The scene's numbers are literals in the shader source ("baked"), or uniforms ("uniform").
   std::string constants = "baked";
+  /// The triangles that are drawn in a layer: "all", or only those that cover a pixel in front of the base
+  /// surface ("seen"). The host finds the seen triangles before the frame, and the time of the frame does not
+  /// contain this. It also sorts the triangles for blend.faces before the frame.
+  std::string triangles = "all";
+  /// The shader discards fragments that the fur does not cover ("yes"), or blends them ("no").
+  std::string discard = "yes";
   bool operator==(const OpenGlOptions&) const = default;
 };
 

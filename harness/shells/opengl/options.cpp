@@ -27,6 +27,8 @@ const std::vector<Choice>& choices() {
       {"target", &OpenGlOptions::target, {"rgba32f", "rgba16f", "rgba8"}},
       {"power", &OpenGlOptions::power, {"whole", "pow"}},
       {"constants", &OpenGlOptions::constants, {"baked", "uniform"}},
+      {"triangles", &OpenGlOptions::triangles, {"all", "seen"}},
+      {"discard", &OpenGlOptions::discard, {"yes", "no"}},
   };
   return all;
 }
@@ -57,6 +59,11 @@ OpenGlOptions opengl_options(const std::string& text) {
   for (std::string part; std::getline(parts, part, ',');) set(options, part);
   if (options.fur == "slices" && options.draws != "each")
     throw InputError("OpenGL option 'fur=slices' needs one draw call per layer: add draws=each");
+  if (options.triangles == "seen" && (options.draws != "each" || options.vertices != "indexed"))
+    throw InputError(
+        "OpenGL option 'triangles=seen' needs one draw call per layer and shared vertices: add draws=each, "
+        "and "
+        "leave vertices=indexed");
   return options;
 }
 

@@ -99,6 +99,7 @@ std::string scene_defines(const FrameInput& input, const OpenGlOptions& options,
   define(options.fur == "volume", "FUR_VOLUME\n#define FUR_SAMPLER sampler3D");
   define(options.fur == "slices", "FUR_SAMPLER sampler2D");
   define(options.levels == "two", "TWO_LEVELS");
+  define(options.discard == "yes", "DISCARD");
   const float exponent = scene.shading.exponent;
   define(
       options.power == "whole" && exponent == std::floor(exponent) && exponent >= 1.0f && exponent <= 1024.0f,

@@ -4,8 +4,6 @@
 // the mappings `tile` and `pixel`.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "tests/shells/opencl/picture_scenes.hpp"
 
 namespace pelage {
@@ -22,11 +20,6 @@ Picture drawn(const std::shared_ptr<const FrameInput>& input, const std::string&
   shells.advance(frames - 1);
   shells.frame();
   return shells.read();
-}
-
-bool same_bits(const Picture& a, const Picture& b) {
-  return a.pixel.size() == b.pixel.size() &&
-         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof(a.pixel[0])) == 0;
 }
 
 TEST(Determinism, TwentyRunsAreOnePicture) {

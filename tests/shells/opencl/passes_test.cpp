@@ -48,11 +48,6 @@ Drawn drawn(const std::shared_ptr<const FrameInput>& input, const std::string& m
   return d;
 }
 
-bool same_bits(const Picture& a, const Picture& b) {
-  return a.pixel.size() == b.pixel.size() &&
-         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]) == 0;
-}
-
 struct Passes : testing::TestWithParam<const char*> {};
 
 void expect_parts_of_one_picture(const std::shared_ptr<const FrameInput>& input, const char* mapping) {

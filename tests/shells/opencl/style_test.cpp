@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <glm/geometric.hpp>
 
 #include "harness/compare/tolerances.hpp"
@@ -15,11 +14,6 @@ namespace {
 
 using namespace pictures;
 using namespace style_scenes;
-
-bool same_bits(const Picture& a, const Picture& b) {
-  return a.pixel.size() == b.pixel.size() &&
-         std::memcmp(a.pixel.data(), b.pixel.data(), a.pixel.size() * sizeof a.pixel[0]) == 0;
-}
 
 /// A map of a scene, and the scalar key that it multiplies.
 struct MapKey {

@@ -188,6 +188,21 @@ TEST(OpenGlPicture, AnOpenSurfaceLitOnBothSides) {
   }
 }
 
+// A triangle that no pixel shows, and a fragment without coverage, change no bit.
+TEST(OpenGlPicture, WhatCannotBeSeenIsLeftOutWithoutATrace) {
+  for (const char* faces : face_orders)
+    for (const char* cells : {"consistent", "separate"}) {
+      FrameInput input = *small_frame("wet");
+      input.scene.blend.faces = faces;
+      input.scene.clump.cells = cells;
+      const auto given = std::make_shared<FrameInput>(input);
+      const Picture drawn = drawn_by_opengl(given);
+      for (const char* options : {"draws=each,triangles=seen", "discard=no"})
+        EXPECT_TRUE(same_bits(drawn, drawn_by_opengl(given, options)))
+            << faces << ", " << cells << ", " << options;
+    }
+}
+
 struct Writings : testing::TestWithParam<const char*> {};
 
 TEST_P(Writings, GiveTheSamePicture) {
@@ -198,7 +213,8 @@ TEST_P(Writings, GiveTheSamePicture) {
 INSTANTIATE_TEST_SUITE_P(Options, Writings,
                          testing::Values("draws=each", "vertices=corners", "draws=each,fur=slices",
                                          "texels=float", "texels=byte", "levels=two", "target=rgba16f",
-                                         "power=pow", "constants=uniform"),
+                                         "power=pow", "constants=uniform", "draws=each,triangles=seen",
+                                         "discard=no"),
                          [](const auto& given) {
                            std::string name = given.param;
                            for (char& c : name)
