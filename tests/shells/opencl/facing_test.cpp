@@ -1,9 +1,15 @@
 // Tests blend.faces: fur of the far side must not cover fur of the near side (docs/frame.md, section 5).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <vector>
 
+#include "harness/mesh/mesh.hpp"
+#include "harness/prepare/prepare.hpp"
 #include "tests/shells/opencl/picture_scenes.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -81,6 +87,59 @@ TEST_P(FacesOf, TheFarSideDoesNotCoverTheNearSide) {
   EXPECT_GT(all.rim, 0.01);
   EXPECT_LT(both.rim, all.rim);  // the far side still shows beyond the near strands
   EXPECT_LT(both.inside, all.inside + 1e-9);
+}
+
+/// How the pictures of a bunny change from one to the next while the eye goes around it by half a degree.
+struct Turn {
+  double mean = 0, worst = 0;  ///< second differences of the channels, mean of a picture: mean and largest
+};
+
+Turn turn_of(const char* faces) {
+  Scene scene = model_frame("bunny", 16, "wet")->scene;
+  scene.blend.faces = faces;
+  scene.camera.framed = false;
+  scene.image.width = 240;
+  scene.image.height = 180;
+  const auto at = [&](int picture) {
+    const float angle = glm::radians(.5f * float(picture));
+    scene.camera.eye = {3.2f * std::sin(angle), .6f, 3.2f * std::cos(angle)};
+    return scene;
+  };
+  auto input = std::shared_ptr<const FrameInput>(prepare(at(0), load_model("bunny")));
+  Shells shells(device(), input, {"tile", {}});
+  shells.advance(frames - 1);
+  shells.frame();
+  std::vector<Picture> pictures;
+  for (int picture = 0; picture < 120; ++picture) {
+    input = with_view(*input, at(picture), {});
+    shells.set_view(input);
+    shells.still();
+    pictures.push_back(shells.read());
+  }
+  Turn turn;
+  for (std::size_t i = 1; i + 1 < pictures.size(); ++i) {
+    double sum = 0;
+    for (std::size_t k = 0; k < pictures[i].pixel.size(); ++k) {
+      const glm::vec4 bend =
+          pictures[i - 1].pixel[k] - 2.0f * pictures[i].pixel[k] + pictures[i + 1].pixel[k];
+      sum += double(std::abs(bend.x) + std::abs(bend.y) + std::abs(bend.z)) / 3;
+    }
+    const double mean = sum / double(pictures[i].pixel.size());
+    turn.mean += mean / double(pictures.size() - 2);
+    turn.worst = std::max(turn.worst, mean);
+  }
+  return turn;
+}
+
+// A triangle that begins to face the eye moves to another place in the order of drawing. This must not be
+// visible as a jump.
+TEST(Facing, ATurningBunnyPopsNoMoreThanInTheMeshsOrder) {
+  const Turn all = turn_of("all"), both = turn_of("back-then-front");
+  RecordProperty("all", fmt::format("{} {}", all.mean, all.worst));
+  RecordProperty("back_then_front", fmt::format("{} {}", both.mean, both.worst));
+  EXPECT_GT(both.mean, 0.001);
+  EXPECT_LE(both.mean, all.mean);
+  EXPECT_LE(both.worst, all.worst);
 }
 
 INSTANTIATE_TEST_SUITE_P(Device, FacesOf, testing::Values("tile", "pixel", "group"),
