@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "harness/atomic_file.hpp"
+#include "harness/commands/drawn_table.hpp"
 #include "harness/commands/renderers.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/compare/frame_output.hpp"
@@ -12,9 +12,9 @@
 #include "harness/diagrams/section.hpp"
 #include "harness/diagrams/strand_lines.hpp"
 #include "harness/diagrams/textures.hpp"
+#include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
-#include "harness/report/plot.hpp"
 #include "harness/scene/keyframes.hpp"
 
 namespace pelage {
@@ -95,21 +95,6 @@ constexpr Kind kinds[] = {
     {"layers", "the layers over the cut of the mesh by the plane z = 0", nullptr, layers_of},
 };
 
-int write_section(const DiagramOptions& options, const Section& section) {
-  const std::string text = diagrams::csv_of(section);
-  if (options.output == "-") {
-    fmt::print("{}", text);
-    return 0;
-  }
-  const fs::path file = options.output;
-  write_text_atomically(fs::path(file).replace_extension(".csv"), text);
-  if (file.extension() == ".csv") return 0;
-  const std::string problem = draw_plot(plot_program("section"), fs::path(file).replace_extension(".csv"),
-                                        fs::path(file).replace_extension());
-  if (!problem.empty()) throw InputError(fmt::format("{}: {}", file.string(), problem));
-  return 0;
-}
-
 int diagram(const DiagramOptions& options) {
   const Kind* kind = nullptr;
   for (const Kind& k : kinds)
@@ -119,18 +104,15 @@ int diagram(const DiagramOptions& options) {
       throw InputError(fmt::format("diagram {}: is a picture; give a file with -o, such as {}.png",
                                    options.kind, options.kind));
     check_picture_path(options.output);
-  } else if (options.output != "-") {
-    const std::string ending = fs::path(options.output).extension().string();
-    if (ending != ".csv" && ending != ".svg" && ending != ".pdf")
-      throw InputError(
-          fmt::format("{}: diagram {} is a table; it is written as .csv, or drawn as .svg and .pdf",
-                      options.output, options.kind));
-    require_place(options.output);
+  } else {
+    check_table_path(options.output, "diagram " + options.kind);
   }
   const Scene resolved = resolve_scene(options.scene);
   const Scene scene = scene_at(resolved, double(resolved.dynamics.time));
-  if (kind->section) return write_section(options, kind->section(scene));
-  write_picture(options.output, kind->picture(scene, options));
+  if (kind->section)
+    write_drawn_table(options.output, diagrams::csv_of(kind->section(scene)));
+  else
+    write_picture(options.output, kind->picture(scene, options));
   return 0;
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "harness/atomic_file.hpp"
+#include "harness/commands/drawn_table.hpp"
 #include "harness/commands/scene_options.hpp"
 #include "harness/error.hpp"
 #include "harness/prepare/droplets.hpp"
@@ -49,11 +49,8 @@ int run(const WaterOptions& options) {
   if (options.to * options.fps > most_lines)
     throw InputError(fmt::format("--to {} --fps {}: {:.0f} lines; give at most {:.0f}", options.to,
                                  options.fps, options.to * options.fps, most_lines));
-  const std::string text = table(resolve_scene(options.scene), options.to, options.fps);
-  if (options.csv == "-")
-    fmt::print("{}", text);
-  else
-    write_text_atomically(options.csv, text);
+  check_table_path(options.csv, "the account of the water");
+  write_drawn_table(options.csv, table(resolve_scene(options.scene), options.to, options.fps));
   return 0;
 }
 
@@ -71,7 +68,10 @@ void add_water(CLI::App& app, Chosen& chosen) {
       ->type_name("F")
       ->check(CLI::Range(0.001, 1000.0))
       ->capture_default_str();
-  command->add_option("--csv", options->csv, "Output file; - is standard output")
+  command
+      ->add_option("--csv", options->csv,
+                   "Output file (.csv); a file .svg or .pdf is drawn in both formats, beside the .csv; - is "
+                   "standard output")
       ->type_name("FILE")
       ->capture_default_str();
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });

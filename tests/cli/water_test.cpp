@@ -51,6 +51,17 @@ TEST(WaterCommand, WritesTheAccountOfTheExample) {
   EXPECT_EQ(folder.read("water.csv"), printed.out);
 }
 
+TEST(WaterCommand, DrawsTheAccount) {
+  const Folder folder;
+  const Outcome drawn = pelage(folder, "water rain --model torus --to 10 --fps 4 --csv account.svg");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(numbers(folder.read("account.csv")).size(), 41u);
+  const std::string svg = folder.read("account.svg");
+  for (const char* part : {"unsoaked", "held", "evaporated", "dripped", "fell", "time, s"})
+    EXPECT_NE(svg.find(part), std::string::npos) << part;
+  EXPECT_EQ(folder.read("account.pdf").substr(0, 5), "%PDF-");
+}
+
 TEST(WaterCommand, UsesTheKeyframesOfItsTimes) {
   const Folder folder;
   folder.write(
@@ -66,9 +77,9 @@ TEST(WaterCommand, UsesTheKeyframesOfItsTimes) {
 
 TEST(WaterCommand, RefusesBadInput) {
   const Folder folder;
-  for (const char* arguments :
-       {"water rain --to -1", "water rain --fps 0", "water rain --to 3600 --fps 1000", "water nothing",
-        "water rain --set wetness.end=1 --set wetness.begin=2", "water rain --set wetness.random=0"}) {
+  for (const char* arguments : {"water rain --to -1", "water rain --fps 0", "water rain --to 3600 --fps 1000",
+                                "water nothing", "water rain --set wetness.end=1 --set wetness.begin=2",
+                                "water rain --set wetness.random=0", "water rain --csv water.png"}) {
     const Outcome outcome = pelage(folder, arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;

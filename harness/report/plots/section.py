@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Draws a section of the fur. The columns of the table select the section (docs/figures.md).
+"""Draws a section of the fur, or the water over time. The first column of the table selects the drawing
+(docs/figures.md, docs/water.md).
 
 usage: section.py TABLE.csv OUT.svg [OUT.pdf ...]
 
-TABLE.csv is a table that `pelage diagram` writes. The program needs only matplotlib.
+TABLE.csv is a table that `pelage diagram` or `pelage water` writes. The program needs only matplotlib.
 """
 import csv
 import sys
@@ -93,7 +94,21 @@ def draw_layers(rows):
     return figure
 
 
-DRAWN = {"w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers}
+def draw_water(rows):
+    figure, axis = plt.subplots(figsize=(4.8, 3.2), constrained_layout=True)
+    parts = ["unsoaked", "held", "evaporated", "dripped"]
+    axis.stackplot(column(rows, "time_s"), [column(rows, part) for part in parts], labels=parts,
+                   colors=["#56B4E9", COLOURS[0], "#F0E442", COLOURS[1]])
+    axis.plot(column(rows, "time_s"), column(rows, "fell"), color="black", linewidth=1.2, label="fell")
+    plain(axis, "time, s", "water, R$^2$", equal=False)
+    axis.set_xlim(rows[0]["time_s"], rows[-1]["time_s"])
+    axis.set_ylim(bottom=0)
+    handles, labels = axis.get_legend_handles_labels()
+    axis.legend(handles[::-1], labels[::-1], frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    return figure
+
+
+DRAWN = {"time_s": draw_water, "w": draw_shape, "strand": draw_clump, "rho": draw_curl, "segment": draw_layers}
 
 
 def main(table, outputs):
