@@ -37,6 +37,7 @@ W1, W2, W4, W5, W6 = (f"wetfur2010-fig{n:02d}" for n in (1, 2, 4, 5, 6))
 REST = ["--set", "dynamics.wind.strength=0"]  # a scene without its wind
 # Few triangles and few layers, so that single lines can be seen.
 SECTION = ["--model", "banisch-grass", "--set", "fur.layers=9", "--set", "fur.length=0.4"]
+COMBED = [*REST, "--set", "fur.comb=0.6", "--set", "fur.layer_spacing=paper"]
 UPRIGHT = [*REST, "--set", "fur.comb=0"]
 WEAK = ["--set", "dynamics.wind.strength=0.12", "--set", "fur.layer_spacing=paper"]
 
@@ -45,9 +46,10 @@ PAGES = {
         ("Figure 1", "The same fur in four states.",
          [labelled("straight", case(S1, "straight")), labelled("curly", case(S1, "curly")),
           labelled("dry", case(S1, "dry")), labelled("wet, in clumps", case(S1, "wet"))]),
-        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the red lines strands.",
+        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the orange lines strands.",
          [labelled("upright strands", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
           labelled("layers sheared in proportion to their height", diagram("layers", S6, "sheared", *SECTION)),
+          labelled("strands at rest, with the layers of the paper", diagram("layers", S6, "bent", *SECTION, *COMBED)),
           labelled("strands bent by a force", diagram("layers", S6, "bent", *SECTION, *WEAK)),
           labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
         ("Figure 3", "From textures to fur.",
@@ -57,7 +59,8 @@ PAGES = {
         ("Figure 4", "Forces on the strands.",
          [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
           labelled("a square in the wind", case(S4, "wind"))]),
-        ("Figure 5", "The wetness mask, and a clump in section: each strand of the clump leans towards its centre.",
+        ("Figure 5", "The wetness mask, and a clump in section: each strand of the clump leans towards its centre c. "
+         "In the mask, black is dry, and the brightness of the blue is the wetness; its hue tells clumps apart.",
          [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),
           labelled("section of a clump of Figure 9 (a)", diagram("clump", S9, "a", "--set", "fur.layers=64"))]),
         ("Figure 6", "Bent strands and sheared layers under the same kind of force.",
@@ -82,14 +85,14 @@ PAGES = {
         ("Figure 12", "Random droplets, and droplets in letters.",
          [labelled("dry cat", case(S12, "dry")), labelled("cat with droplets", case(S12, "droplets")),
           labelled("letters", case(S12, "text")), labelled("mask of the letters", diagram("mask", S12, "text"))]),
-        ("Figure 13", "Clumps from near.", [labelled("", case(S13, "near"))]),
+        ("Figure 13", "Clumps from near, with 64 layers.", [labelled("wet bunny", case(S13, "near"))]),
     ]),
     "wetfur2010": ("Real-Time Rendering of Wet Fur (Silva et al. 2010)", [
         ("Figure 1", "A dry and a soaking wet bunny.",
          [labelled("dry", case(W1, "dry")), labelled("wet", case(W1, "wet")),
           labelled("mask of the wet bunny", diagram("mask", W1, "wet"))]),
         ("Figure 2", "A wet blanket. (a) is a photograph of a blanket, which is left out.",
-         [labelled("(b)", case(W2, "b"))]),
+         [labelled("(b) drawn by the method", case(W2, "b"))]),
         ("Figure 3", "The wetness mask, and a clump in section.",
          [labelled("mask with the triangles of the UV map", diagram("mask", W4, "a")),
           labelled("section of a clump", diagram("clump", W4, "a"))]),
@@ -107,9 +110,9 @@ PAGES = {
 
 TABLES = {"shape", "clump", "curl", "layers"}  # diagrams that are drawn as SVG
 STYLE = """body { font: 15px/1.4 sans-serif; max-width: 1320px; margin: 2em auto; padding: 0 1em; color: #222 }
-section { display: flex; flex-wrap: wrap; gap: 12px; align-items: flex-end }
+section { display: grid; gap: 12px; align-items: end }
 figure { margin: 0 0 1em } figcaption { color: #555 }
-figure img { display: block; max-width: 420px; max-height: 315px }"""
+figure img { display: block; width: 100%; max-height: 480px; object-fit: contain }"""
 
 
 def draw(panel, run, out, stem):
@@ -127,15 +130,21 @@ def draw(panel, run, out, stem):
 
 
 def page(paper, title, figures, run, out):
+    note = "Lengths in diagrams are in R, the radius of the model's bounding sphere. A click opens a picture in full size."
     body = [f"<!doctype html><meta charset=utf-8><title>{html.escape(title)}</title><style>{STYLE}</style>",
-            f"<h1>{html.escape(title)}</h1>"]
+            f"<h1>{html.escape(title)}</h1><p>{note}</p>"]
     for figure, caption, panels in figures:
-        body.append(f"<h2>{figure}</h2><p>{html.escape(caption)}</p><section>")
+        columns = 3 if len(panels) in (3, 5, 6) else 2
+        body.append(f"<h2>{figure}</h2><p>{html.escape(caption)}</p>"
+                    f"<section style='grid-template-columns: repeat({columns}, 1fr)'>")
         for i, panel in enumerate(panels):
             stem = f"{paper}-{figure.lower().replace(' ', '-')}-{chr(ord('a') + i)}"
             label = html.escape(panel["label"])
-            picture = f'<img src="{draw(panel, run, out, stem)}" alt="{label}">'
-            body.append(f"<figure>{picture}<figcaption>{label}</figcaption></figure>")
+            if len(panels) > 1:
+                label = f"({chr(ord('a') + i)}) {label}"
+            name = draw(panel, run, out, stem)
+            body.append(f'<figure><a href="{name}"><img src="{name}" alt="{label}"></a>'
+                        f"<figcaption>{label}</figcaption></figure>")
         body.append("</section>")
     (out / f"{paper}.html").write_text("\n".join(body) + "\n", encoding="utf-8")
 

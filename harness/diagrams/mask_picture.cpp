@@ -47,6 +47,28 @@ double mean_length(const Mesh& mesh, const std::vector<Edge>& edges, int side) {
   return edges.empty() ? 0.0 : sum / double(edges.size());
 }
 
+/// Returns for each pixel of a square picture whether a triangle of the UV map contains its centre.
+std::vector<bool> inside_of(const Mesh& mesh, int side) {
+  std::vector<bool> inside(std::size_t(side) * std::size_t(side));
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::dvec2 a = in_picture(mesh.uv[t.x], side), b = in_picture(mesh.uv[t.y], side),
+                     c = in_picture(mesh.uv[t.z], side);
+    const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+    const glm::dvec2 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    const auto pixel = [&](double x) { return std::clamp(int(std::floor(x)), 0, side - 1); };
+    for (int y = pixel(low.y); y <= pixel(high.y); ++y)
+      for (int x = pixel(low.x); x <= pixel(high.x); ++x) {
+        const glm::dvec2 p(x + 0.5, y + 0.5);
+        const double u = cross(b - a, p - a), v = cross(c - b, p - b), w = cross(a - c, p - c);
+        if ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0))
+          inside[std::size_t(y) * std::size_t(side) + std::size_t(x)] = true;
+      }
+  }
+  return inside;
+}
+
+const glm::vec3 outside_colour(0.22f);
+
 }  // namespace
 
 glm::vec3 clump_colour(const glm::vec4& clump) {
@@ -54,15 +76,20 @@ glm::vec3 clump_colour(const glm::vec4& clump) {
   const std::uint32_t mixed = (std::bit_cast<std::uint32_t>(clump.x) * 0x9e3779b1u) ^
                               (std::bit_cast<std::uint32_t>(clump.y) * 0x85ebca6bu);
   const float share = float((mixed * 0xc2b2ae35u) >> 16) / 65535.0f;
-  return clump.w * (0.6f + 0.4f * share) * glm::vec3(0.15f, 0.35f, 1.0f);
+  return clump.w * glm::mix(glm::vec3(0.05f, 0.15f, 1.0f), glm::vec3(0.15f, 0.6f, 1.0f), share);
 }
 
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side) {
   Picture picture{side, side, std::vector<glm::vec4>(std::size_t(side) * std::size_t(side), {0, 0, 0, 1})};
+  const std::vector<bool> inside = inside_of(*input.mesh, side);
   const int size = input.scene.wetness.size;
   const bool discs = input.scene.clump.cells == "consistent";  // a clump ends at its radius, not at a texel
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
+      if (!inside[std::size_t(y) * std::size_t(side) + std::size_t(x)]) {
+        picture.at(x, y) = glm::vec4(outside_colour, 1);
+        continue;
+      }
       const glm::dvec2 uv((x + 0.5) / side, 1.0 - (y + 0.5) / side);
       const auto texel = [&](double u) { return std::size_t(std::clamp(int(u * size), 0, size - 1)); };
       const glm::vec4& clump = mask[texel(uv.y) * std::size_t(size) + texel(uv.x)];
@@ -75,7 +102,7 @@ Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask
     for (const auto& [a, b] : list)
       draw_line(picture, in_picture(mesh.uv[a], side), in_picture(mesh.uv[b], side), width, colour);
   };
-  if (mean_length(mesh, edges.inner, side) >= least_edge) draw(edges.inner, {0.6f, 0.6f, 0.6f, 0.35f}, 1.0);
+  if (mean_length(mesh, edges.inner, side) >= least_edge) draw(edges.inner, {1, 1, 1, 0.4f}, 1.0);
   draw(edges.border, {1, 1, 1, 0.9f}, 1.5);
   return picture;
 }

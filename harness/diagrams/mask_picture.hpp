@@ -12,16 +12,15 @@ namespace pelage::diagrams {
 inline constexpr double least_edge = 6.0;
 
 /// Returns the colour of a mask texel. `clump` is the centre (c_u, c_v) of the texel's clump, its radius and
-/// its wetness rho. Dry texels (rho = 0) are black. The colour of a wet texel is a blue that is proportional
-/// to rho, times a number between .6 and 1 that depends only on the centre, so that neighbouring clumps have
-/// different shades.
+/// its wetness rho. Dry texels (rho = 0) are black. The colour of a wet texel is proportional to rho. Its hue
+/// depends only on the centre, so that neighbouring clumps have different blues.
 glm::vec3 clump_colour(const glm::vec4& clump);
 
 /// Draws the mask into a picture of side x side pixels; the top row is at v = 1. `mask` has wetness.size^2
 /// texels, and its first row is at v = 0. A texel is (c_u, c_v, radius, wetness). A pixel has the colour of
-/// the mask's lookup at its centre (docs/frame.md, section 2). Over it, the borders and seams of the UV map
-/// are drawn in white and the edges of its triangles in grey; the edges are left out if they would be shorter
-/// than least_edge on average.
+/// the mask's lookup at its centre (docs/frame.md, section 2), and is grey outside the UV map. Over it, the
+/// borders and seams of the UV map are drawn in white and the edges of its triangles in a weaker white; the
+/// edges are left out if they would be shorter than least_edge on average.
 Picture mask_picture(const FrameInput& input, const std::vector<glm::vec4>& mask, int side);
 
 }  // namespace pelage::diagrams

@@ -55,8 +55,24 @@ def draw_clump(rows):
         colour = "black" if strand == 0 else "#D55E00" if wet else "0.6"
         axis.plot(column(line, "x"), column(line, "y"), color=colour, linewidth=1.6 if strand == 0 else 1.0)
     axis.axhline(0, color="0.3", linewidth=0.8)
+    mark_clump(axis, rows)
     plain(axis, "distance from the clump's centre, R", "height over the surface, R")
     return figure
+
+
+def mark_clump(axis, rows):
+    """Marks the centre c, the radius r, and the displacement d of the outermost strand of the clump."""
+    wet = [row for row in rows if row["inside"] > 0]
+    outermost = [row for row in wet if row["strand"] == max(row["strand"] for row in wet)]
+    root, tip = outermost[0], outermost[-1]
+    axis.plot([root["x"], root["x"]], [root["y"], tip["y"]], color="#D55E00", linewidth=0.8, linestyle="--")
+    axis.annotate("", (tip["x"], tip["y"]), (root["x"], tip["y"]), arrowprops={"arrowstyle": "->", "color": "black"})
+    axis.annotate("d", ((tip["x"] + root["x"]) / 2, tip["y"]), xytext=(0, 3), textcoords="offset points", ha="center")
+    below = -0.08 * tip["y"]
+    axis.set_ylim(bottom=2.2 * below)
+    axis.annotate("", (root["x"], below), (0, below), arrowprops={"arrowstyle": "<->", "color": "black"})
+    axis.annotate("r", (root["x"] / 2, below), xytext=(0, -11), textcoords="offset points", ha="center")
+    axis.annotate("c", (0, 0), xytext=(-7, -10), textcoords="offset points", ha="center")
 
 
 def draw_curl(rows):
