@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
-# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/scaling, docs/strands, docs/roofline, the table of
+# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/effects, docs/scaling, docs/strands, docs/roofline, the table of
 # README.md, the verdicts in docs/claims.md and the figures in the documents (scripts/figures.py). The machine must run
-# nothing else. The script takes about two hours on two cores.
+# nothing else. The script takes about three hours on two cores.
 #
 # Usage: scripts/record_all.sh FOLDER
 # FOLDER receives the runs. If the script is stopped, the same command continues after the last complete part.
@@ -53,9 +53,11 @@ record studies topology-{steps,equal-error,jacobian,drift,parting,mesh-scaling}
 record strands shells-vs-strands demoreuille2011-{lod,scaling} --repeat 3
 record ways strands-opengl-ways
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
-record rivals rivals
+record rivals rivals --repeat 3
+record strongest rivals-strongest --repeat 3
 record rivals-tori rivals --preset tori
 record rival-options rival-options
+record effects overheads readings
 part roofline "$PELAGE" roofline -o "$runs/roofline"
 part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/roofline-strands"
 
@@ -63,7 +65,8 @@ rm -rf results/wetfur2010-table1
 cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
-scripts/record_report.sh docs/rivals "$runs"/{rivals,rivals-tori,rival-options}
+scripts/record_report.sh docs/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
+scripts/record_report.sh docs/effects "$runs/effects"
 scripts/record_report.sh docs/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}
