@@ -118,7 +118,16 @@ glm::vec2 length_per_uv(const std::vector<glm::dvec3>& point, const Surface& sur
   return surface.periodic_uv ? glm::vec2(length / uv_area) : glm::vec2(float(std::sqrt(area / uv_area)));
 }
 
+bool needs_fit(const Surface& surface) {
+  const bool given = surface.keep_uv || surface.packed_uv;
+  return !surface.periodic_uv && !(given && fits(surface.uv));
+}
+
 }  // namespace
+
+void fit_uv(Surface& surface) {
+  if (needs_fit(surface)) fit_uv(surface.uv);
+}
 
 glm::dmat3 rotation_matrix(glm::dvec3 degrees) {
   const glm::dvec3 a = glm::radians(degrees), c = glm::cos(a), s = glm::sin(a);
@@ -178,8 +187,7 @@ Mesh turned(Mesh mesh, glm::dvec3 rotation) {
 Mesh finish(const Surface& surface, const std::string& name, glm::dvec3 rotation) {
   const std::vector<glm::dvec3> point = normalised(surface, rotation);
   std::vector<Surface::Corners> uv = surface.uv;
-  const bool given = surface.keep_uv || surface.packed_uv;
-  const bool fitted = !surface.periodic_uv && !(given && fits(uv));
+  const bool fitted = needs_fit(surface);
   if (fitted) fit_uv(uv);
 
   const std::vector<std::uint32_t> point_order = morton_order(point);

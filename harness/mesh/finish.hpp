@@ -10,6 +10,9 @@ namespace pelage {
 /// Returns the matrix of a rotation by `degrees` about the fixed axes x, then y, then z.
 glm::dmat3 rotation_matrix(glm::dvec3 degrees);
 
+/// Rotates and scales the UV map into [0,1]^2, as finish() does.
+void fit_uv(Surface& surface);
+
 /// Rotates the surface by `rotation` (degrees about x, then y, then z) and scales it to the unit bounding
 /// sphere. A periodic UV map stays unchanged. The UV map of a file and a map of packed charts stay unchanged
 /// if they lie in [0,1]^2. All other UV maps are rotated and scaled into [0,1]^2. Splits each point on a UV

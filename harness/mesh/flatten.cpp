@@ -16,7 +16,6 @@ namespace {
 using Columns = LaplaceSolver::Columns;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 constexpr std::uint32_t none = 0xffffffffu;
-constexpr int iterations = 10;
 
 // A triangle in its own plane with the corners (0, 0), (base, 0) and (x, y). weight[k] is half the cotangent
 // of the angle opposite to side k, which goes from corner k to k + 1.
@@ -235,38 +234,57 @@ bool judge(FlatDisk& flat, const Disk& disk, const Columns& x) {
   return std::isfinite(area) && area > 0 && flat.flipped * 50 <= disk.triangle.size();
 }
 
+[[noreturn]] void fail(const std::string& name) {
+  throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
+}
+
+struct Start {
+  std::vector<std::uint32_t> border;
+  std::vector<Local> local;
+  Columns circle;  // the harmonic map onto a circle
+};
+
+Start start_of(const Surface& surface, const Disk& disk, const std::string& name) {
+  Start start{border_of(disk), {}, Columns::Zero(Eigen::Index(disk.point.size()), 2)};
+  if (start.border.empty()) fail(name);
+  start.local = locals(surface, disk);
+  place_border(surface, disk, start.border, start.local, start.circle);
+  if (!harmonic(disk, start.local, start.border, start.circle)) fail(name);
+  return start;
+}
+
+std::vector<glm::dvec2> uv_of(const Columns& x) {
+  std::vector<glm::dvec2> uv;
+  uv.reserve(std::size_t(x.rows()));
+  for (Eigen::Index i = 0; i < x.rows(); ++i) uv.emplace_back(x(i, 0), x(i, 1));
+  return uv;
+}
+
 }  // namespace
 
 FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
-                 const std::function<void(double)>& part) {
+                 const std::function<void(double)>& part, int iterations) {
   const auto tell = [&](int step) {
     if (part) part(double(step) / (iterations + 2));
   };
-  const std::vector<std::uint32_t> border = border_of(disk);
-  if (border.empty()) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
-  const std::vector<Local> local = locals(surface, disk);
-  Columns circle = Columns::Zero(Eigen::Index(disk.point.size()), 2);
-  place_border(surface, disk, border, local, circle);
   tell(0);
-  if (!harmonic(disk, local, border, circle))
-    throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
+  const Start start = start_of(surface, disk, name);
   tell(1);
   FlatDisk flat;
-  Columns x = circle;
-  const LaplaceSolver solver(rigid_matrix(disk, local));
-  flat.rigid = true;
+  Columns x = start.circle;
+  flat.rigid = iterations > 0;
+  const LaplaceSolver solver(rigid_matrix(disk, start.local));
   for (int i = 0; i < iterations && flat.rigid; ++i) {
     tell(2 + i);
-    flat.rigid = solver.solve(turned_triangles(disk, local, x), x).has_value();
+    flat.rigid = solver.solve(turned_triangles(disk, start.local, x), x).has_value();
   }
-  if (flat.rigid) unturn(disk, border, x);
+  if (flat.rigid) unturn(disk, start.border, x);
   flat.rigid = flat.rigid && judge(flat, disk, x);
   if (!flat.rigid) {
-    x = circle;
-    if (!judge(flat, disk, x)) throw InputError(fmt::format("{}: no UV map can be made for this mesh", name));
+    x = start.circle;
+    if (!judge(flat, disk, x)) fail(name);
   }
-  flat.uv.reserve(disk.point.size());
-  for (Eigen::Index i = 0; i < x.rows(); ++i) flat.uv.emplace_back(x(i, 0), x(i, 1));
+  flat.uv = uv_of(x);
   return flat;
 }
 

@@ -17,11 +17,14 @@ struct FlatDisk {
   bool rigid = false;  ///< true: the map is as rigid as possible; false: it is the harmonic map onto a circle
 };
 
-/// Flattens the disk as rigidly as possible (Liu et al. 2008, 10 iterations). The initial map is the harmonic
-/// map onto a circle, which is also the result if the iterations fail. Time and memory grow linearly with the
-/// number of triangles. `part` receives the completed fraction, 0 to 1. Throws InputError if no usable map is
-/// found.
+constexpr int most_rigid = 10;  ///< default number of iterations of flatten()
+
+/// Flattens the disk as rigidly as possible (Liu et al. 2008). The initial map is the harmonic map onto a
+/// circle, which has no overlaps and is also the result if `iterations` is 0 or if the iterations fail. Each
+/// iteration reduces the distortion, but overlaps and flipped faces may appear. Time and memory grow linearly
+/// with the number of triangles. `part` receives the completed fraction, 0 to 1. Throws InputError if no
+/// usable map is found.
 FlatDisk flatten(const Surface& surface, const Disk& disk, const std::string& name,
-                 const std::function<void(double)>& part);
+                 const std::function<void(double)>& part, int iterations = most_rigid);
 
 }  // namespace pelage

@@ -19,6 +19,7 @@
 #include "harness/mesh/mesh.hpp"
 #include "harness/mesh/models.hpp"
 #include "harness/mesh/procedural.hpp"
+#include "harness/mesh/recut.hpp"
 #include "harness/mesh/soup.hpp"
 #include "harness/mesh/steps.hpp"
 #include "harness/mesh/unfold.hpp"
@@ -28,9 +29,9 @@ namespace {
 
 // Version of the preparation of all meshes. The file name of every cached mesh depends on it. Increase it
 // whenever a change of the code changes the prepared mesh of any model or file.
-constexpr int recipe = 3;
+constexpr int recipe = 4;
 constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
-constexpr int file_recipe = 1;        // version of the preparation of users' mesh files
+constexpr int file_recipe = 2;        // version of the preparation of users' mesh files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -167,6 +168,16 @@ Surface mapped_file(Surface surface, const Model& model, const std::string& labe
   return packed(surface, parts, label);
 }
 
+// Removes the overlaps of a computed UV map. A map without overlaps stays unchanged.
+Surface without_overlaps(Surface surface, bool even, const std::string& label, Stages& stages) {
+  if (surface.periodic_uv) return surface;
+  stages.begin("searching the UV map for overlaps");
+  Surface fitted = surface;
+  fit_uv(fitted);
+  const bool changed = recut(fitted, even, label);
+  return changed ? fitted : surface;
+}
+
 Mesh prepare(const Model& model, const Source& source, const MeshOptions& options, const Say& say) {
   Stages stages(say, source.label, options.silent_s);
   Surface surface = shape_of(source, options, stages);
@@ -198,6 +209,8 @@ Mesh prepare(const Model& model, const Source& source, const MeshOptions& option
     surface = unfold_best(surface, plans, source.label);
   }
   tell();
+  if (!options.keep_uv) surface = without_overlaps(std::move(surface), options.even_uv, source.label, stages);
+  tell();
   stages.begin("sorting");
   return finish(surface, model.name, model.rotation);
 }
@@ -217,6 +230,7 @@ std::string key_of(const Model& model, const Source& source, const MeshOptions& 
       .number(model.faces.value_or(0))
       .number(model.wrap)
       .number(options.keep_uv);
+  if (options.even_uv) hash.text("even");
   hash.bytes(&model.rotation, sizeof model.rotation);
   if (source.kind == "file") hash.number(file_recipe).number(options.largest_only);
   if (source.kind == "procedural")

@@ -110,8 +110,9 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
 
 // CGAL computes the UV map of a model of experiments/models.toml. The test writes the model to a file and
 // loads the file. flatten() then computes a second UV map of the same mesh. The test compares three values of
-// the two maps: the spread of the faces' area scales (area_high / area_low), the overlapping area and the
-// flipped area. For flatten(), these values must not be much larger than for CGAL.
+// the two maps: the spread of the faces' area scales (area_high / area_low), and the number of charts, which
+// increases with the number of overlaps and flipped faces. For flatten(), these values must not be much larger
+// than for CGAL. Neither map has overlaps or flipped faces.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {
@@ -120,10 +121,10 @@ TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
     write_ply(file, *named);
     const auto mesh = load_model(file, fresh());
     const UvQuality before = uv_quality(*named), after = uv_quality(*mesh);
-    EXPECT_EQ(after.charts, 1u);
+    EXPECT_LE(after.charts, 2 * before.charts) << name;
     EXPECT_LT(after.area_high / after.area_low, 1.5 * before.area_high / before.area_low) << name;
-    EXPECT_LT(after.overlapping, before.overlapping + 0.02) << name;
-    EXPECT_LT(after.flipped, before.flipped + 0.001) << name;
+    EXPECT_EQ(after.overlapping, 0.0) << name;
+    EXPECT_EQ(after.flipped_faces, 0u) << name;
   }
 }
 

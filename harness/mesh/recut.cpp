@@ -1,0 +1,293 @@
+#include "harness/mesh/recut.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "harness/error.hpp"
+#include "harness/mesh/chart_places.hpp"
+#include "harness/mesh/flatten.hpp"
+#include "harness/mesh/uv_overlap.hpp"
+#include "harness/mesh/uv_pieces.hpp"
+
+namespace pelage {
+namespace {
+
+using Shape = std::vector<Surface::Corners>;  // UV of the triangles of a piece
+constexpr double most_stretch = 1.6;          // of areas, with `even`
+constexpr double least_scale = 0.5;           // a map that would become smaller than this stays as it is
+
+double surface_area(const Surface& surface, const Faces& faces) {
+  double sum = 0;
+  for (const std::uint32_t f : faces) {
+    const auto& [a, b, c] = surface.triangle[f];
+    sum += 0.5 *
+           glm::length(glm::cross(surface.point[b] - surface.point[a], surface.point[c] - surface.point[a]));
+  }
+  return sum;
+}
+
+double uv_area(const Shape& shape) {
+  double sum = 0;
+  for (const auto& corners : shape) sum += 0.5 * std::abs(twice_uv_area(corners));
+  return sum;
+}
+
+bool is_clean(const Shape& shape) {
+  return std::none_of(shape.begin(), shape.end(),
+                      [](const auto& corners) { return !(twice_uv_area(corners) > 0); }) &&
+         uv_overlaps(shape).empty();
+}
+
+Shape shape_of(const Surface& surface, const Faces& faces) {
+  Shape shape;
+  for (const std::uint32_t f : faces) shape.push_back(surface.uv[f]);
+  return shape;
+}
+
+/// Returns the triangles of a piece as a surface. Two corners are one point of it if a chain of triangles
+/// around this point, each the neighbour of the next, connects them.
+Surface separate(const Surface& surface, const Faces& faces, const Neighbours& next) {
+  std::vector<std::uint32_t> root(faces.size() * 3);
+  std::iota(root.begin(), root.end(), 0u);
+  const auto find = [&](std::uint32_t c) {
+    while (root[c] != c) c = root[c] = root[root[c]];
+    return c;
+  };
+  for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    const auto& t = surface.triangle[faces[i]];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto there = std::lower_bound(faces.begin(), faces.end(), next[faces[i]][k]);
+      if (there == faces.end() || *there != next[faces[i]][k]) continue;
+      const auto j = std::uint32_t(there - faces.begin());
+      const auto& o = surface.triangle[*there];
+      for (const std::uint32_t corner : {k, (k + 1) % 3}) {
+        const auto same = std::uint32_t(std::find(o.begin(), o.end(), t[corner]) - o.begin());
+        const std::uint32_t x = find(3 * i + corner), y = find(3 * j + same);
+        root[std::max(x, y)] = std::min(x, y);
+      }
+    }
+  }
+  Surface piece;
+  std::vector<std::uint32_t> number(root.size(), no_face);
+  piece.triangle.resize(faces.size());
+  for (std::uint32_t c = 0; c < root.size(); ++c) {
+    std::uint32_t& n = number[find(c)];
+    if (n == no_face) {
+      n = std::uint32_t(piece.point.size());
+      piece.point.push_back(surface.point[surface.triangle[faces[c / 3]][c % 3]]);
+    }
+    piece.triangle[c / 3][c % 3] = n;
+  }
+  return piece;
+}
+
+/// Flattens a piece. Returns nothing if the map overlaps or if no map can be made.
+std::optional<Shape> flattened(const Surface& surface, const Faces& faces, const Neighbours& next,
+                               int iterations, const std::string& name) {
+  const Surface piece = separate(surface, faces, next);
+  try {
+    const Disk disk = cut_open(piece, {piece.point.front(), {}});
+    const FlatDisk flat = flatten(piece, disk, name, {}, iterations);
+    Shape shape;
+    for (const auto& [a, b, c] : disk.triangle) shape.push_back({flat.uv[a], flat.uv[b], flat.uv[c]});
+    if (is_clean(shape)) return shape;
+  } catch (const InputError&) {  // another way of flattening may succeed
+  }
+  return {};
+}
+
+/// A part of the surface and its UV, scaled and rotated by laid().
+struct Chart {
+  Faces faces;
+  Shape shape;         ///< its bounding box starts at (0, 0)
+  glm::dvec2 size{0};  ///< of the bounding box
+};
+
+/// Scales a shape by `scale` and rotates it such that the area of its bounding box is smallest.
+Chart laid(const Faces& faces, const Shape& shape, double scale) {
+  Chart best{faces, {}, {}};
+  double least = std::numeric_limits<double>::max();
+  for (int degrees = 0; degrees < 90; degrees += 3) {
+    const double c = scale * std::cos(glm::radians(double(degrees))),
+                 s = scale * std::sin(glm::radians(double(degrees)));
+    Shape turned = shape;
+    glm::dvec2 low(std::numeric_limits<double>::max()), high(-low);
+    for (auto& corners : turned)
+      for (glm::dvec2& p : corners) {
+        p = {c * p.x - s * p.y, s * p.x + c * p.y};
+        low = glm::min(low, p), high = glm::max(high, p);
+      }
+    const glm::dvec2 size = high - low;
+    if (size.x * size.y >= least * (1 - 1e-6)) continue;
+    least = size.x * size.y;
+    for (auto& corners : turned)
+      for (glm::dvec2& p : corners) p -= low;
+    best.shape = std::move(turned), best.size = size;
+  }
+  return best;
+}
+
+/// Returns the share of a part's surface area on which the ratio of UV area to surface area is more than 2.5
+/// times larger or smaller than on the whole part.
+double stretched_share(const Surface& surface, const Faces& faces, const Shape& shape) {
+  const double area = surface_area(surface, faces), ratio = uv_area(shape) / area;
+  double sum = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    const double own = surface_area(surface, {faces[i]}), uv = 0.5 * std::abs(twice_uv_area(shape[i]));
+    if (uv > 2.5 * ratio * own || 2.5 * uv < ratio * own) sum += own;
+  }
+  return sum / area;
+}
+
+/// Gives UV maps without overlaps to the pieces that choose_pieces() cuts out.
+class Flattener {
+ public:
+  /// `per_uv` is the length on the surface per unit of UV, in the whole map.
+  Flattener(const Surface& surface, const PieceRules& rules, double per_uv, const std::string& name)
+      : surface_(surface),
+        rules_{rules.growth, 0},
+        per_uv_(per_uv),
+        name_(name),
+        on_surface_(neighbours_of(surface, false)),
+        in_uv_(neighbours_of(surface, true)) {}
+
+  /// Appends the charts of a piece. With `anew`, the piece is flattened even if its present UV has no
+  /// overlaps.
+  void add(const Faces& faces, bool anew, std::vector<Chart>& charts) const {
+    const Shape present = shape_of(surface_, faces);
+    const bool clean = is_clean(present);
+    std::optional<Chart> chart;
+    if (!clean || anew) chart = flattened(faces, {most_rigid, 5, 3, 2, 1}, most_stretched, most_side);
+    if (!chart && clean) chart = chart_of(faces, present);
+    if (!chart && divide(faces, charts)) return;
+    if (!chart) chart = flattened(faces, {most_rigid, 5, 3, 2, 1, 0}, 1, most_side);
+    charts.push_back(chart ? std::move(*chart) : chart_of(faces, present));
+  }
+
+ private:
+  static constexpr double most_stretched = 0.02;
+  static constexpr double most_side = 0.9;  // of the UV square
+
+  Chart chart_of(const Faces& faces, const Shape& shape) const {
+    return laid(faces, shape, std::sqrt(surface_area(surface_, faces) / uv_area(shape)) / per_uv_);
+  }
+
+  /// Flattens a piece as rigidly as possible without overlaps. Seams inside the piece are closed, except if
+  /// only open seams permit a map. Returns nothing if there is no such map, if it stretches more than the
+  /// share `stretched` of the piece, or if its bounding box has a side longer than `side`.
+  std::optional<Chart> flattened(const Faces& faces, std::initializer_list<int> iterations, double stretched,
+                                 double side) const {
+    for (const int count : iterations)
+      for (const Neighbours* next : {&on_surface_, &in_uv_}) {
+        const auto shape = pelage::flattened(surface_, faces, *next, count, name_);
+        if (!shape || stretched_share(surface_, faces, *shape) > stretched) continue;
+        Chart chart = chart_of(faces, *shape);
+        if (std::max(chart.size.x, chart.size.y) <= side) return chart;
+      }
+    return {};
+  }
+
+  /// Divides a piece whose UV overlaps. Returns false if this is not possible.
+  bool divide(const Faces& faces, std::vector<Chart>& charts) const {
+    Surface part;
+    part.point = surface_.point;
+    for (const std::uint32_t f : faces)
+      part.triangle.push_back(surface_.triangle[f]), part.uv.push_back(surface_.uv[f]);
+    Pieces pieces = choose_pieces(part, rules_);
+    if (pieces.rest.empty()) return false;
+    for (auto* list : {&pieces.rest, &pieces.piece})
+      for (Faces& piece : *list) {
+        for (std::uint32_t& f : piece) f = faces[f];
+        add(piece, false, charts);
+      }
+    return true;
+  }
+
+  const Surface& surface_;
+  PieceRules rules_;
+  double per_uv_;
+  const std::string& name_;
+  Neighbours on_surface_, in_uv_;
+};
+
+/// Makes the map smaller. The lower left corner of the space inside the margin stays in its place.
+glm::dvec2 smaller(glm::dvec2 p, double scale) {
+  constexpr double margin = 2.0 / 256;
+  return margin + scale * (p - margin);
+}
+
+/// Finds places for the charts beside the triangles that are kept, if both are made smaller by `scale`.
+/// Returns an empty list if there is not enough space.
+std::vector<glm::dvec2> places(const Surface& surface, const std::vector<char>& kept,
+                               const std::vector<Chart>& charts, double scale) {
+  FreeSpace space;
+  for (std::size_t f = 0; f < kept.size(); ++f) {
+    Surface::Corners corners = surface.uv[f];
+    for (glm::dvec2& p : corners) p = smaller(p, scale);
+    if (kept[f]) space.take(corners);
+  }
+  std::vector<glm::dvec2> list;
+  for (const Chart& chart : charts) {
+    const auto there = space.place(scale * chart.size);
+    if (!there) return {};
+    list.push_back(*there);
+  }
+  return list;
+}
+
+/// Places the charts and writes their UV. Returns false if there is not enough space.
+bool place(Surface& surface, const std::vector<char>& kept, std::vector<Chart>& charts) {
+  std::stable_sort(charts.begin(), charts.end(),
+                   [](const Chart& a, const Chart& b) { return a.size.x * a.size.y > b.size.x * b.size.y; });
+  double scale = 1;
+  std::vector<glm::dvec2> list = places(surface, kept, charts, scale);
+  while (list.empty() && scale > least_scale) list = places(surface, kept, charts, scale *= 0.95);
+  if (list.empty()) return false;
+  if (scale < 1)
+    for (auto& corners : surface.uv)
+      for (glm::dvec2& p : corners) p = smaller(p, scale);
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    for (std::size_t f = 0; f < charts[i].faces.size(); ++f)
+      for (std::size_t k = 0; k < 3; ++k)
+        surface.uv[charts[i].faces[f]][k] = list[i] + scale * charts[i].shape[f][k];
+  return true;
+}
+
+}  // namespace
+
+bool recut(Surface& surface, bool even, const std::string& name) {
+  Faces all(surface.triangle.size());
+  std::iota(all.begin(), all.end(), 0u);
+  const double per_uv = std::sqrt(surface_area(surface, all) / uv_area(surface.uv));
+  PieceRules rules;
+  rules.growth = 3.0 / 256 * per_uv;  // three texels of a wetness mask of 256 x 256 texels
+  rules.most_stretch = even ? most_stretch : 0.0;
+  const Pieces pieces = choose_pieces(surface, rules);
+  if (pieces.piece.empty()) return false;
+  const Flattener flattener(surface, rules, per_uv, name);
+  std::vector<Chart> charts;
+  for (const Faces& faces : pieces.piece) flattener.add(faces, even, charts);
+  std::vector<char> kept(surface.triangle.size(), 0);
+  for (const Faces& faces : pieces.rest)
+    for (const std::uint32_t f : faces) kept[f] = 1;
+  if (!place(surface, kept, charts)) {
+    surface.notes.push_back(fmt::format(
+        "UV map: {} parts would need charts of their own, but the UV square has no space for them",
+        charts.size()));
+    return true;
+  }
+  surface.packed_uv = true;
+  surface.notes.push_back(fmt::format("UV map: {} part{} cut out, because the map overlapped itself{}",
+                                      charts.size(), charts.size() == 1 ? " was" : "s were",
+                                      even ? " or was stretched" : ""));
+  return true;
+}
+
+}  // namespace pelage

@@ -1,0 +1,209 @@
+#include "harness/mesh/uv_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <tuple>
+
+#include "harness/mesh/geometry.hpp"
+#include "harness/mesh/uv_overlap.hpp"
+
+namespace pelage {
+namespace {
+
+using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+constexpr std::uint32_t none = 0xffffffffu;  // no colour
+
+glm::dvec3 centroid(const Surface& surface, std::uint32_t f) {
+  const auto& [a, b, c] = surface.triangle[f];
+  return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
+}
+
+/// Lists, for each triangle, the triangles that overlap it. Pairs with a triangle of `without` are left out.
+std::vector<std::vector<std::uint32_t>> lists_of(const Pairs& pairs, const std::vector<char>& without) {
+  std::vector<std::vector<std::uint32_t>> list(without.size());
+  for (const auto& [a, b] : pairs)
+    if (!without[a] && !without[b]) list[a].push_back(b), list[b].push_back(a);
+  return list;
+}
+
+/// Gives colours to triangles that overlap, such that two overlapping ones have different colours. Neighbours
+/// get the same colour where this is possible, so that each sheet of the map has one colour.
+class Colours {
+ public:
+  Colours(const Neighbours& next, const std::vector<std::vector<std::uint32_t>>& overlap)
+      : next_(next), overlap_(overlap), colour_(overlap.size(), none), queued_(overlap.size(), 0) {}
+
+  bool has(std::uint32_t f) const { return colour_[f] != none; }
+  std::uint32_t of(std::uint32_t f) const { return colour_[f]; }
+
+  /// Colours all triangles that are connected with `seed` by overlaps and by neighbours that overlap others.
+  /// Returns them.
+  std::vector<std::uint32_t> spread(std::uint32_t seed) {
+    std::vector<std::uint32_t> group;
+    std::deque<std::uint32_t> near{seed}, far;
+    queued_[seed] = 1;
+    while (!near.empty() || !far.empty()) {
+      std::deque<std::uint32_t>& queue = near.empty() ? far : near;
+      const std::uint32_t f = queue.front();
+      queue.pop_front();
+      if (has(f)) continue;
+      colour_[f] = choose(f);
+      group.push_back(f);
+      for (const std::uint32_t g : next_[f])
+        if (g != no_face && !overlap_[g].empty() && !has(g)) near.push_back(g);
+      for (const std::uint32_t g : overlap_[f])
+        if (!queued_[g]) queued_[g] = 1, far.push_back(g);
+    }
+    return group;
+  }
+
+ private:
+  std::uint32_t choose(std::uint32_t f) const {
+    const auto taken = [&](std::uint32_t c) {
+      return std::any_of(overlap_[f].begin(), overlap_[f].end(),
+                         [&](std::uint32_t g) { return colour_[g] == c; });
+    };
+    for (const std::uint32_t g : next_[f])
+      if (g != no_face && has(g) && !taken(colour_[g])) return colour_[g];
+    std::uint32_t own = 0;
+    while (taken(own)) ++own;
+    return own;
+  }
+
+  const Neighbours& next_;
+  const std::vector<std::vector<std::uint32_t>>& overlap_;
+  std::vector<std::uint32_t> colour_;
+  std::vector<char> queued_;
+};
+
+/// Marks triangles, so that the unmarked ones do not overlap. Of connected triangles that overlap, those of
+/// the colour with the largest area stay unmarked.
+void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector<double>& area,
+                   std::vector<char>& mark) {
+  const auto list = lists_of(pairs, mark);
+  Colours colours(next, list);
+  for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
+    if (list[seed].empty() || colours.has(seed)) continue;
+    const std::vector<std::uint32_t> group = colours.spread(seed);
+    std::vector<double> sum;
+    for (const std::uint32_t f : group) {
+      sum.resize(std::max(sum.size(), std::size_t(colours.of(f)) + 1), 0.0);
+      sum[colours.of(f)] += area[f];
+    }
+    const auto best = std::uint32_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
+    for (const std::uint32_t f : group) mark[f] = colours.of(f) != best;
+  }
+}
+
+void mark_stretch(const Surface& surface, const std::vector<double>& area, double most,
+                  std::vector<char>& mark) {
+  double total = 0, uv_total = 0;
+  for (std::size_t f = 0; f < area.size(); ++f)
+    total += area[f], uv_total += 0.5 * std::abs(twice_uv_area(surface.uv[f]));
+  for (std::size_t f = 0; f < area.size(); ++f) {
+    const double ratio = 0.5 * std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
+    if (ratio > most || ratio * most < 1) mark[f] = 1;
+  }
+}
+
+/// Marks the triangles whose centroid is at most `growth` away from a marked one, along paths over the
+/// centroids of neighbours.
+void grow(const Surface& surface, const Neighbours& next, double growth, std::vector<char>& mark) {
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<double> distance(mark.size(), std::numeric_limits<double>::max());
+  for (std::uint32_t f = 0; f < mark.size(); ++f)
+    if (mark[f]) queue.push({distance[f] = 0, f});
+  while (!queue.empty()) {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > distance[f]) continue;
+    mark[f] = 1;
+    for (const std::uint32_t g : next[f]) {
+      if (g == no_face) continue;
+      const double there = d + glm::distance(centroid(surface, f), centroid(surface, g));
+      if (there <= growth && there < distance[g]) queue.push({distance[g] = there, g});
+    }
+  }
+}
+
+/// Returns the connected groups of the triangles with mark[f] == which.
+std::vector<std::vector<std::uint32_t>> groups(const Neighbours& next, const std::vector<char>& mark,
+                                               char which) {
+  std::vector<std::vector<std::uint32_t>> all;
+  std::vector<char> seen(mark.size(), 0);
+  for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
+    if (mark[seed] != which || seen[seed]) continue;
+    std::vector<std::uint32_t> group{seed};
+    seen[seed] = 1;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (const std::uint32_t g : next[group[i]])
+        if (g != no_face && !seen[g] && mark[g] == which) seen[g] = 1, group.push_back(g);
+    std::sort(group.begin(), group.end());
+    all.push_back(std::move(group));
+  }
+  return all;
+}
+
+}  // namespace
+
+Neighbours neighbours_of(const Surface& surface, bool in_uv) {
+  struct Side {
+    std::uint32_t a, b, face, edge;
+  };
+  std::vector<Side> sides;
+  sides.reserve(surface.triangle.size() * 3);
+  for (std::uint32_t f = 0; f < surface.triangle.size(); ++f)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t p = surface.triangle[f][k], q = surface.triangle[f][(k + 1) % 3];
+      sides.push_back({std::min(p, q), std::max(p, q), f, k});
+    }
+  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+    return std::tie(x.a, x.b, x.face) < std::tie(y.a, y.b, y.face);
+  });
+  const auto uv_at = [&](const Side& s, std::uint32_t p) {
+    return surface.uv[s.face][surface.triangle[s.face][s.edge] == p ? s.edge : (s.edge + 1) % 3];
+  };
+  Neighbours next(surface.triangle.size(), {no_face, no_face, no_face});
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+    const Side &x = sides[i], &y = sides[i + 1];
+    if (x.a != y.a || x.b != y.b) continue;
+    if (in_uv && (uv_at(x, x.a) != uv_at(y, x.a) || uv_at(x, x.b) != uv_at(y, x.b))) continue;
+    next[x.face][x.edge] = y.face, next[y.face][y.edge] = x.face;
+  }
+  return next;
+}
+
+Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
+  const std::size_t count = surface.triangle.size();
+  std::vector<double> area;
+  for (const auto& [a, b, c] : surface.triangle)
+    area.push_back(0.5 * glm::length(glm::cross(surface.point[b] - surface.point[a],
+                                                surface.point[c] - surface.point[a])));
+  std::vector<char> mark(count, 0);
+  for (std::size_t f = 0; f < count; ++f) mark[f] = twice_uv_area(surface.uv[f]) < 0;
+  if (rules.most_stretch > 0) mark_stretch(surface, area, rules.most_stretch, mark);
+  const Neighbours next = neighbours_of(surface, true);
+  mark_overlaps(uv_overlaps(surface.uv), next, area, mark);
+  Pieces pieces;
+  if (std::find(mark.begin(), mark.end(), 1) != mark.end()) {
+    grow(surface, next, rules.growth, mark);
+    const double small = 4 * std::numbers::pi * rules.growth * rules.growth;
+    for (const auto& rest : groups(next, mark, 0)) {
+      double sum = 0;
+      for (const std::uint32_t f : rest) sum += area[f];
+      if (sum < small)
+        for (const std::uint32_t f : rest) mark[f] = 1;
+    }
+    pieces.piece = groups(next, mark, 1);
+    pieces.rest = groups(next, mark, 0);
+  }
+  return pieces;
+}
+
+}  // namespace pelage

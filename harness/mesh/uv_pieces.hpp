@@ -1,0 +1,45 @@
+// Divides a UV map that overlaps itself into parts that do not overlap.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "harness/mesh/surface.hpp"
+
+namespace pelage {
+
+constexpr std::uint32_t no_face = 0xffffffffu;
+
+/// For each triangle, the triangles at its edges; edge k connects the corners k and k + 1. no_face if there
+/// is none.
+using Neighbours = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Returns the neighbours on the surface. If `in_uv` is true, triangles whose UVs differ at the common edge
+/// are no neighbours.
+Neighbours neighbours_of(const Surface& surface, bool in_uv);
+
+using Faces = std::vector<std::uint32_t>;  ///< indices of triangles, in ascending order
+
+/// Parts of the UV map, each connected. No two triangles of `rest` overlap. Both lists are empty if nothing
+/// must be cut out.
+struct Pieces {
+  std::vector<Faces> piece;  ///< parts that are cut out
+  std::vector<Faces> rest;   ///< parts that stay
+};
+
+struct PieceRules {
+  /// Length on the surface by which a piece is larger than the triangles that must be cut out. Also, parts of
+  /// the rest that are smaller than a disc of twice this radius become parts of pieces.
+  double growth = 0;
+  /// Triangles are cut out, too, if their ratio of UV area to surface area, divided by the same ratio of the
+  /// whole map, is above this number or below its reciprocal. 0: no limit.
+  double most_stretch = 0;
+};
+
+/// Chooses the pieces. Flipped triangles are cut out. Of triangles that overlap each other, those of one side
+/// are cut out: the side with the smaller area on the surface. The kept triangles then do not overlap. If the
+/// map has neither overlaps nor flipped triangles nor triangles beyond the limit of stretch, there are no
+/// pieces.
+Pieces choose_pieces(const Surface& surface, const PieceRules& rules);
+
+}  // namespace pelage
