@@ -52,7 +52,9 @@ Section shape_section(const Scene& scene) {
 
 Section clump_section(const Scene& scene, double length_per_uv) {
   Section section{{"strand", "inside", "layer", "h", "f", "root", "u", "d", "x", "y"}, {}};
-  const reference::Clump clump{glm::dvec2(0), double(scene.wetness.radius), double(scene.wetness.wetness)};
+  const double radius =
+      double(scene.wetness.radius) / (scene.wetness.unit == "surface" ? length_per_uv : 1.0);
+  const reference::Clump clump{glm::dvec2(0), radius, double(scene.wetness.wetness)};
   for (int i = -2 * strands_per_radius; i <= 2 * strands_per_radius; ++i) {
     const double root = clump.radius * i / strands_per_radius;
     const bool wet = std::abs(i) <= strands_per_radius;

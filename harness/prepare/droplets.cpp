@@ -13,20 +13,24 @@
 #include "harness/prepare/noise.hpp"
 #include "harness/prepare/random.hpp"
 #include "harness/prepare/seams.hpp"
+#include "harness/prepare/uv_scale.hpp"
 #include "harness/prepare/water.hpp"
 
 namespace pelage {
 namespace {
 
-/// A point of the surface: its position in space (R) and in UV.
+/// A point of the surface: its position in space (R) and in UV, its triangle, and its barycentric
+/// coordinates.
 struct Spot {
   glm::dvec3 point;
   glm::dvec2 uv;
+  std::size_t face;
+  glm::dvec3 bary;
 };
 
 Spot spot(const Mesh& mesh, std::size_t face, glm::dvec3 bary) {
   const glm::uvec3 f = mesh.triangle[face];
-  Spot s{glm::dvec3(0), glm::dvec2(0)};
+  Spot s{glm::dvec3(0), glm::dvec2(0), face, bary};
   for (int c = 0; c < 3; ++c) {
     s.point += bary[c] * glm::dvec3(mesh.position[f[c]]);
     s.uv += bary[c] * glm::dvec2(mesh.uv[f[c]]);
@@ -77,12 +81,29 @@ class Places {
   std::vector<std::size_t> face_;  ///< for each triangle of the flat mesh (lay_out()), its index in mesh_
 };
 
-/// Returns Droplet::reach: 2 * radius * length, in R (the mesh radius). `radius` is the radius of the droplet
-/// in UV units. `length` is the greater component of mesh.length_per_uv, the mean lengths on the surface (in
-/// R) of one unit of u and of one unit of v. The factor 2 allows for stretch of the UV map.
-float reach(const Mesh& mesh, double radius) {
-  return float(2.0 * radius * double(std::max(mesh.length_per_uv.x, mesh.length_per_uv.y)));
-}
+/// Converts the radii of the scene, which are in the unit wetness.unit.
+class Radii {
+ public:
+  Radii(std::shared_ptr<const Mesh> mesh, const WetnessScene& wetness) : length_(mesh->length_per_uv) {
+    if (wetness.unit == "surface") scale_.emplace(std::move(mesh));
+  }
+  /// Returns Droplet::radius at a place, in UV. The disc of a droplet must not be larger than the atlas.
+  double in_uv(double radius, const Spot& here) const {
+    return scale_ ? std::min(1.0, radius / scale_->at(here.face, here.bary)) : radius;
+  }
+  /// Returns Droplet::reach in R: twice the greatest radius of the droplet's disc on the surface. If u and v
+  /// have different scales, the disc is an ellipse. The factor 2 allows for stretch of the UV map.
+  float reach(double radius) const { return float(2.0 * radius * longest()); }
+  /// Returns the factor between a radius and the least radius of the droplet's disc on the surface, in R.
+  double shortest() const { return double(std::min(length_.x, length_.y)) / unit(); }
+
+ private:
+  double longest() const { return double(std::max(length_.x, length_.y)) / unit(); }
+  double unit() const { return scale_ ? std::sqrt(double(length_.x) * double(length_.y)) : 1.0; }
+
+  glm::vec2 length_;
+  std::optional<UvScale> scale_;
+};
 
 /// A set of points, stored in the cells of a grid. clear() tests whether a new point is at least `distance`
 /// away from all stored points. The size of a grid cell must be at least `distance`.
@@ -182,7 +203,8 @@ class Rain {
 
 constexpr int tries_per_droplet = 30;  // number of random positions that are tried per requested droplet
 
-void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, std::vector<Droplet>& out) {
+void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, const Radii& radii,
+             std::vector<Droplet>& out) {
   std::vector<double> below(skin.area.size() + 1, 0.0);  // cumulative area of the triangles
   for (std::size_t f = 0; f < skin.area.size(); ++f) below[f + 1] = below[f] + skin.area[f];
   if (!(below.back() > 0)) return;
@@ -191,9 +213,11 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
   const Patches patches(skin, wetness);
   const Rain rain(wetness);
   const double largest = double(wetness.radius) * (1.0 + double(wetness.radius_spread));
-  const double scale = double(std::min(mesh.length_per_uv.x, mesh.length_per_uv.y));
+  const double scale = radii.shortest();
   const double widest = std::max(1e-6, double(wetness.spacing) * largest);
-  Crowd in_uv(widest), on_surface(widest * scale);
+  // With radii in R, a radius in UV has no other limit than 1.
+  Crowd in_uv(wetness.unit == "surface" ? std::max(1e-6, double(wetness.spacing)) : widest),
+      on_surface(widest * scale);
 
   const auto tries = std::uint64_t(wetness.random) * tries_per_droplet;
   const std::size_t wanted = out.size() + std::size_t(wetness.random);
@@ -211,12 +235,14 @@ void scatter(const Mesh& mesh, const Skin& skin, const WetnessScene& wetness, st
         (double(wetness.wetness) + double(wetness.wetness_spread) * random.symmetric(i, 4)) * depth, 0.0,
         1.0);
     if (rho < 0.02) continue;
-    const double apart = double(wetness.spacing) * radius;
-    if (!in_uv.clear({here.uv, 0.0}, apart) || !on_surface.clear(here.point, apart * scale)) continue;
+    const double radius_uv = radii.in_uv(radius, here), spacing = double(wetness.spacing);
+    if (!in_uv.clear({here.uv, 0.0}, spacing * radius_uv) ||
+        !on_surface.clear(here.point, spacing * radius * scale))
+      continue;
     in_uv.add({here.uv, 0.0});
     on_surface.add(here.point);
     out.push_back(
-        {glm::vec2(here.uv), float(radius), float(rho), glm::vec3(here.point), reach(mesh, radius)});
+        {glm::vec2(here.uv), float(radius_uv), float(rho), glm::vec3(here.point), radii.reach(radius)});
   }
 }
 
@@ -226,14 +252,16 @@ std::vector<Droplet> make_droplets(const std::shared_ptr<const Mesh>& mesh, cons
                                    const WetnessScene& wetness) {
   std::vector<Droplet> droplets;
   Places places(mesh);
+  const Radii radii(mesh, wetness);
   for (const DropletScene& given : wetness.droplets) {
     const Spot here = places.find(given);
-    droplets.push_back({glm::vec2(here.uv), given.radius, given.wetness, glm::vec3(here.point),
-                        reach(*mesh, double(given.radius))});
+    const double radius = double(given.radius);
+    droplets.push_back({glm::vec2(here.uv), float(radii.in_uv(radius, here)), given.wetness,
+                        glm::vec3(here.point), radii.reach(radius)});
     droplets.back().arrival = given.time;
   }
   const std::size_t listed = droplets.size();
-  scatter(*mesh, skin, wetness, droplets);
+  scatter(*mesh, skin, wetness, radii, droplets);
   set_arrivals(wetness, droplets, listed);
   if (wetness.seams != "joined") return droplets;
   for (std::size_t i = 0; i < droplets.size(); ++i) droplets[i].number = std::uint32_t(i);

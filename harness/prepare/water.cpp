@@ -104,10 +104,14 @@ void set_arrivals(const WetnessScene& wetness, std::vector<Droplet>& droplets, s
 Water water_at(const WetnessScene& wetness, const std::vector<Droplet>& droplets, glm::vec2 length_per_uv,
                double seconds) {
   const double per_uv = std::numbers::pi * double(length_per_uv.x) * double(length_per_uv.y);
+  // With radii in R, the reach of a droplet is 2 max(l_u, l_v) / sqrt(l_u l_v) times its radius in R.
+  const double per_reach = std::numbers::pi / 4 * double(std::min(length_per_uv.x, length_per_uv.y)) /
+                           double(std::max(length_per_uv.x, length_per_uv.y));
   Water all;
   for_each_own(droplets, [&](const Droplet& droplet) {
     const Water own = water_of(wetness, double(droplet.wetness), seconds - double(droplet.arrival));
-    const double area = per_uv * double(droplet.radius) * double(droplet.radius);
+    const double area = wetness.unit == "surface" ? per_reach * double(droplet.reach) * double(droplet.reach)
+                                                  : per_uv * double(droplet.radius) * double(droplet.radius);
     all.fell += area * own.fell;
     all.unsoaked += area * own.unsoaked;
     all.held += area * own.held;

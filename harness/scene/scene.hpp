@@ -68,7 +68,9 @@ struct FurScene {
   /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
   /// | "separate" (the triangle's own strand).
   std::string binding = "shared";
-  std::string uv = "computed";  ///< the mesh's UV map: "computed" | "file"
+  /// The mesh's UV map: "computed" | "even" (computed, with a separate chart for each part of the surface that
+  /// the map would shrink or enlarge by much) | "file".
+  std::string uv = "computed";
 };
 
 struct CurlScene {
@@ -87,7 +89,7 @@ struct CurlScene {
 struct DropletScene {
   std::optional<glm::vec2> uv;
   std::optional<glm::vec3> point;
-  float radius = 0.012f;  ///< r_drop, UV units
+  float radius = 0.012f;  ///< r_drop, in the unit WetnessScene::unit
   float wetness = 0.9f;   ///< rho_drop, 0..1
   float time = 0.0f;      ///< time of arrival, s
 };
@@ -98,8 +100,11 @@ struct WetnessScene {
   std::vector<DropletScene> droplets;
   int random = 0;  ///< maximum number of random droplets
   std::uint32_t seed = 1;
-  float radius = 0.012f;        ///< mean radius of random droplets, UV units
+  float radius = 0.012f;        ///< mean radius of random droplets, in the unit `unit`
   float radius_spread = 0.3f;   ///< greatest random deviation from `radius`, as a fraction of `radius`
+  /// Unit of the droplets' radii: "uv" (UV units) | "surface" (R; a disc's area on the surface is then pi
+  /// radius^2, whatever the scale of the UV map at its centre).
+  std::string unit = "uv";
   float wetness = 0.9f;         ///< mean wetness of random droplets
   float wetness_spread = 0.1f;  ///< greatest random deviation from `wetness`
   float spacing = 1.0f;         ///< least distance between random droplet centres, in radii of the later one

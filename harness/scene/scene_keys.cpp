@@ -45,7 +45,7 @@ std::vector<Key> droplet_keys(DropletScene& droplet) {
   return {
       {"uv", &droplet.uv, "UV units", -1e6, 1e6, "centre in UV space; give either uv or point"},
       {"point", &droplet.point, "R", -1e6, 1e6, "centre in space, moved to the nearest surface point; give either uv or point"},
-      {"radius", &droplet.radius, "UV units", 0.0001, 1, "r_drop, the radius of the droplet"},
+      {"radius", &droplet.radius, "UV units or R", 0.0001, 1, "r_drop, the radius of the droplet, in the unit wetness.unit"},
       {"wetness", &droplet.wetness, "", 0, 1, "rho_drop, the wetness of the droplet"},
       {"time", &droplet.time, "s", 0, 3600, "time at which the droplet arrives (docs/water.md)"},
   };
@@ -131,7 +131,7 @@ std::vector<Key> scene_keys(Scene& s) {
       {"fur.seed", &fur.seed, "", 0, most_seed, "random seed of the fur volume texture"},
       {.name = "fur.layer_spacing", .slot = &fur.layer_spacing, .unit = "", .help = "positions of the layers at rest: \"paper\" spaces the layers equally in the Bezier parameter t, as in S; \"uniform\" spaces them equally in height", .choices = {"paper", "uniform"}},
       {.name = "fur.binding", .slot = &fur.binding, .unit = "", .help = "displacement of the corners of a triangle: with \"shared\", a corner has the weighted mean of the displacements of the strands of all triangles around it; with \"separate\", all three corners have the displacement of the triangle's own strand", .choices = {"shared", "separate"}},
-      {.name = "fur.uv", .slot = &fur.uv, .unit = "", .help = "UV map for fur, coat and wetness: computed by pelage, or stored in the mesh file", .choices = {"computed", "file"}},
+      {.name = "fur.uv", .slot = &fur.uv, .unit = "", .help = "UV map for fur, coat and wetness: \"computed\" by pelage; \"even\", computed with a separate chart for each part of the surface that the map would shrink or enlarge by much, so that the density of the fur varies less; or stored in the mesh \"file\"", .choices = {"computed", "even", "file"}},
 
       {"curl.radius", &curl.radius, "R", 0, 1, "K_alpha of S Eq. 4, the radius of the curl"},
       {"curl.turns", &curl.turns, "", -64, 64, "number of turns of the curl from root to tip; omega / (2 pi) in S Eq. 4"},
@@ -143,7 +143,8 @@ std::vector<Key> scene_keys(Scene& s) {
       {"wetness.size", &wetness.size, "texels", 8, 4096, "number of texels per side of the wetness mask"},
       {"wetness.random", &wetness.random, "", 0, 100000, "maximum number of random droplets"},
       {"wetness.seed", &wetness.seed, "", 0, most_seed, "random seed of the droplets"},
-      {"wetness.radius", &wetness.radius, "UV units", 0.0001, 1, "mean radius of random droplets"},
+      {"wetness.radius", &wetness.radius, "UV units or R", 0.0001, 1, "mean radius of random droplets, in the unit wetness.unit"},
+      {.name = "wetness.unit", .slot = &wetness.unit, .unit = "", .help = "unit of the droplets' radii: \"uv\" is UV units; \"surface\" is R, so that the disc of a droplet has the same area on the surface wherever the droplet lies", .choices = {"uv", "surface"}},
       {"wetness.radius_spread", &wetness.radius_spread, "of the radius", 0, 0.99, "greatest random deviation from the mean radius"},
       {"wetness.wetness", &wetness.wetness, "", 0, 1, "mean wetness of random droplets"},
       {"wetness.wetness_spread", &wetness.wetness_spread, "", 0, 1, "greatest random deviation from the mean wetness"},

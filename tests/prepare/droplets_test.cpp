@@ -10,6 +10,7 @@
 
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
+#include "harness/prepare/water.hpp"
 #include "tests/prepare/meshes.hpp"
 
 namespace pelage {
@@ -226,6 +227,78 @@ TEST_F(Image, MissingMaskIsRefused) {
   WetnessScene wetness = rain();
   wetness.image = folder_ / "nowhere.png";
   EXPECT_THROW(droplets_of(wetness), InputError);
+}
+
+/// Returns the area on the surface, in R^2, of the part whose UV lies in the disc of the droplet.
+double disc_area(const Mesh& mesh, const Droplet& droplet) {
+  constexpr int n = 24;
+  double sum = 0;
+  for (const glm::uvec3& t : mesh.triangle) {
+    const glm::vec2 a = mesh.uv[t.x], b = mesh.uv[t.y] - a, c = mesh.uv[t.z] - a;
+    if (glm::distance(a, droplet.centre) > 2 * droplet.radius + 0.05f) continue;
+    const double area = double(glm::length(glm::cross(mesh.position[t.y] - mesh.position[t.x],
+                                                      mesh.position[t.z] - mesh.position[t.x]))) /
+                        2;
+    int inside = 0, all = 0;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j, ++all)
+        inside += glm::distance(a + b * ((float(i) + 1 / 3.0f) / n) + c * ((float(j) + 1 / 3.0f) / n),
+                                droplet.centre) <= droplet.radius;
+    sum += area * inside / all;
+  }
+  return sum;
+}
+
+/// Returns the least and the greatest disc area of droplets on a torus, divided by pi 0.08^2.
+std::pair<double, double> disc_areas(const char* unit, float radius) {
+  const auto torus = load_model("torus-72x65");
+  WetnessScene wetness = rain();
+  wetness.random = 60;
+  wetness.radius = radius;
+  wetness.radius_spread = 0;
+  wetness.unit = unit;
+  std::pair<double, double> range{1e9, 0};
+  for (const Droplet& d : make_droplets(torus, weld(*torus), wetness)) {
+    const glm::vec2 border = glm::min(d.centre, 1.0f - d.centre);
+    if (std::min(border.x, border.y) < d.radius) continue;  // the disc ends at the border of the UV square
+    const double area = disc_area(*torus, d) / (M_PI * 0.08 * 0.08);
+    range = {std::min(range.first, area), std::max(range.second, area)};
+  }
+  return range;
+}
+
+TEST(Droplets, WithRadiiOnTheSurfaceHaveTheSameAreaEverywhere) {
+  const auto [low, high] = disc_areas("surface", 0.08f);
+  EXPECT_GT(low, 0.95);
+  EXPECT_LT(high, 1.05);
+  const auto [least, most] = disc_areas("uv", 0.03f);
+  EXPECT_GT(most / least, 1.5) << "without the unit, the areas differ";
+}
+
+TEST(Droplets, WithRadiiOnTheSurfaceHaveTheirWaterAndReach) {
+  const auto mesh = test::two_charts();
+  WetnessScene wetness = rain();
+  wetness.droplets.resize(1);
+  wetness.droplets[0] = {glm::vec2(0.2f), {}, 0.1f, 0.5f, 0};
+  wetness.random = 0;
+  wetness.unit = "surface";
+  const auto drops = make_droplets(mesh, weld(*mesh), wetness);
+  ASSERT_EQ(drops.size(), 1u);
+  EXPECT_NEAR(drops[0].radius, 0.1f * test::chart_scale, 1e-6f);
+  EXPECT_NEAR(drops[0].reach, 0.2f, 1e-6f);
+  EXPECT_NEAR(water_at(wetness, drops, mesh->length_per_uv, 0).fell, 0.5 * M_PI * 0.01, 1e-7);
+}
+
+TEST(Droplets, WithRadiiOnTheSurfaceKeepTheirDistance) {
+  const auto torus = load_model("torus-72x65");
+  WetnessScene wetness = rain();
+  wetness.radius = 0.05f;
+  wetness.unit = "surface";
+  const auto drops = make_droplets(torus, weld(*torus), wetness);
+  ASSERT_GT(drops.size(), 100u);
+  for (std::size_t i = 0; i < drops.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_GE(glm::distance(drops[i].centre, drops[j].centre), 0.9999f * drops[i].radius);
 }
 
 }  // namespace
