@@ -26,7 +26,7 @@ struct MeshCommand {
   std::string model;
   std::filesystem::path output, atlas;
   std::optional<std::uint32_t> faces;
-  bool keep_uv = false;
+  bool keep_uv = false, even_uv = false;
   std::string components = "all", up = "y";
   std::vector<float> rotate;
 };
@@ -122,6 +122,11 @@ void print(const Mesh& mesh) {
       "{:.2f} at the 1% quantile, {:.2f} at the median, {:.2f} at the 99% quantile\n",
       q.area_low, q.area_median, q.area_high);
   fmt::print(
+      "density of the fur (strands per surface area) / its mean: {:.2f} at the 5% quantile, {:.2f} at the "
+      "95% "
+      "quantile, {:.2f} times as much\n",
+      q.area_5, q.area_95, q.area_5 > 0 ? q.area_95 / q.area_5 : 0.0);
+  fmt::print(
       "surface length per unit of u: {:.3f}, per unit of v: {:.3f} (in radii R of the bounding sphere)\n",
       mesh.length_per_uv.x, mesh.length_per_uv.y);
 }
@@ -131,6 +136,7 @@ int run(const MeshCommand& command) {
   MeshOptions options;
   options.faces = command.faces;
   options.keep_uv = command.keep_uv;
+  options.even_uv = command.even_uv;
   options.largest_only = command.components == "largest";
   MeshScene turn;
   turn.up = command.up;
@@ -157,7 +163,14 @@ void add_mesh(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--output", options->output, "Write the prepared mesh as PLY with its UV map");
   command->add_option("--faces", options->faces,
                       "Simplify or refine the mesh to exactly this number of triangles");
-  command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
+  CLI::Option* keep =
+      command->add_flag("--keep-uv", options->keep_uv, "Keep the file's own UV map (OBJ, PLY, 3DS, glTF)");
+  command
+      ->add_flag(
+          "--even-uv", options->even_uv,
+          "Give a chart of its own to each part of the surface that the computed UV map shrinks or enlarges "
+          "by much, so that the density of the fur varies less")
+      ->excludes(keep);
   command
       ->add_option("--components", options->components,
                    "Connected components to keep: all that are closed or large, or only the largest")

@@ -207,6 +207,7 @@ UvQuality uv_quality(const Mesh& mesh, int side) {
   };
   quality.area_low = percentile(0.01), quality.area_median = percentile(0.5),
   quality.area_high = percentile(0.99);
+  quality.area_5 = percentile(0.05), quality.area_95 = percentile(0.95);
 
   const Covered covered = covered_by(mesh, side);
   quality.covered = double(covered.once) / (double(side) * side);

@@ -34,8 +34,10 @@ struct UvQuality {
   double covered = 0;      ///< fraction of the unit square that is covered by faces
   /// The 1st, 50th and 99th percentile of the faces' area scales, weighted by surface area. The area scale of
   /// a face is its ratio of UV area to surface area, divided by the same ratio of the whole map. A face with
-  /// the area scale 1 is neither enlarged nor reduced relative to the whole map.
+  /// the area scale 1 is neither enlarged nor reduced relative to the whole map. The number of strands per
+  /// surface area is proportional to the area scale, because the fur texture lies in UV.
   double area_low = 0, area_median = 0, area_high = 0;
+  double area_5 = 0, area_95 = 0;  ///< the 5th and the 95th percentile
 };
 
 /// Measures the UV map. Coverage and overlap are counted at the centres of `side` x `side` texels.

@@ -88,12 +88,29 @@ Surface separate(const Surface& surface, const Faces& faces, const Neighbours& n
   return piece;
 }
 
+/// Returns a plan that cuts a piece from its border to its innermost point.
+CutPlan slit(const Surface& piece) {
+  CutPlan plan{piece.point.front(), {}};
+  const Neighbours next = neighbours_of(piece, false);
+  std::vector<glm::dvec3> border;
+  for (std::size_t f = 0; f < next.size(); ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (next[f][k] == no_face) border.push_back(piece.point[piece.triangle[f][k]]);
+  if (border.empty()) return plan;
+  const glm::dvec3 innermost = farthest_from_cut(piece, plan, border).point;
+  const auto nearer = [&](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::distance(a, innermost) < glm::distance(b, innermost);
+  };
+  plan.tips = {*std::min_element(border.begin(), border.end(), nearer), innermost};
+  return plan;
+}
+
 /// Flattens a piece. Returns nothing if the map overlaps or if no map can be made.
 std::optional<Shape> flattened(const Surface& surface, const Faces& faces, const Neighbours& next,
-                               int iterations, const std::string& name) {
+                               int iterations, bool with_slit, const std::string& name) {
   const Surface piece = separate(surface, faces, next);
   try {
-    const Disk disk = cut_open(piece, {piece.point.front(), {}});
+    const Disk disk = cut_open(piece, with_slit ? slit(piece) : CutPlan{piece.point.front(), {}});
     const FlatDisk flat = flatten(piece, disk, name, {}, iterations);
     Shape shape;
     for (const auto& [a, b, c] : disk.triangle) shape.push_back({flat.uv[a], flat.uv[b], flat.uv[c]});
@@ -134,14 +151,14 @@ Chart laid(const Faces& faces, const Shape& shape, double scale) {
   return best;
 }
 
-/// Returns the share of a part's surface area on which the ratio of UV area to surface area is more than 2.5
-/// times larger or smaller than on the whole part.
-double stretched_share(const Surface& surface, const Faces& faces, const Shape& shape) {
+/// Returns the share of a part's surface area on which the ratio of UV area to surface area is more than
+/// `factor` times larger or smaller than on the whole part.
+double stretched_share(const Surface& surface, const Faces& faces, const Shape& shape, double factor) {
   const double area = surface_area(surface, faces), ratio = uv_area(shape) / area;
   double sum = 0;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const double own = surface_area(surface, {faces[i]}), uv = 0.5 * std::abs(twice_uv_area(shape[i]));
-    if (uv > 2.5 * ratio * own || 2.5 * uv < ratio * own) sum += own;
+    if (uv > factor * ratio * own || factor * uv < ratio * own) sum += own;
   }
   return sum / area;
 }
@@ -164,32 +181,39 @@ class Flattener {
     const Shape present = shape_of(surface_, faces);
     const bool clean = is_clean(present);
     std::optional<Chart> chart;
-    if (!clean || anew) chart = flattened(faces, {most_rigid, 5, 3, 2, 1}, most_stretched, most_side);
+    if (anew) chart = flattened(faces, even, false);
+    if (anew && !chart) chart = flattened(faces, even, true);
+    if (!clean && !chart) chart = flattened(faces, usual, false);
     if (!chart && clean) chart = chart_of(faces, present);
     if (!chart && divide(faces, charts)) return;
-    if (!chart) chart = flattened(faces, {most_rigid, 5, 3, 2, 1, 0}, 1, most_side);
+    if (!chart) chart = flattened(faces, lenient, false);
     charts.push_back(chart ? std::move(*chart) : chart_of(faces, present));
   }
 
  private:
-  static constexpr double most_stretched = 0.02;
-  static constexpr double most_side = 0.9;  // of the UV square
+  /// On at most `share` of a piece, the scale of areas may differ from its mean by more than `factor`.
+  struct Limits {
+    double factor, share;
+    int least_iterations;
+  };
+  static constexpr Limits even{1.5, 0.1, 1}, usual{2.5, 0.02, 1}, lenient{2.5, 1, 0};
+  static constexpr double most_side = 0.9;  // of a chart's bounding box, in UV
 
   Chart chart_of(const Faces& faces, const Shape& shape) const {
     return laid(faces, shape, std::sqrt(surface_area(surface_, faces) / uv_area(shape)) / per_uv_);
   }
 
   /// Flattens a piece as rigidly as possible without overlaps. Seams inside the piece are closed, except if
-  /// only open seams permit a map. Returns nothing if there is no such map, if it stretches more than the
-  /// share `stretched` of the piece, or if its bounding box has a side longer than `side`.
-  std::optional<Chart> flattened(const Faces& faces, std::initializer_list<int> iterations, double stretched,
-                                 double side) const {
-    for (const int count : iterations)
+  /// only open seams permit a map. Returns nothing if there is no such map within the limits, or if its
+  /// bounding box is too large.
+  std::optional<Chart> flattened(const Faces& faces, const Limits& limits, bool with_slit) const {
+    for (const int iterations : {most_rigid, 5, 3, 2, 1, 0})
       for (const Neighbours* next : {&on_surface_, &in_uv_}) {
-        const auto shape = pelage::flattened(surface_, faces, *next, count, name_);
-        if (!shape || stretched_share(surface_, faces, *shape) > stretched) continue;
+        if (iterations < limits.least_iterations) continue;
+        const auto shape = pelage::flattened(surface_, faces, *next, iterations, with_slit, name_);
+        if (!shape || stretched_share(surface_, faces, *shape, limits.factor) > limits.share) continue;
         Chart chart = chart_of(faces, *shape);
-        if (std::max(chart.size.x, chart.size.y) <= side) return chart;
+        if (std::max(chart.size.x, chart.size.y) <= most_side) return chart;
       }
     return {};
   }

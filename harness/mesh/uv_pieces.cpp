@@ -18,6 +18,9 @@ namespace {
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 constexpr std::uint32_t none = 0xffffffffu;  // no colour
 
+/// Reasons for which triangles are cut out. Triangles of different reasons are in different pieces.
+enum : char { stays, overlaps, shrunk, enlarged };
+
 glm::dvec3 centroid(const Surface& surface, std::uint32_t f) {
   const auto& [a, b, c] = surface.triangle[f];
   return (surface.point[a] + surface.point[b] + surface.point[c]) / 3.0;
@@ -96,46 +99,12 @@ void mark_overlaps(const Pairs& pairs, const Neighbours& next, const std::vector
       sum[colours.of(f)] += area[f];
     }
     const auto best = std::uint32_t(std::max_element(sum.begin(), sum.end()) - sum.begin());
-    for (const std::uint32_t f : group) mark[f] = colours.of(f) != best;
+    for (const std::uint32_t f : group) mark[f] = colours.of(f) != best ? overlaps : stays;
   }
 }
 
-void mark_stretch(const Surface& surface, const std::vector<double>& area, double most,
-                  std::vector<char>& mark) {
-  double total = 0, uv_total = 0;
-  for (std::size_t f = 0; f < area.size(); ++f)
-    total += area[f], uv_total += 0.5 * std::abs(twice_uv_area(surface.uv[f]));
-  for (std::size_t f = 0; f < area.size(); ++f) {
-    const double ratio = 0.5 * std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
-    if (ratio > most || ratio * most < 1) mark[f] = 1;
-  }
-}
-
-/// Marks the triangles whose centroid is at most `growth` away from a marked one, along paths over the
-/// centroids of neighbours.
-void grow(const Surface& surface, const Neighbours& next, double growth, std::vector<char>& mark) {
-  using Entry = std::pair<double, std::uint32_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  std::vector<double> distance(mark.size(), std::numeric_limits<double>::max());
-  for (std::uint32_t f = 0; f < mark.size(); ++f)
-    if (mark[f]) queue.push({distance[f] = 0, f});
-  while (!queue.empty()) {
-    const auto [d, f] = queue.top();
-    queue.pop();
-    if (d > distance[f]) continue;
-    mark[f] = 1;
-    for (const std::uint32_t g : next[f]) {
-      if (g == no_face) continue;
-      const double there = d + glm::distance(centroid(surface, f), centroid(surface, g));
-      if (there <= growth && there < distance[g]) queue.push({distance[g] = there, g});
-    }
-  }
-}
-
-/// Returns the connected groups of the triangles with mark[f] == which.
-std::vector<std::vector<std::uint32_t>> groups(const Neighbours& next, const std::vector<char>& mark,
-                                               char which) {
-  std::vector<std::vector<std::uint32_t>> all;
+/// Appends the connected groups of the triangles with mark[f] == which.
+void add_groups(const Neighbours& next, const std::vector<char>& mark, char which, std::vector<Faces>& all) {
   std::vector<char> seen(mark.size(), 0);
   for (std::uint32_t seed = 0; seed < mark.size(); ++seed) {
     if (mark[seed] != which || seen[seed]) continue;
@@ -147,7 +116,63 @@ std::vector<std::vector<std::uint32_t>> groups(const Neighbours& next, const std
     std::sort(group.begin(), group.end());
     all.push_back(std::move(group));
   }
-  return all;
+}
+
+double sum_of(const std::vector<double>& area, const Faces& faces) {
+  double sum = 0;
+  for (const std::uint32_t f : faces) sum += area[f];
+  return sum;
+}
+
+/// Marks the triangles that the map stretches. Connected parts of less than the area `least` stay unmarked.
+void mark_stretch(const Surface& surface, const Neighbours& next, const std::vector<double>& area,
+                  double most, double least, std::vector<char>& mark) {
+  std::vector<char> stretch(mark.size(), stays);
+  double total = 0, uv_total = 0;
+  for (std::size_t f = 0; f < area.size(); ++f)
+    total += area[f], uv_total += 0.5 * std::abs(twice_uv_area(surface.uv[f]));
+  for (std::size_t f = 0; f < area.size(); ++f) {
+    const double ratio = 0.5 * std::abs(twice_uv_area(surface.uv[f])) * total / (area[f] * uv_total);
+    if (ratio > most) stretch[f] = enlarged;
+    if (ratio * most < 1) stretch[f] = shrunk;
+  }
+  for (const char reason : {shrunk, enlarged}) {
+    std::vector<Faces> parts;
+    add_groups(next, stretch, reason, parts);
+    for (const Faces& part : parts)
+      if (sum_of(area, part) >= least)
+        for (const std::uint32_t f : part) mark[f] = reason;
+  }
+}
+
+/// Gives the mark of the nearest marked triangle to the triangles whose centroid is at most `growth` away
+/// from it, along paths over the centroids of neighbours.
+void grow(const Surface& surface, const Neighbours& next, double growth, std::vector<char>& mark) {
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  std::vector<double> distance(mark.size(), std::numeric_limits<double>::max());
+  for (std::uint32_t f = 0; f < mark.size(); ++f)
+    if (mark[f]) queue.push({distance[f] = 0, f});
+  while (!queue.empty()) {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > distance[f]) continue;
+    for (const std::uint32_t g : next[f]) {
+      if (g == no_face) continue;
+      const double there = d + glm::distance(centroid(surface, f), centroid(surface, g));
+      if (there <= growth && there < distance[g]) mark[g] = mark[f], queue.push({distance[g] = there, g});
+    }
+  }
+}
+
+/// Gives the mark of an adjacent piece to the triangles of `part`, if there is a piece with another mark.
+void join(const Neighbours& next, const Faces& part, std::vector<char>& mark) {
+  const char own = mark[part.front()];
+  char adjacent = own;
+  for (const std::uint32_t f : part)
+    for (const std::uint32_t g : next[f])
+      if (g != no_face && adjacent == own && mark[g] != stays) adjacent = mark[g];
+  for (const std::uint32_t f : part) mark[f] = adjacent;
 }
 
 }  // namespace
@@ -186,22 +211,22 @@ Pieces choose_pieces(const Surface& surface, const PieceRules& rules) {
     area.push_back(0.5 * glm::length(glm::cross(surface.point[b] - surface.point[a],
                                                 surface.point[c] - surface.point[a])));
   std::vector<char> mark(count, 0);
-  for (std::size_t f = 0; f < count; ++f) mark[f] = twice_uv_area(surface.uv[f]) < 0;
-  if (rules.most_stretch > 0) mark_stretch(surface, area, rules.most_stretch, mark);
+  for (std::size_t f = 0; f < count; ++f) mark[f] = twice_uv_area(surface.uv[f]) < 0 ? overlaps : stays;
   const Neighbours next = neighbours_of(surface, true);
+  const double small = 4 * std::numbers::pi * rules.growth * rules.growth;
+  if (rules.most_stretch > 0) mark_stretch(surface, next, area, rules.most_stretch, small / 4, mark);
   mark_overlaps(uv_overlaps(surface.uv), next, area, mark);
   Pieces pieces;
-  if (std::find(mark.begin(), mark.end(), 1) != mark.end()) {
+  if (std::any_of(mark.begin(), mark.end(), [](char m) { return m != stays; })) {
     grow(surface, next, rules.growth, mark);
-    const double small = 4 * std::numbers::pi * rules.growth * rules.growth;
-    for (const auto& rest : groups(next, mark, 0)) {
-      double sum = 0;
-      for (const std::uint32_t f : rest) sum += area[f];
-      if (sum < small)
-        for (const std::uint32_t f : rest) mark[f] = 1;
+    for (const char reason : {stays, overlaps, shrunk, enlarged}) {
+      std::vector<Faces> parts;
+      add_groups(next, mark, reason, parts);
+      for (const Faces& part : parts)
+        if (sum_of(area, part) < small) join(next, part, mark);
     }
-    pieces.piece = groups(next, mark, 1);
-    pieces.rest = groups(next, mark, 0);
+    add_groups(next, mark, stays, pieces.rest);
+    for (const char reason : {overlaps, shrunk, enlarged}) add_groups(next, mark, reason, pieces.piece);
   }
   return pieces;
 }

@@ -23,6 +23,7 @@ std::shared_ptr<const Mesh> load_scene_mesh(const Scene& scene,
   options.rotate = rotation_of(scene.mesh);
   options.largest_only = scene.mesh.components == "largest";
   options.keep_uv = scene.fur.uv == "file";
+  options.even_uv = scene.fur.uv == "even";
   options.progress = progress;
   const auto mesh = load_model(scene.model, options);
   if (scene.mesh.frames == 1) return mesh;

@@ -90,6 +90,8 @@ TEST(Quality, area_ratio_of_a_map_that_squeezes_one_half) {
   const UvQuality q = uv_quality(mesh, 100);
   EXPECT_NEAR(q.area_low, 0.25 / 0.625, 1e-6);
   EXPECT_NEAR(q.area_high, 1 / 0.625, 1e-6);
+  EXPECT_EQ(q.area_5, q.area_low);
+  EXPECT_EQ(q.area_95, q.area_high);
 }
 
 TEST(WritePly, what_is_written_is_a_mesh_with_its_map) {

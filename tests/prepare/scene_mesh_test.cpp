@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "harness/mesh/quality.hpp"
+
 namespace pelage {
 namespace {
 
@@ -54,6 +56,17 @@ TEST(SceneMesh, HasTheFilesOwnMapWhereTheSceneAsksForIt) {
   const auto kept = meshes.of(scene, {});
   EXPECT_EQ(std::count(kept->uv.begin(), kept->uv.end(), glm::vec2(0.75f, 0.5f)), 1);
   std::filesystem::remove(file);
+}
+
+TEST(SceneMesh, HasAMoreEvenMapWhereTheSceneAsksForIt) {
+  Scene scene = of_model("banisch-dog");
+  SceneMeshes meshes;
+  const UvQuality computed = uv_quality(*meshes.of(scene, {}));
+  scene.fur.uv = "even";
+  const UvQuality even = uv_quality(*meshes.of(scene, {}));
+  EXPECT_LT(even.area_95 / even.area_5, 0.9 * computed.area_95 / computed.area_5);
+  EXPECT_EQ(even.overlapping, 0.0);
+  EXPECT_GT(even.charts, computed.charts);
 }
 
 TEST(SceneMesh, HasTheComponentsTheSceneAsksFor) {
