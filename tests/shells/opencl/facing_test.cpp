@@ -91,7 +91,9 @@ TEST_P(FacesOf, TheFarSideDoesNotCoverTheNearSide) {
 
 /// How the pictures of a bunny change from one to the next while the eye goes around it by half a degree.
 struct Turn {
-  double mean = 0, worst = 0;  ///< second differences of the channels, mean of a picture: mean and largest
+  /// Share of the pixels of a picture that pop: one of their channels is by more than .2 off the mean of the
+  /// pictures before and after. Mean over the pictures, and largest.
+  double mean = 0, worst = 0;
 };
 
 Turn turn_of(const char* faces) {
@@ -118,15 +120,15 @@ Turn turn_of(const char* faces) {
   }
   Turn turn;
   for (std::size_t i = 1; i + 1 < pictures.size(); ++i) {
-    double sum = 0;
+    std::size_t popping = 0;
     for (std::size_t k = 0; k < pictures[i].pixel.size(); ++k) {
-      const glm::vec4 bend =
-          pictures[i - 1].pixel[k] - 2.0f * pictures[i].pixel[k] + pictures[i + 1].pixel[k];
-      sum += double(std::abs(bend.x) + std::abs(bend.y) + std::abs(bend.z)) / 3;
+      const glm::vec4 off =
+          pictures[i].pixel[k] - 0.5f * (pictures[i - 1].pixel[k] + pictures[i + 1].pixel[k]);
+      popping += std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}) > 0.2f;
     }
-    const double mean = sum / double(pictures[i].pixel.size());
-    turn.mean += mean / double(pictures.size() - 2);
-    turn.worst = std::max(turn.worst, mean);
+    const double share = double(popping) / double(pictures[i].pixel.size());
+    turn.mean += share / double(pictures.size() - 2);
+    turn.worst = std::max(turn.worst, share);
   }
   return turn;
 }
@@ -137,7 +139,7 @@ TEST(Facing, ATurningBunnyPopsNoMoreThanInTheMeshsOrder) {
   const Turn all = turn_of("all"), both = turn_of("back-then-front");
   RecordProperty("all", fmt::format("{} {}", all.mean, all.worst));
   RecordProperty("back_then_front", fmt::format("{} {}", both.mean, both.worst));
-  EXPECT_GT(both.mean, 0.001);
+  EXPECT_GT(all.mean, 0) << "the fur moves too little to pop";
   EXPECT_LE(both.mean, all.mean);
   EXPECT_LE(both.worst, all.worst);
 }
