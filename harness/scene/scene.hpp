@@ -68,8 +68,8 @@ struct FurScene {
   /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
   /// | "separate" (the triangle's own strand).
   std::string binding = "shared";
-  /// The mesh's UV map: "computed" | "even" (computed, with a separate chart for each part of the surface that
-  /// the map would shrink or enlarge by much) | "file".
+  /// The mesh's UV map: "computed" | "even" (computed, with a separate chart for each part of the surface
+  /// that the map would shrink or enlarge by much) | "file".
   std::string uv = "computed";
 };
 
@@ -100,8 +100,8 @@ struct WetnessScene {
   std::vector<DropletScene> droplets;
   int random = 0;  ///< maximum number of random droplets
   std::uint32_t seed = 1;
-  float radius = 0.012f;        ///< mean radius of random droplets, in the unit `unit`
-  float radius_spread = 0.3f;   ///< greatest random deviation from `radius`, as a fraction of `radius`
+  float radius = 0.012f;       ///< mean radius of random droplets, in the unit `unit`
+  float radius_spread = 0.3f;  ///< greatest random deviation from `radius`, as a fraction of `radius`
   /// Unit of the droplets' radii: "uv" (UV units) | "surface" (R; a disc's area on the surface is then pi
   /// radius^2, whatever the scale of the UV map at its centre).
   std::string unit = "uv";

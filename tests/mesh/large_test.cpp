@@ -111,8 +111,8 @@ TEST(Flatten, UnrollsWhatCanBeUnrolled) {
 // CGAL computes the UV map of a model of experiments/models.toml. The test writes the model to a file and
 // loads the file. flatten() then computes a second UV map of the same mesh. The test compares three values of
 // the two maps: the spread of the faces' area scales (area_high / area_low), and the number of charts, which
-// increases with the number of overlaps and flipped faces. For flatten(), these values must not be much larger
-// than for CGAL. Neither map has overlaps or flipped faces.
+// increases with the number of overlaps and flipped faces. For flatten(), these values must not be much
+// larger than for CGAL. Neither map has overlaps or flipped faces.
 TEST(LargeFile, HasAsGoodAMapAsTheNamedModel) {
   const TempFolder folder;
   for (const char* name : {"banisch-elephant", "banisch-dog"}) {

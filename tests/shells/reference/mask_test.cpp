@@ -79,8 +79,8 @@ TEST(ReferenceMask, OverlappingDropletsBlendIfTheSceneSaysSo) {
   EXPECT_DOUBLE_EQ(blended_share(input), double(mixed) / double(wet));
 }
 
-// Random droplets that are one radius apart are not "near" each other if they are blended in their order, but many
-// overlap.
+// Random droplets that are one radius apart are not "near" each other if they are blended in their order, but
+// many overlap.
 TEST(ReferenceMask, DropletsOfTheWetSceneOverlap) {
   Scene scene = read_scene(std::filesystem::path(PELAGE_SOURCE_DIR) / "examples" / "wet.toml");
   const auto mesh = load_scene_mesh(scene, {});
