@@ -1,4 +1,4 @@
-// Writes a table as CSV, and draws it with a plot program.
+// Writes a CSV table to a file or to standard output, and draws it as a plot if the file is .svg or .pdf.
 #pragma once
 #include <string>
 

@@ -13,9 +13,9 @@ class UvScale {
  public:
   explicit UvScale(std::shared_ptr<const Mesh> mesh);
 
-  /// Returns the length on the surface, in R, per unit of UV at a point of a triangle, of which `weight` are
-  /// the barycentric coordinates. The square of this length at a vertex is the ratio of surface area to UV
-  /// area of the triangles at the vertex. The length is interpolated linearly between the vertices.
+  /// Returns the scale at a point of a triangle: the length on the surface, in R, per unit of UV. `weight`
+  /// are the point's barycentric coordinates. At a vertex, the scale is sqrt(surface area / UV area) of the
+  /// triangles around it. Between the vertices, it is interpolated linearly.
   double at(std::size_t face, glm::dvec3 weight) const;
 
  private:

@@ -68,8 +68,8 @@ struct FurScene {
   /// Strands that displace a corner of a triangle: "shared" (the strands of all triangles around the corner)
   /// | "separate" (the triangle's own strand).
   std::string binding = "shared";
-  /// The mesh's UV map: "computed" | "even" (computed, with a separate chart for each part of the surface
-  /// that the map would shrink or enlarge by much) | "file".
+  /// The mesh's UV map: "computed" | "even" (as "computed", but a part of the surface whose scale in UV
+  /// differs much from the mean is a separate chart) | "file".
   std::string uv = "computed";
 };
 

@@ -89,7 +89,8 @@ TEST_P(FacesOf, TheFarSideDoesNotCoverTheNearSide) {
   EXPECT_LT(both.inside, all.inside + 1e-9);
 }
 
-/// How the pictures of a bunny change from one to the next while the eye goes around it by half a degree.
+/// The pops in pictures of a bunny. From one picture to the next, the camera turns around it by half a
+/// degree.
 struct Turn {
   /// Share of the pixels of a picture that pop: one of their channels is by more than .2 off the mean of the
   /// pictures before and after. Mean over the pictures, and largest.
