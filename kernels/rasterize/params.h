@@ -94,6 +94,7 @@ enum { FACES_ALL, FACES_FRONT, FACES_BACK_THEN_FRONT };
 // The fourth number of a triangle's row in the table `corners`: the reach (reach.clh), plus FACES_AWAY if the base of the
 // triangle faces away from the eye and blend.faces is not "all".
 #define REACH_BITS 0xffff
+#define FOOTPRINTS 4            // sizes of a pixel for which footprint_reach.clh computes the reach of a triangle
 #define FACES_AWAY 0x10000
 
 // Readings of S Eq. 5, in the order of the values of the scene key clump.scale.

@@ -1,13 +1,14 @@
 // Computes the vertices of a frame: the strands' tips at the vertices, the screen positions of the vertices in all
 // layers, and for each vertex and layer batch the bounding box of the screen positions. bin.clh reads these boxes. A
 // work-item computes LANES vertices. PoCL takes 25 ms to preprocess each program, even if its cache contains the
-// compiled program. To save this time, the kernels of bin.clh, reach.clh and texel_reach.clh are part of this
+// compiled program. To save this time, the kernels of bin.clh and of the three files about the reach are part of this
 // program.
 #if CONTACT
 #include "common/contact.clh"
 #endif
 #include "rasterize/coverage/fan.clh"
 #include "rasterize/geometry/bin.clh"
+#include "rasterize/geometry/footprint_reach.clh"
 #include "rasterize/geometry/texel_reach.clh"
 #include "rasterize/geometry/transform.clh"
 
@@ -60,16 +61,16 @@ static inline Corner corner(const RasterParams *s, TABLE(float) vertex, TABLE(fl
 
 // The bounding boxes of LANES vertices. The box of a vertex contains its screen positions in one layer or in several
 // layers. The unit is one pixel, and the origin is the image's top left corner. The box contains pixel centres only, so
-// left and top are rounded up, and right and bottom are rounded down. most: greatest 1/w of the vertex in these layers.
-typedef struct { whole left, top, right, bottom; real most; } Bounds;
+// left and top are rounded up, and right and bottom are rounded down. most, least: greatest and least 1/w of the vertex in these layers.
+typedef struct { whole left, top, right, bottom; real most, least; } Bounds;
 
 static inline Bounds nothing(void) {
-  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f)};
+  Bounds b = {WHOLE(32767), WHOLE(32767), WHOLE(-32768), WHOLE(-32768), REAL(0.0f), REAL(INFINITY)};
   return b;
 }
 
 static inline Bounds both(Bounds a, Bounds b) {
-  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom), fmax(a.most, b.most)};
+  Bounds c = {min(a.left, b.left), min(a.top, b.top), max(a.right, b.right), max(a.bottom, b.bottom), fmax(a.most, b.most), fmin(a.least, b.least)};
   return c;
 }
 
@@ -83,13 +84,14 @@ static inline Bounds bounds_of(const RasterParams *s, Screen v) {
   b.right = clipped ? WHOLE(32767) : x >> 8;
   b.bottom = clipped ? WHOLE(32767) : y >> 8;
   b.most = clipped ? REAL(INFINITY) : v.iw;
+  b.least = v.iw;
   return b;
 }
 
 // Writes bounds in the format that box_of() in boxes.clh reads.
 static inline void store_bounds(Bounds b, __global float *box, int block) {
   real4 row = {bits_as_real((b.left & 0xffff) | (b.top << 16)), bits_as_real((b.right & 0xffff) | (b.bottom << 16)), b.most,
-               REAL(0.0f)};
+               b.least};
   store_rows(row, box, block);
 }
 
@@ -97,12 +99,12 @@ static inline void store_bounds(Bounds b, __global float *box, int block) {
 // screen: one row for each layer and vertex, which holds x, y and 1/w. x and y are integers, stored as the bits of
 // floats. Their unit is 1/256 pixel, and their origin is the image centre. The rows of layer n start at screen_row(n).
 // box: one row for each layer batch and vertex. The row holds the bounding box of the vertex's screen positions in the
-// layers of the batch, and the greatest 1/w of these positions. The row of vertex i in batch g starts at
+// layers of the batch, and the greatest and the least 1/w of these positions. The row of vertex i in batch g starts at
 // 4 * (g * vertices + i). Batch 0 is the base, and each of the batches 1 to layer_batches - 1 consists of adjacent
 // layers. One more batch, with the index layer_batches, contains the base and all layers of the pass.
 // With CONTACT, the colliders of the table `contact` at the time number `time` push the vertices towards their roots, and the
 // fourth number of a row is the share of the displacement that remains.
-// If a vertex needs clipping, its 1/w in `screen` is 0 and its greatest 1/w in `box` is infinite.
+// If a vertex needs clipping, its 1/w in `screen` is 0, and in `box` its greatest 1/w is infinite and its least 1/w is 0.
 __kernel void layer_vertices(RasterParams s, TABLE(float) vertex, TABLE(float) tip, TABLE(float) dry, TABLE(float) table,
                              __global float *screen, __global float *box
 #if CONTACT

@@ -4,7 +4,10 @@
 // the mappings `tile` and `pixel`.
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "tests/shells/opencl/picture_scenes.hpp"
+#include "tests/support/synthetic.hpp"
 
 namespace pelage {
 namespace {
@@ -59,6 +62,25 @@ TEST(Determinism, WhatClumpsHideIsLeftOutWithoutATrace) {
         EXPECT_TRUE(same_bits(shells.read(), every_layer.read())) << cells << ", " << scale;
         EXPECT_EQ(shells.count(), every_layer.count()) << cells << ", " << scale;
       }
+}
+
+// With clump.cells "consistent", what clumps hide depends on the size of a pixel on the fur. The sizes are
+// from 1/8 to several texels: below, between and above the sizes for which the kernel computes the reach.
+TEST(Determinism, WhatClumpsHideDependsOnTheView) {
+  auto input = std::make_shared<FrameInput>(*model_frame("bunny", 16, "curling"));
+  input->scene.clump.cells = "consistent";
+  input->scene.wetness.blend = "overlap";
+  for (const char* scale : clump_scales)
+    for (const double distance : {1.3, 3.0, 12.0, 40.0}) {
+      input->scene.clump.scale = scale;
+      CameraScene camera = input->scene.camera;
+      camera.eye = float(distance) * glm::normalize(camera.direction);
+      input->camera = synthetic::camera(camera, 320, 240);
+      Shells shells(device(), input, {"tile", {}}), every_layer(device(), input, {"tile", {{"REACH", 0}}});
+      shells.frame();
+      every_layer.frame();
+      EXPECT_TRUE(same_bits(shells.read(), every_layer.read())) << scale << ", " << distance;
+    }
 }
 
 TEST(Determinism, AnotherSceneIsAnotherPicture) {
