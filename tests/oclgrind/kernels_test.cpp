@@ -139,6 +139,8 @@ TEST(DISABLED_Tiny, FacesAndBordersOfClumps) {
     for (const char* mapping : {"tile", "pixel", "group"})
       draw(std::make_shared<FrameInput>(input), mapping, true);
   }
+  input.scene.clump.cells = "separate";
+  draw(std::make_shared<FrameInput>(input), "tile", true);
 }
 TEST(DISABLED_Tiny, WaterThatChanges) {
   for (const char* cells : {"separate", "literal"}) {
