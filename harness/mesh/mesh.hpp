@@ -38,8 +38,8 @@ struct Mesh {
 struct MeshOptions {
   std::optional<std::uint32_t> faces;  ///< exact face count; empty: the count of the model or the file
   bool keep_uv = false;                ///< true: use the file's own UV map (OBJ, PLY, 3DS, glTF)
-  /// True: a part of the surface that the computed UV map shrinks or enlarges by much gets a chart of its
-  /// own.
+  /// True: if the computed UV map enlarges or shrinks a part of the surface by more than a factor of 1.6 in
+  /// area, this part gets its own chart (recut.hpp).
   bool even_uv = false;
   /// Additional rotation of the prepared model about the fixed axes x, then y, then z, degrees.
   glm::vec3 rotate{0};
