@@ -41,6 +41,8 @@ COMBED = [*REST, "--set", "fur.comb=0.6", "--set", "fur.layer_spacing=paper"]
 UPRIGHT = [*REST, "--set", "fur.comb=0"]
 WEAK = ["--set", "dynamics.wind.strength=0.12", "--set", "fur.layer_spacing=paper"]
 
+ARROW = ["--line-width", "5"]
+
 PAGES = {
     "silva2010": ("Curling and Clumping Fur Represented by Texture Layers (Silva et al. 2010)", [
         ("Figure 1", "The same fur in four states.",
@@ -56,15 +58,16 @@ PAGES = {
          [labelled("colour texture", diagram("coat", S3, "c")),
           labelled("four slices of the fur texture, from low to high", diagram("slices", S3, "c")),
           labelled("result", case(S3, "c"))]),
-        ("Figure 4", "Forces on the strands.",
+        ("Figure 4", "Forces on the strands. The red arrow is the direction of the wind.",
          [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
-          labelled("a square in the wind", case(S4, "wind"))]),
+          labelled("a square in the wind", diagram("wind", S4, "wind", *ARROW))]),
         ("Figure 5", "The wetness mask, and a clump in section: each strand of the clump leans towards its centre c. "
          "In the mask, black is dry, and the brightness of the blue is the wetness; its hue tells clumps apart.",
          [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),
           labelled("section of a clump of Figure 9 (a)", diagram("clump", S9, "a", "--set", "fur.layers=64"))]),
-        ("Figure 6", "Bent strands and sheared layers under the same kind of force.",
-         [labelled("strands bend", case(S6, "bent")), labelled("layers are sheared", case(S6, "sheared"))]),
+        ("Figure 6", "Bent strands and sheared layers under the same kind of force. The red arrows are its direction.",
+         [labelled("strands bend", diagram("wind", S6, "bent", *ARROW)),
+          labelled("layers are sheared", diagram("wind", S6, "sheared", *ARROW))]),
         ("Figure 7", "What the curl does to the fur.",
          [labelled("straight", case(S7, "straight")), labelled("wavy", case(S7, "wavy")),
           labelled("few large curls", case(S7, "large")), labelled("many small curls", case(S7, "small"))]),

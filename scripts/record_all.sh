@@ -57,7 +57,9 @@ record rivals rivals --repeat 3
 record strongest rivals-strongest --repeat 3
 record rivals-tori rivals --preset tori
 record rival-options rival-options
-record effects overheads readings
+record overheads overheads --repeat 3
+record readings readings --preset paper
+record depth readings --filter depth
 part roofline "$PELAGE" roofline -o "$runs/roofline"
 part roofline-strands "$PELAGE" roofline demoreuille2011-scaling --filter '^bunny-(100000-800x600|1000000-1680x1050)-near$' -o "$runs/roofline-strands"
 
@@ -66,7 +68,7 @@ cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
 scripts/record_report.sh docs/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
-scripts/record_report.sh docs/effects "$runs/effects"
+scripts/record_report.sh docs/effects "$runs"/{overheads,readings,depth}
 scripts/record_report.sh docs/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"
 scripts/record_report.sh docs/scaling "$runs"/{layers,scaling-quick,scaling-beyond,scaling-millions}

@@ -12,6 +12,7 @@
 #include "harness/diagrams/section.hpp"
 #include "harness/diagrams/strand_lines.hpp"
 #include "harness/diagrams/textures.hpp"
+#include "harness/diagrams/wind_arrow.hpp"
 #include "harness/error.hpp"
 #include "harness/picture/image_io.hpp"
 #include "harness/prepare/prepare.hpp"
@@ -49,16 +50,26 @@ Picture slices_of(const Scene& scene, const DiagramOptions&) {
   return diagrams::slices_picture(prepare(scene, load_scene_mesh(scene))->fur);
 }
 
-Picture lines_of(const Scene& scene, const DiagramOptions& options) {
+Picture drawn(const Scene& scene, const std::shared_ptr<const Mesh>& mesh, const DiagramOptions& options) {
   RendererOptions choice;
   choice.device = options.device;
-  const auto renderer = open_renderer(choice, scene);
+  return open_renderer(choice, scene)->draw(scene, mesh).image;
+}
+
+Picture lines_of(const Scene& scene, const DiagramOptions& options) {
   const auto mesh = load_scene_mesh(scene);
-  Picture picture = renderer->draw(scene, mesh).image;
+  Picture picture = drawn(scene, mesh, options);
   const auto input = prepare(scene, mesh);
   const FrameOutput motion = reference_motion(*input, frames_of(scene));
   diagrams::draw_strands(picture, *input, diagrams::strand_curves(*input, motion.tips, options.most),
                          options.width);
+  return picture;
+}
+
+Picture wind_of(const Scene& scene, const DiagramOptions& options) {
+  const auto mesh = load_scene_mesh(scene);
+  Picture picture = drawn(scene, mesh, options);
+  diagrams::draw_wind_arrow(picture, *prepare(scene, mesh), options.width);
   return picture;
 }
 
@@ -89,6 +100,7 @@ constexpr Kind kinds[] = {
     {"coat", "the coat's colour texture", coat_of, nullptr},
     {"slices", "four slices of the fur's volume texture", slices_of, nullptr},
     {"lines", "the fur with the strands of the mass-spring model as white lines", lines_of, nullptr},
+    {"wind", "the fur with a red arrow in the direction of the wind", wind_of, nullptr},
     {"shape", "the factor f(h) of S Eq. 5 for five values of clump.shape", nullptr, shape_of},
     {"clump", "the strands of a clump in a vertical plane", nullptr, clump_of},
     {"curl", "the curl of an upright strand for three wetnesses", nullptr, curl_of},
@@ -148,13 +160,16 @@ void add_diagram(CLI::App& app, Chosen& chosen) {
       ->check(CLI::Range(1, 1000000))
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--line-width", options->width, "Width of the strands' lines in pixels")
+  command
+      ->add_option("--line-width", options->width,
+                   "Width of the lines of strands and of the arrow, in pixels")
       ->check(CLI::Range(0.5, 50.0))
       ->type_name("PIXELS")
       ->capture_default_str();
   command
-      ->add_option("--device", options->device,
-                   "Device that draws the fur of the kind lines: PLATFORM:INDEX, or part of its name")
+      ->add_option(
+          "--device", options->device,
+          "Device that draws the fur of the kinds lines and wind: PLATFORM:INDEX, or part of its name")
       ->type_name("DEVICE");
   command->callback([options, &chosen] { chosen = [options] { return diagram(*options); }; });
 }

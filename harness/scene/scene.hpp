@@ -161,6 +161,7 @@ struct SoakedScene {
 };
 
 inline constexpr std::array face_orders{"all", "front", "back-then-front"};
+inline constexpr std::array blend_orders{"layer", "depth"};
 
 /// Which triangles of the layers are drawn, and in which order.
 struct BlendScene {
@@ -168,7 +169,14 @@ struct BlendScene {
   /// layer, in the mesh's order | "front": only those that face the eye | "back-then-front": all layers of
   /// the triangles that face away, then all layers of those that face the eye.
   std::string faces = "back-then-front";
+  /// One of blend_orders: order in which the fragments of a pixel are blended. "layer": by layers, in the
+  /// order of `faces` | "depth": from the farthest fragment to the nearest; slower.
+  std::string order = "layer";
 };
+
+inline bool by_depth(const BlendScene& blend) {
+  return blend.order == "depth";
+}
 
 struct WindScene {
   glm::vec3 direction{1.0f, 0.0f, 0.0f};

@@ -9,6 +9,8 @@
 #include "harness/diagrams/mask_picture.hpp"
 #include "harness/diagrams/strand_lines.hpp"
 #include "harness/diagrams/textures.hpp"
+#include "harness/diagrams/wind_arrow.hpp"
+#include "harness/error.hpp"
 #include "harness/prepare/camera.hpp"
 #include "tests/support/synthetic.hpp"
 
@@ -122,6 +124,43 @@ TEST(StrandLines, AreThinnedToTheGivenNumber) {
   const std::vector<glm::vec3> tips = reference_motion(input, 1).tips;
   EXPECT_EQ(diagrams::strand_curves(input, tips, 10).size(), 10u);
   EXPECT_EQ(diagrams::strand_curves(input, tips, 100000).size(), tips.size());
+}
+
+TEST(WindArrow, PointsAlongTheWind) {
+  Scene scene = synthetic::lively_scene();
+  scene.camera.framed = false;
+  scene.camera.eye = {0, 0, 3};
+  scene.camera.target = {0, 0, 0};
+  for (const float x : {1.0f, -1.0f}) {
+    scene.dynamics.wind.direction = {x, 0, 0};
+    FrameInput input = synthetic::frame(scene, synthetic::square(2), 1, 1, 0);
+    input.camera = synthetic::camera(scene.camera, 160, 80);
+    Picture picture = black(160, 80);
+    diagrams::draw_wind_arrow(picture, input, 1);
+    // The arrow is 20 pixels long, with its middle at (80, 10). Its head is the part above and below the row
+    // of the shaft.
+    int left = 160, right = 0, head = 0, pixels = 0;
+    for (int row = 0; row < 80; ++row)
+      for (int column = 0; column < 160; ++column) {
+        if (!(picture.at(column, row).x > 0.3f)) continue;
+        left = std::min(left, column);
+        right = std::max(right, column);
+        pixels += 1;
+        if (std::abs(row + 0.5 - 10) > 1.5) head += column < 80 ? -1 : 1;
+      }
+    EXPECT_NEAR(left, 70, 1.5);
+    EXPECT_NEAR(right, 89, 1.5);
+    EXPECT_GT(pixels, 25);
+    EXPECT_GE(int(x) * head, 4);
+  }
+}
+
+TEST(WindArrow, NeedsWind) {
+  Scene scene = synthetic::lively_scene();
+  scene.dynamics.wind.strength = 0;
+  const FrameInput input = synthetic::frame(scene, synthetic::square(2), 1, 1, 0);
+  Picture picture = black(input.camera.width, input.camera.height);
+  EXPECT_THROW(diagrams::draw_wind_arrow(picture, input, 1), InputError);
 }
 
 TEST(Textures, ShowTheirTexelsWithTheTopRowAtVOne) {

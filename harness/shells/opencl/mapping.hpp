@@ -10,6 +10,7 @@
 
 #include "harness/cl/phases.hpp"
 #include "harness/cl/program.hpp"
+#include "harness/scene/scene.hpp"
 #include "harness/shells/opencl/build_options.hpp"
 #include "harness/shells/opencl/raster_buffers.hpp"
 #include "kernels/rasterize/params.h"
@@ -63,6 +64,11 @@ extern const std::span<const MappingKind* const> mapping_kinds;  ///< all mappin
 /// Returns the mapping called `name`, or the device's default mapping for "". Throws InputError with the list
 /// of names if no mapping has this name.
 const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& device);
+
+/// Returns the mapping that draws a scene: mapping_named(), but the workgroup mapping instead of the mapping
+/// `tile` with blend.order "depth", which `tile` cannot draw.
+const MappingKind& mapping_for(const BlendScene& blend, const std::string& name,
+                               const cl::DeviceInfo& device);
 
 /// Makes a mapping that draws a random sample of the pixels, about one in `every`. For each of these pixels
 /// the mapping counts the covered, shaded and blended fragments in three counters.

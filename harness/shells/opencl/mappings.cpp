@@ -32,6 +32,12 @@ const MappingKind& mapping_named(const std::string& name, const cl::DeviceInfo& 
   return **found;
 }
 
+const MappingKind& mapping_for(const BlendScene& blend, const std::string& name,
+                               const cl::DeviceInfo& device) {
+  const MappingKind& named = mapping_named(name, device);
+  return by_depth(blend) && &named == &tile_mapping ? workgroup_mapping : named;
+}
+
 }  // namespace pelage::shells
 
 namespace pelage {

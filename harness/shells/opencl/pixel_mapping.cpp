@@ -6,6 +6,16 @@
 namespace pelage::shells {
 namespace {
 
+// Work-items per side of a work-group. With blend.order "depth" a work-item needs 3 kB of private memory.
+// PoCL keeps the private memory of a work-group on the stack of a thread, so larger work-groups could exceed
+// the stack.
+constexpr std::size_t side = 8;
+
+/// Rounds a side of the picture up to a multiple of `side`. The kernel skips the pixels outside the picture.
+std::size_t up(int pixels) {
+  return (std::size_t(pixels) + side - 1) / side * side;
+}
+
 class PixelMapping : public Mapping {
  public:
   PixelMapping(const MappingSetup& setup, std::size_t counters_per_pixel)
@@ -20,7 +30,7 @@ class PixelMapping : public Mapping {
   }
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p);
-    return draw_.enqueue(queue, {std::size_t(p.width), std::size_t(p.height)});
+    return draw_.enqueue(queue, {up(p.width), up(p.height)}, {side, side});
   }
   std::size_t counters(const RasterParams& p) const override {
     return counters_per_pixel_ * std::size_t(p.width) * std::size_t(p.height);

@@ -58,7 +58,7 @@ RasterParams tiled(RasterParams p, const Tuning& tuning, const cl::Device& devic
 
 RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const Geometry& g,
                          const WetStage& wet, const ShellOptions& options)
-    : kind_(mapping_named(options.mapping, queue.device().info())),
+    : kind_(mapping_for(input.scene.blend, options.mapping, queue.device().info())),
       tuning_(kind_.tuning(options.tuning)),
       maps_(style_options(input)),
       params_(tiled(raster_params(input, g), tuning_, queue.device())),
@@ -76,6 +76,11 @@ RasterStage::RasterStage(const cl::Queue& queue, const FrameInput& input, const 
   // pixel or workgroup).
   auto packed = std::async(std::launch::async, [&] { return packed_fur(input.fur); });
   mapping_ = kind_.make(setup(device, build_options(lanes_, tuning_)));
+  if (by_depth(input.scene.blend) && layers_at_once_ < params_.layers)
+    throw InputError(fmt::format(
+        "blend.order = depth: only {} of {} layers fit in one pass, but this order needs all; use fewer "
+        "layers or a smaller mesh",
+        layers_at_once_, params_.layers));
   params_.layer_batch = std::min(params_.layer_batch, layers_at_once_);
   set_pass(0);
   uv_ = upload(queue, g.uv);

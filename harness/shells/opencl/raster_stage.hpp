@@ -58,7 +58,7 @@ class RasterStage {
   // `mapping` determines whether there is one counter per tile, one per pixel, or three per pixel. The
   // kernels write picture and counts to temporary buffers, so the last frame's picture does not change.
   std::vector<std::uint32_t> counted(const cl::Queue& queue, Mapping& mapping);
-  MappingSetup setup(const cl::Device& device, std::string options) const;  // adds the options of the maps
+  MappingSetup setup(const cl::Device& device, std::string options) const;  // adds maps_
   // Returns the number of passes. There are several passes if the screen positions of all layers do not fit
   // in memory. Passes with higher numbers are drawn earlier: first the passes of sweep 0 (params.h), then
   // those of sweep 1. Within a sweep, passes with higher numbers contain layers farther outside.
@@ -69,7 +69,7 @@ class RasterStage {
 
   const MappingKind& kind_;
   Tuning tuning_;
-  std::string maps_;  // build options of the scene's maps and colliders (style_options())
+  std::string maps_;  // build options of the scene's maps, colliders and order of blending (style_options())
   const ContactStage* contact_ = nullptr;
   RasterParams params_;
   int lanes_, layers_at_once_;

@@ -24,7 +24,7 @@ struct Shells::State {
   State(const cl::Device& device, std::shared_ptr<const FrameInput> from, const ShellOptions& options)
       : queue(device),
         input(std::move(from)),
-        lanes(shells::mapping_named(options.mapping, device.info()).lanes(device.info())),
+        lanes(shells::mapping_for(input->scene.blend, options.mapping, device.info()).lanes(device.info())),
         geometry(shells::lay_out(*input, lanes)),
         wet(queue, *input, options.tuning),
         raster(queue, *input, geometry, wet, options) {

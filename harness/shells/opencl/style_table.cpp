@@ -67,6 +67,7 @@ std::string style_options(const FrameInput& input) {
   else if (input.scene.fur.density < 1)
     options += " -D DENSITY=1";
   if (has_contact(input.scene.contact)) options += " -D CONTACT=1";
+  if (by_depth(input.scene.blend)) options += " -D DEPTH_ORDER=1";
   return options;
 }
 

@@ -55,6 +55,9 @@ const FrameInput& checked(const FrameInput& input, const std::vector<glm::vec4>&
   if (has_springs(input.scene.dynamics))
     throw InputError(fmt::format("dynamics.topology = {}: --pipeline opengl supports only silva",
                                  input.scene.dynamics.topology));
+  if (input.scene.blend.order != "layer")
+    throw InputError(
+        fmt::format("blend.order = {}: --pipeline opengl supports only layer", input.scene.blend.order));
   if (!shading_model(input.scene.shading.model).in_opengl)
     throw InputError(fmt::format("shading.model = {}: --pipeline opengl supports only curling and wet",
                                  input.scene.shading.model));

@@ -44,6 +44,8 @@ void check_input(const FrameInput& input, const Options& options) {
         "the fur texture needs one slice per layer, and at least 2 layers");
   check(input.coat.size > 0, "the input has no coat texture");
   check(input.scene.fur.substeps >= 1, "fur.substeps must be at least 1");
+  check(!options.eight_bit || input.scene.blend.order != "depth",
+        "8 bits are rounded after every layer, but blend.order = \"depth\" does not draw by layers");
   check(input.camera.width > 0 && input.camera.height > 0 && input.camera.near > 0.0f,
         "the camera's size and near plane must be above 0");
 }

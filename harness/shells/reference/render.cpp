@@ -23,16 +23,40 @@
 namespace pelage::reference {
 namespace {
 
+/// A fragment with fur: its 1/w, colour and coverage.
+struct FurFragment {
+  double inverse_w;
+  glm::dvec3 colour;
+  double coverage;
+};
+
 /// A rectangle of the picture, and the values of its pixels while it is drawn.
 struct Tile {
   Window window;
   std::vector<std::uint32_t> faces;  ///< faces that may be visible in the window, in the mesh's order
   std::vector<double> base;          ///< 1/w of the base surface; 0 in pixels that it does not cover
   std::vector<glm::dvec4> colour;    ///< accumulated colour and alpha of each pixel
+  /// The fragments of each pixel that are not blended yet, in the order of drawing; only with blend.order
+  /// "depth".
+  std::vector<std::vector<FurFragment>> waiting;
   std::size_t at(int x, int y) const {
     return std::size_t(y - window.y) * std::size_t(window.width) + std::size_t(x - window.x);
   }
 };
+
+void blend(const FurFragment& over, glm::dvec4& colour) {
+  colour = over.coverage * glm::dvec4(over.colour, 1.0) + (1.0 - over.coverage) * colour;
+}
+
+/// Blends the waiting fragments of each pixel, the farthest first. Fragments of equal 1/w keep the order of
+/// drawing.
+void blend_by_depth(Tile& tile) {
+  for (std::size_t i = 0; i < tile.waiting.size(); ++i) {
+    std::stable_sort(tile.waiting[i].begin(), tile.waiting[i].end(),
+                     [](const FurFragment& a, const FurFragment& b) { return a.inverse_w < b.inverse_w; });
+    for (const FurFragment& fragment : tile.waiting[i]) blend(fragment, tile.colour[i]);
+  }
+}
 
 /// A pixel that a triangle covers: the pixel's coordinates, the triangle's 1/w there, and the
 /// perspective-correct weight of each of the triangle's corners.
@@ -259,8 +283,11 @@ class Painter {
                             film,
                             clump.film_wetness,
                             double(scene.soaked.gloss)};
-    const glm::dvec3 colour = fur_colour(scene.shading, fragment);
-    tile.colour[at] = fur.coverage * glm::dvec4(colour, 1.0) + (1.0 - fur.coverage) * tile.colour[at];
+    const FurFragment drawn{sample.inverse_w, fur_colour(scene.shading, fragment), fur.coverage};
+    if (by_depth(scene.blend))
+      tile.waiting[at].push_back(drawn);
+    else
+      blend(drawn, tile.colour[at]);
   }
 
   /// Returns the clump's displacement for W Eq. 4.
@@ -312,9 +339,9 @@ class Painter {
 
 /// Returns the sweeps over the layers in the order in which they are drawn: each draws the faces that face
 /// away from the eye (true), the others (false), or all faces (no value).
-std::vector<std::optional<bool>> sweeps(const std::string& faces) {
-  if (faces == "front") return {false};
-  if (faces == "back-then-front") return {true, false};
+std::vector<std::optional<bool>> sweeps(const BlendScene& scene) {
+  if (scene.faces == "front") return {false};
+  if (scene.faces == "back-then-front" && !by_depth(scene)) return {true, false};
   return {std::nullopt};
 }
 
@@ -328,13 +355,14 @@ Picture render(const FrameInput& input, const Options& options) {
   picture.pixel.assign(std::size_t(camera.width) * std::size_t(camera.height), background);
 
   std::vector<Tile> tiles;
-  for (const Window& window : split(options.windows, camera)) tiles.push_back({window, {}, {}, {}});
+  for (const Window& window : split(options.windows, camera)) tiles.push_back({window, {}, {}, {}, {}});
   for_each_index(tiles.size(), [&](std::size_t i) {
     Tile& tile = tiles[i];
     tile.faces = visible_faces(input, tile.window);
     const std::size_t pixels = std::size_t(tile.window.width) * std::size_t(tile.window.height);
     tile.base.assign(pixels, 0.0);
     tile.colour.assign(pixels, glm::dvec4(background));
+    if (by_depth(input.scene.blend)) tile.waiting.resize(pixels);
   });
   std::vector<char> wanted(input.mesh->triangle.size(), 0);
   for (const Tile& tile : tiles)
@@ -350,7 +378,7 @@ Picture render(const FrameInput& input, const Options& options) {
     for_each_index(tiles.size(), [&](std::size_t i) { painter.draw(tiles[i]); });
   };
   draw_layer(-1);
-  for (const std::optional<bool> away : sweeps(input.scene.blend.faces)) {
+  for (const std::optional<bool> away : sweeps(input.scene.blend)) {
     if (away) {
       painter.move_to(-1);
       painter.find_facing(wanted);
@@ -358,6 +386,7 @@ Picture render(const FrameInput& input, const Options& options) {
     painter.only_away(away);
     for (int n = 0; n < layers; ++n) draw_layer(n);
   }
+  for_each_index(tiles.size(), [&](std::size_t i) { blend_by_depth(tiles[i]); });
 
   for (const Tile& tile : tiles)
     for (int y = tile.window.y; y < tile.window.y + tile.window.height; ++y)

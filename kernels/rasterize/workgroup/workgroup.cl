@@ -6,7 +6,8 @@
 // each layer from the last to the first, with the 'under' operator. Silva et al. 2010 (Curling and Clumping
 // Fur, section 4) draw the layers from the innermost to the outermost with the 'over' operator. Layers write
 // no depth, so both methods give the same picture. If the data of all layers need too much memory, several
-// passes draw the layers. w is the view depth.
+// passes draw the layers. With blend.order "depth" (DEPTH_ORDER), a work-item sorts the fragments of its pixel
+// (shading/by_depth.clh); all layers are drawn again for each round. w is the view depth.
 //
 //   put_triangle() sets up one triangle and the mask of its pixels (batch.clh, coverage/).
 //   draw_clipped() draws a triangle that needs clipping (this file, coverage/fan.clh).
@@ -16,8 +17,12 @@
 //   over_base() adds the base surface or the background (shading/one_pixel.clh).
 #include "rasterize/buffers.clh"
 #include "rasterize/coverage/perspective.clh"
-#include "rasterize/shading/one_pixel.clh"
+#include "rasterize/shading/by_depth.clh"
 #include "rasterize/workgroup/batch.clh"
+
+#if DEPTH_ORDER && !defined COUNT_FRAGMENTS
+#define BY_DEPTH 1
+#endif
 
 // The parameters with which the triangles of one layer are drawn.
 typedef struct {
@@ -36,6 +41,9 @@ typedef struct {
   int vertex[3];                             // vertices of the base triangle
   float4 front;                              // accumulated colour and transmittance
   uint fragments;                            // number of layer fragments that cover the pixel, visible or not
+#if BY_DEPTH
+  Nearest nearest;
+#endif
 } Pixel;
 
 // Draws the triangle in slot number `slot` at a pixel that it covers.
@@ -50,8 +58,12 @@ INLINE void draw(const Pass *pass, const __local Drawn *d, int slot, Perspective
   }
 #ifndef COUNT_FRAGMENTS
   if (h.iw < p->depth || p->front.w <= OPAQUE) return;
+#if BY_DEPTH
+  offer(&p->nearest, h, vertex, pass->n);
+#else
   Surface at = surface_at(pass->s, pass->from, h, vertex, p->from_centre_x, p->from_centre_y);
   blend_under(pass->s, pass->textures, pass->layer, slice_of(pass->s, pass->n), at, &p->front);
+#endif
 #endif
 }
 
@@ -79,6 +91,20 @@ INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot
   }
 }
 
+#if BY_DEPTH
+// Ends a round. Returns true if any pixel of the tile needs another round. All work-items must call this function together.
+INLINE bool another_round(const Pass *pass, TABLE(float) layer_table, __local Work *w, int item, bool inside, Pixel *p) {
+  uint shaded = 0, blended = 0;
+  bool more = inside && blend_nearest(pass->s, pass->from, pass->textures, layer_table, &p->nearest, p->from_centre_x,
+                                      p->from_centre_y, &p->front, &shaded, &blended);
+  if (item == 0) w->more = 0;
+  barrier(CLK_LOCAL_MEM_FENCE);
+  if (more) atomic_or(&w->more, 1);
+  barrier(CLK_LOCAL_MEM_FENCE);
+  return w->more != 0;
+}
+#endif
+
 __kernel __attribute__((reqd_work_group_size(GROUP_ITEMS, 1, 1)))
 void group_shells(RasterParams s, RASTER_BUFFERS) {
   __local Work work;
@@ -103,6 +129,9 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
   if (resumed && inside) p.front = image[at];
 #endif
   p.fragments = 0;
+#if BY_DEPTH
+  begin_depth(&p.nearest);
+#endif
   if (item == 0) {
     clear(&work, 0);
     work.least = INT_MAX;
@@ -113,8 +142,8 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
 
   // Step -1 draws the base (n = -1) in the mesh's order. The next steps draw the layers of this pass from the
   // outermost to the innermost, and the triangles of each layer from the last to the first, in every sweep.
-  int layers = s.end_layer - s.first_layer;
-  for (int step = -1; step < layers * (s.end_sweep - s.first_sweep); ++step) {
+  int layers = s.end_layer - s.first_layer, steps = layers * (s.end_sweep - s.first_sweep);
+  for (int step = -1; step < steps; ++step) {
     int n = step < 0 ? -1 : s.end_layer - 1 - step % layers, sweep = step < 0 ? 0 : s.first_sweep + step / layers;
     int g = n < 0 ? 0 : 1 + (n - s.first_layer) / s.layer_batch;
     int first = list_start[g * tiles + tile], last = list_start[g * tiles + tile + 1];
@@ -168,6 +197,9 @@ void group_shells(RasterParams s, RASTER_BUFFERS) {
       barrier(CLK_LOCAL_MEM_FENCE);
       if (work.finished == GROUP_ITEMS) break;
     }
+#endif
+#if BY_DEPTH
+    if (step == steps - 1 && another_round(&pass, layer_table, &work, item, inside, &p)) step = -1;
 #endif
   }
   if (!inside) return;
