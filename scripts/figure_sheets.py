@@ -37,7 +37,7 @@ W1, W2, W4, W5, W6 = (f"wetfur2010-fig{n:02d}" for n in (1, 2, 4, 5, 6))
 REST = ["--set", "dynamics.wind.strength=0"]  # a scene without its wind
 # Few triangles and few layers, so that single lines can be seen.
 SECTION = ["--model", "banisch-grass", "--set", "fur.layers=9", "--set", "fur.length=0.4"]
-COMBED = [*REST, "--set", "fur.comb=0.6", "--set", "fur.layer_spacing=paper"]
+COMBED = [*REST, "--set", "fur.comb=0.6", "--set", "fur.comb_direction=[1,0,0]", "--set", "fur.layer_spacing=paper"]
 UPRIGHT = [*REST, "--set", "fur.comb=0"]
 WEAK = ["--set", "dynamics.wind.strength=0.12", "--set", "fur.layer_spacing=paper"]
 
@@ -45,10 +45,11 @@ ARROW = ["--line-width", "5"]
 
 PAGES = {
     "silva2010": ("Curling and Clumping Fur Represented by Texture Layers (Silva et al. 2010)", [
-        ("Figure 1", "The same fur in four states.",
+        ("Figure 1", "One model with fur in four states.",
          [labelled("straight", case(S1, "straight")), labelled("curly", case(S1, "curly")),
           labelled("dry", case(S1, "dry")), labelled("wet, in clumps", case(S1, "wet"))]),
-        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the orange lines strands.",
+        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the orange lines strands, and the red arrow is "
+         "the mean displacement of the tips.",
          [labelled("upright strands", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
           labelled("layers sheared in proportion to their height", diagram("layers", S6, "sheared", *SECTION)),
           labelled("strands at rest, with the layers of the paper", diagram("layers", S6, "bent", *SECTION, *COMBED)),
@@ -56,12 +57,13 @@ PAGES = {
           labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
         ("Figure 3", "From textures to fur.",
          [labelled("colour texture", diagram("coat", S3, "c")),
-          labelled("four slices of the fur texture, from low to high", diagram("slices", S3, "c")),
+          labelled("four slices of the fur texture, h = 1/8, 3/8, 5/8, 7/8, each relative to its brightest texel", diagram("slices", S3, "c")),
           labelled("result", case(S3, "c"))]),
-        ("Figure 4", "Forces on the strands. The red arrow is the direction of the wind.",
+        ("Figure 4", "Forces on the strands. The red arrow in (b) is the direction of the wind.",
          [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
           labelled("a square in the wind", diagram("wind", S4, "wind", *ARROW))]),
-        ("Figure 5", "The wetness mask, and a clump in section: each strand of the clump leans towards its centre c. "
+        ("Figure 5", "The wetness mask, and a clump of radius r in section: each strand of the clump leans towards its centre c. At the "
+         "height h, the displacement of the outermost strand is d, and that of its tip is rho r. "
          "In the mask, black is dry, and the brightness of the blue is the wetness; its hue tells clumps apart.",
          [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),
           labelled("section of a clump of Figure 9 (a)", diagram("clump", S9, "a", "--set", "fur.layers=64"))]),
@@ -74,7 +76,7 @@ PAGES = {
         ("Figure 8", "Dry fur and a mask give clumps.",
          [labelled("dry", case(S8, "dry")), labelled("mask", diagram("mask", S8, "wet")),
           labelled("result", case(S8, "wet"))]),
-        ("Figure 9", "The shape of clumps.",
+        ("Figure 9", "The shape of clumps. (b) and (d) show fewer clumps than (a) and (c).",
          [labelled("w = 0, from the side", case(S9, "a")), labelled("w = 0, from above", case(S9, "b")),
           labelled("w = 1, from the side", case(S9, "c")), labelled("w = 1, from above", case(S9, "d")),
           labelled("f(h) of Eq. 5", diagram("shape", S9, "a")),
@@ -96,10 +98,10 @@ PAGES = {
           labelled("mask of the wet bunny", diagram("mask", W1, "wet"))]),
         ("Figure 2", "A wet blanket. (a) is a photograph of a blanket, which is left out.",
          [labelled("(b) drawn by the method", case(W2, "b"))]),
-        ("Figure 3", "The wetness mask, and a clump in section.",
+        ("Figure 3", "The wetness mask, and a clump in section. The letters are those of S Figure 5.",
          [labelled("mask with the triangles of the UV map", diagram("mask", W4, "a")),
           labelled("section of a clump", diagram("clump", W4, "a"))]),
-        ("Figure 4", "The shape of clumps.",
+        ("Figure 4", "The shape of clumps. (b) and (d) show fewer clumps than (a) and (c).",
          [labelled("w = 0, from the side", case(W4, "a")), labelled("w = 0, from above", case(W4, "b")),
           labelled("w = 1, from the side", case(W4, "c")), labelled("w = 1, from above", case(W4, "d"))]),
         ("Figure 5", "Dry fur and a mask give wet fur.",

@@ -10,6 +10,12 @@ Picture empty_picture(int width, int height) {
           std::vector<glm::vec4>(std::size_t(width) * std::size_t(height), glm::vec4(0, 0, 0, 1))};
 }
 
+/// Fills `width` columns of the picture from the column `x` on.
+void fill(Picture& picture, int x, int width, const glm::vec4& colour) {
+  for (int y = 0; y < picture.height; ++y)
+    for (int i = 0; i < width; ++i) picture.at(x + i, y) = colour;
+}
+
 }  // namespace
 
 Picture coat_picture(const CoatTexture& coat) {
@@ -23,17 +29,25 @@ Picture coat_picture(const CoatTexture& coat) {
 }
 
 Picture slices_picture(const FurTexture& fur) {
-  constexpr int shown = 4, gap = 2;  // number of slices; width of the line between them in pixels
+  constexpr int shown = 4, gap = 8;  // number of slices; width of the line between them in pixels
   const auto size = std::size_t(fur.size);
   Picture picture = empty_picture(shown * fur.size + (shown - 1) * gap, fur.size);
   for (int i = 0; i < shown; ++i) {
     const auto layer = std::size_t(fur.layers * (2 * i + 1) / (2 * shown));
+    float brightest = 0;
     for (int y = 0; y < fur.size; ++y)
       for (int x = 0; x < fur.size; ++x) {
         const auto& t = fur.level[0][(layer * size + std::size_t(fur.size - 1 - y)) * size + std::size_t(x)];
-        const float grey = std::min(1.0f, float(t[0]) / 255.0f * float(t[1]) / 127.5f);
+        const float grey = float(t[0]) / 255.0f * float(t[1]) / 127.5f;
         picture.at(i * (fur.size + gap) + x, y) = glm::vec4(grey, grey, grey, 1);
+        brightest = std::max(brightest, grey);
       }
+    for (int y = 0; y < fur.size; ++y)
+      for (int x = 0; x < fur.size; ++x) {
+        glm::vec4& pixel = picture.at(i * (fur.size + gap) + x, y);
+        if (brightest > 0) pixel = glm::vec4(glm::vec3(pixel) / brightest, 1);
+      }
+    if (i > 0) fill(picture, i * (fur.size + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
   }
   return picture;
 }

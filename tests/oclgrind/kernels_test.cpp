@@ -136,11 +136,15 @@ TEST(DISABLED_Tiny, FacesAndBordersOfClumps) {
   input.scene.clump.cells = "consistent";
   for (const char* scale : {"converge", "distance"}) {
     input.scene.clump.scale = scale;
-    for (const char* mapping : {"tile", "pixel", "group"})
-      draw(std::make_shared<FrameInput>(input), mapping, true);
+    draw(std::make_shared<FrameInput>(input), "tile", true);
   }
   input.scene.clump.cells = "separate";
   draw(std::make_shared<FrameInput>(input), "tile", true);
+}
+TEST(DISABLED_Tiny, OrderOfDepth) {
+  FrameInput input = *tiny("silva", "semi-implicit-euler", 1);
+  input.scene.blend.order = "depth";
+  for (const char* mapping : {"pixel", "group"}) draw(std::make_shared<FrameInput>(input), mapping, true);
 }
 TEST(DISABLED_Tiny, WaterThatChanges) {
   for (const char* cells : {"separate", "literal"}) {

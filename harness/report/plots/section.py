@@ -60,17 +60,28 @@ def draw_clump(rows):
     return figure
 
 
+def arrow(axis, start, end, style="->", colour="black"):
+    axis.annotate("", end, start, arrowprops={"arrowstyle": style, "color": colour, "shrinkA": 0, "shrinkB": 0})
+
+
 def mark_clump(axis, rows):
-    """Marks the centre c, the radius r, and the displacement d of the outermost strand of the clump."""
+    """Marks, as in the papers, the centre c and the radius r of the clump, and on its outermost strand a point p at the
+    height h with its displacement d. The displacement of the tip is rho r."""
     wet = [row for row in rows if row["inside"] > 0]
     outermost = [row for row in wet if row["strand"] == max(row["strand"] for row in wet)]
-    root, tip = outermost[0], outermost[-1]
+    root, tip, p = outermost[0], outermost[-1], outermost[len(outermost) // 2]
     axis.plot([root["x"], root["x"]], [root["y"], tip["y"]], color="#D55E00", linewidth=0.8, linestyle="--")
-    axis.annotate("", (tip["x"], tip["y"]), (root["x"], tip["y"]), arrowprops={"arrowstyle": "->", "color": "black"})
-    axis.annotate("d", ((tip["x"] + root["x"]) / 2, tip["y"]), xytext=(0, 3), textcoords="offset points", ha="center")
+    for at, name in ((tip, r"$\rho r$"), (p, "d")):
+        arrow(axis, (root["x"], at["y"]), (at["x"], at["y"]))
+        axis.annotate(name, ((at["x"] + root["x"]) / 2, at["y"]), xytext=(0, 3), textcoords="offset points", ha="center")
+    axis.plot([p["x"]], [p["y"]], "o", color="black", markersize=3.5)
+    axis.annotate("p", (p["x"], p["y"]), xytext=(-8, 2), textcoords="offset points", ha="center")
+    right = 1.06 * root["x"]
+    arrow(axis, (right, 0), (right, p["y"]), "<->")
+    axis.annotate("h", (right, p["y"] / 2), xytext=(3, 0), textcoords="offset points", va="center")
     below = -0.08 * tip["y"]
-    axis.set_ylim(bottom=2.2 * below)
-    axis.annotate("", (root["x"], below), (0, below), arrowprops={"arrowstyle": "<->", "color": "black"})
+    axis.set_ylim(bottom=2.2 * below, top=1.12 * tip["y"])
+    arrow(axis, (0, below), (root["x"], below), "<->")
     axis.annotate("r", (root["x"] / 2, below), xytext=(0, -11), textcoords="offset points", ha="center")
     axis.annotate("c", (0, 0), xytext=(-7, -10), textcoords="offset points", ha="center")
 
@@ -106,8 +117,21 @@ def draw_layers(rows):
     for line in grouped(rows, "segment").values():
         strand = [row for row in line if row["end"] == 0]
         axis.plot(column(strand, "x"), column(strand, "y"), color=COLOURS[1], linewidth=0.9)
+    mark_displacement(axis, rows)
     plain(axis, "x, R", "y, R")
     return figure
+
+
+def mark_displacement(axis, rows):
+    """Draws a red arrow over the layers: the mean displacement of the tips from their roots along x, if there is one."""
+    strands = [[row for row in line if row["end"] == 0] for line in grouped(rows, "segment").values()]
+    shift = sum(strand[-1]["x"] - strand[0]["x"] for strand in strands) / len(strands)
+    top, bottom = max(row["y"] for row in rows), min(row["y"] for row in rows)
+    if abs(shift) < 0.02 * (top - bottom):
+        return
+    middle, above = sum(row["x"] for row in rows) / len(rows), top + 0.12 * (top - bottom)
+    arrow(axis, (middle - shift / 2, above), (middle + shift / 2, above), colour="#D00000")
+    axis.set_ylim(top=above + 0.08 * (top - bottom))
 
 
 def draw_water(rows):
@@ -135,7 +159,7 @@ def main(table, outputs):
     figure = DRAWN[next(iter(rows[0]))](rows)
     for output in outputs:
         meta = {"Date": None} if output.endswith(".svg") else {"CreationDate": None} if output.endswith(".pdf") else {}
-        figure.savefig(output, metadata=meta, dpi=150)
+        figure.savefig(output, metadata=meta, dpi=150, bbox_inches="tight")
 
 
 if __name__ == "__main__":
