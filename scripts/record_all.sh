@@ -55,7 +55,7 @@ record ways strands-opengl-ways
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
 record rivals rivals --repeat 3
 record strongest rivals-strongest --repeat 3
-record rivals-tori rivals --preset tori
+record rivals-tori rivals-tori
 record rival-options rival-options
 record overheads overheads --repeat 3
 record readings readings --preset paper
