@@ -156,7 +156,7 @@ def decorate(axis, title, categories, values, d):
         if d["x_scale"] == "linear":
             axis.xaxis.set_major_locator(matplotlib.ticker.FixedLocator(values) if 1 < len(values) <= 5 else
                                          matplotlib.ticker.MaxNLocator(5))
-            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+            axis.xaxis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
     if "guide" in d:
         axis.axhline(d["guide"], color="0.4", linewidth=0.8)
     axis.set_title(title, fontsize=9)
@@ -167,15 +167,26 @@ def decorate(axis, title, categories, values, d):
         axis.spines[side].set_visible(False)
 
 
+def from_zero(axis, rows, d):
+    """Starts a linear vertical axis at 0 if no number is negative, so that differences do not look larger than they are."""
+    columns = [c for c in (d["y"], d["low"], d["high"]) if c]
+    values = [number(r[c]) for r in rows for c in columns if number(r[c]) is not None]
+    if d["y_scale"] == "linear" and values and min(values) >= 0:
+        axis.set_ylim(bottom=0)
+
+
 def plain_ticks(axis):
-    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades."""
+    """Labels logarithmic axes with plain numbers such as 500, if they span at most three decades.
+
+    If an axis contains fewer than two of these numbers, matplotlib's LogLocator labels evenly spaced numbers instead.
+    """
     for ticks, scale, limits in ((axis.xaxis, axis.get_xscale(), axis.get_xlim()),
                                  (axis.yaxis, axis.get_yscale(), axis.get_ylim())):
         if scale != "log" or limits[0] <= 0 or limits[1] / limits[0] > 1000:
             continue
         steps = (1, 2, 5) if limits[1] / limits[0] < 100 else (1, 3)
         ticks.set_major_locator(matplotlib.ticker.LogLocator(subs=steps))
-        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:g}"))
+        ticks.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda v, _: f"{v:.10g}"))
         ticks.set_minor_formatter(matplotlib.ticker.NullFormatter())
 
 
@@ -206,6 +217,7 @@ def main(table, outputs):
         for label, handle in draw_panel(axis, mine, series, categories, keys, d).items():
             handles.setdefault(label, handle)
         decorate(axis, keys.text(d["panels"], values), categories, numbers, d)
+    from_zero(axes[0][0], rows, d)
     plain_ticks(axes[0][0])
     for i, row in enumerate(axes):
         row[0].set_ylabel(d["y_label"])
