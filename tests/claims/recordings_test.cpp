@@ -93,6 +93,12 @@ std::function<double(const Row&, double)> of_strands(double by) {
   return [=](const Row& row, double v) { return is(row, "variant", "strands") ? by * v : v; };
 }
 
+/// Returns a change that multiplies the ratio to plain shells by `by`, in the rows of the effect `reading`.
+std::function<void(Row&)> overhead_of(const std::string& reading, double by) {
+  return metric("baseline_ratio",
+                [=](const Row& row, double v) { return is(row, "reading", reading) ? by * v : v; });
+}
+
 std::vector<Plant> plants() {
   const auto holds = Verdict::holds, fails = Verdict::fails;
   const auto shared = [](const Row& row, double value) { return separable(row) ? value / 10 : value; };
@@ -142,8 +148,12 @@ std::vector<Plant> plants() {
            [](Row& row) { scale(row, "frame", row.metrics["triangles"].value / 9360); }},
           {"real-time", holds, all_times("frame", 0.05)},
           {"effects-overhead", fails, times("reading", "default", "frame", 2)},
-          {"effects-overhead-opengl", fails, times("reading", "default", "opengl", 2)},
+          {"effects-overhead-opengl", holds, times("reading", "default", "opengl", 0.6)},
           {"clumps-cost", fails, times("reading", "default", "opengl", 0.5)},
+          {"curl-overhead", fails, overhead_of("curl", 2)},
+          {"clump-overhead", fails, overhead_of("clump", 2)},
+          {"all-overhead", fails, overhead_of("all", 2)},
+          {"mask-in-frame", fails, times("reading", "mask", "wet", 20)},
           {"wet-resolution-triangles", fails, large_by_triangles},
           {"wet-real-time", holds, all_times("frame", 0.01)},
           {"wet-large-mesh", holds, all_times("frame", 0.01)},
