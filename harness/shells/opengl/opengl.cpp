@@ -250,8 +250,9 @@ struct OpenGl::State {
     for (const SeenPart& part : seen->parts()) {
       set_layer(std::size_t(part.layer));
       // OpenGL takes the place of the first element as a pointer.
-      glDrawElements(GL_TRIANGLES, part.corners, GL_UNSIGNED_INT,
-                     reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t)));
+      // NOLINTNEXTLINE(performance-no-int-to-ptr)
+      const auto* first = reinterpret_cast<const void*>(part.first * sizeof(std::uint32_t));
+      glDrawElements(GL_TRIANGLES, part.corners, GL_UNSIGNED_INT, first);
     }
     glVertexArrayElementBuffer(arrays.id(), index_buffer.id());
   }
