@@ -3,7 +3,7 @@
 Each entry of SENTENCES has a document, a text with places for numbers, and a function that computes the numbers from the
 tables in docs/effects.
 """
-from recorded_tables import by, ends, table
+from recorded_tables import table
 
 EFFECTS = {
     "plain": "none (plain shells)",

@@ -74,8 +74,9 @@ class OpenGl {
   /// Bends the fur. For each vertex, the host computes the weighted mean of the tips of the strands around
   /// the vertex. `tips` has one entry per strand: the vector from the root to the tip. Its unit is the radius
   /// of the mesh's bounding sphere.
-  /// The colliders of the scene are those after `frames` frames of motion. With `triangles` "seen", bend()
-  /// also finds the seen triangles; call set_mask() before it.
+  /// bend() also moves the colliders of the scene to their places after `frames` frames of motion. With the
+  /// option `triangles` "seen", bend() then finds the seen triangles. Therefore call set_mask() before
+  /// bend().
   void bend(const std::vector<glm::vec3>& tips, int frames = 0);
   /// Changes the wetness mask. Only for scenes whose water changes over time (docs/water.md). For each
   /// vertex, the host computes the axes of its curl.

@@ -92,7 +92,8 @@ INLINE void draw_clipped(const Pass *pass, Geometry m, __local Work *w, int slot
 }
 
 #if BY_DEPTH
-// Ends a round. Returns true if any pixel of the tile needs another round. All work-items must call this function together.
+// Blends the fragments that the round has kept. Returns true if any pixel of the tile has more fragments, which need
+// another round. All work-items of the group must call this function together.
 INLINE bool another_round(const Pass *pass, TABLE(float) layer_table, __local Work *w, int item, bool inside, Pixel *p) {
   uint shaded = 0, blended = 0;
   bool more = inside && blend_nearest(pass->s, pass->from, pass->textures, layer_table, &p->nearest, p->from_centre_x,
