@@ -74,7 +74,7 @@ def _metrics(row):
         if phase == "frame" or not lists["wall_ms"] or f"{phase}_ratio" not in metrics:
             continue
         ratios = [a / b for a, b in zip(lists["wall_ms"], wall)]
-        if phase in ("half", "quarter"):  # these metrics are frame time / phase time
+        if phase in ("half", "quarter", "baseline"):  # these metrics are frame time / phase time
             ratios = [1 / ratio for ratio in ratios]
         if not _equal(metrics[f"{phase}_ratio"]["value"], median(ratios)):
             yield f"the metric {phase}_ratio does not follow from the row's times"

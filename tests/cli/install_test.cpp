@@ -126,7 +126,7 @@ TEST(Package, HoldsARunningProgramAndItsDependencies) {
         has(output_of(folder,
                       "PYTHONPATH=usr/lib/python3/dist-packages /usr/bin/python3 -c 'import pelage; "
                       "print(pelage.read(\"" PELAGE_SOURCE_DIR "/results/silva2010-table1\").shape)'"),
-            "(96, "));
+            "(192, "));
   }
 }
 

@@ -6,13 +6,16 @@
 namespace pelage::shells {
 namespace {
 
-// Work-items per side of a work-group. With blend.order "depth" a work-item needs 3 kB of private memory.
-// PoCL keeps the private memory of a work-group on the stack of a thread, so larger work-groups could exceed
-// the stack.
-constexpr std::size_t side = 8;
+/// Returns the number of work-items per side of a work-group: at most 8, because with blend.order "depth" a
+/// work-item needs 3 kB of private memory, which PoCL keeps on the stack of a thread.
+std::size_t side_of_group(const cl::DeviceInfo& device) {
+  std::size_t side = 8;
+  while (side > 1 && side * side > device.max_work_group) side /= 2;
+  return side;
+}
 
 /// Rounds a side of the picture up to a multiple of `side`. The kernel skips the pixels outside the picture.
-std::size_t up(int pixels) {
+std::size_t up(int pixels, std::size_t side) {
   return (std::size_t(pixels) + side - 1) / side * side;
 }
 
@@ -22,6 +25,7 @@ class PixelMapping : public Mapping {
       : bins_(setup.geometry),
         raster_(setup.device, "rasterize/pixel/pixel.cl", setup.options),
         draw_(raster_, "pixel_shells"),
+        side_(side_of_group(setup.device.info())),
         counters_per_pixel_(counters_per_pixel) {}
 
   void bin(const cl::Queue& queue, const RasterParams& p, RasterBuffers& b,
@@ -30,7 +34,7 @@ class PixelMapping : public Mapping {
   }
   cl::Event draw(const cl::Queue& queue, const RasterParams& p, const RasterBuffers& b) override {
     b.set(draw_, p);
-    return draw_.enqueue(queue, {up(p.width), up(p.height)}, {side, side});
+    return draw_.enqueue(queue, {up(p.width, side_), up(p.height, side_)}, {side_, side_});
   }
   std::size_t counters(const RasterParams& p) const override {
     return counters_per_pixel_ * std::size_t(p.width) * std::size_t(p.height);
@@ -41,7 +45,7 @@ class PixelMapping : public Mapping {
   TileBins bins_;
   cl::Program raster_;
   cl::Kernel draw_;
-  std::size_t counters_per_pixel_;
+  std::size_t side_, counters_per_pixel_;
 };
 
 }  // namespace
