@@ -28,12 +28,13 @@ part() {
 }
 
 # Runs experiments into the folder of a part: measure NAME EXPERIMENT... OPTION...
+# If the variable `under` is set, its value is a script that runs pelage.
 # The exit code is 1 if a picture fails its check. The row of such a case has the status `failed-check`, and the claims
 # do not use the row.
 measure() {
   local name=$1 code=0
   shift
-  "$PELAGE" run "$@" --anonymous -o "$runs/$name" >/dev/null || code=$?
+  "${under:-env}" "$PELAGE" run "$@" --anonymous -o "$runs/$name" >/dev/null || code=$?
   ((code <= 1))
 }
 record() { part "$1" measure "$@"; }
@@ -54,7 +55,8 @@ record strands shells-vs-strands demoreuille2011-{lod,scaling} --repeat 3
 record ways strands-opengl-ways
 for preset in quick beyond millions; do record "scaling-$preset" scaling --preset "$preset"; done
 record rivals rivals --repeat 3
-record strongest rivals-strongest --repeat 3
+record strongest rivals-strongest
+under=scripts/without_avx512.sh record avx2 rivals rivals-strongest
 record rivals-tori rivals-tori
 record rival-options rival-options
 record overheads overheads --repeat 3
