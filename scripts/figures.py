@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Checks the measured figures in sentences of the documents, or writes them.
 
-SENTENCES lists sentences with places for numbers, and a function that computes the numbers. The sentences on mass-spring
-systems are in springs_sentences.py, those on effects in effects_sentences.py. The functions read the tables in
-docs/aa-test and those that scripts/record_all.sh wrote to docs/rivals, docs/topology, docs/effects, docs/scaling and
-docs/roofline. A sentence may be broken into lines anywhere in the document.
+SENTENCES lists sentences with places for numbers, and a function that computes the numbers. The sentences on
+mass-spring systems are in springs_sentences.py, those on effects and readings in effects_sentences.py. The functions
+read the tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/. A sentence may be broken into
+lines anywhere in the document.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
@@ -29,8 +29,9 @@ def rivals():
     return table("rivals/rivals-ratio.csv")
 
 
-def rival_ratios():
-    rows = sorted(rivals(), key=lambda row: row["opengl_ratio"])
+def ratios_of(rows):
+    """Returns the mean of the ratios to the OpenGL baseline, the lowest and the highest ratio and their cells."""
+    rows = sorted(rows, key=lambda row: row["opengl_ratio"])
     return {"cells": len(rows), "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}",
             "least": f"{rows[0]['opengl_ratio']:.1f}", "least_cell": cell(rows[0]),
             "most": f"{rows[-1]['opengl_ratio']:.1f}", "most_cell": cell(rows[-1])}
@@ -46,6 +47,16 @@ def rival_ratios_of_large_models():
 def rival_ratios_of_models():
     means = {model: mean(row["opengl_ratio"] for row in rows) for (model,), rows in by(rivals(), "model").items()}
     return {model: f"{means[model]:.1f}" for model in ("torus", "lion")}
+
+
+def strongest():
+    return table("rivals/rivals-strongest-ratio.csv")
+
+
+def strongest_limits():
+    ratio = mean(row["opengl_ratio"] for row in strongest())
+    return {"mean": f"{ratio:.2f}", "less": f"{100 * (1 - ratio / 10):.0f}",
+            "alone": f"{mean(row['opengl_ms'] / row['raster_ms'] for row in strongest()):.1f}"}
 
 
 def interval_of_the_mean():
@@ -64,9 +75,10 @@ def plain_shells():
             "opengl": f"{mean(coat['opengl_ms'] / plain['opengl_ms'] for coat, plain in pairs):.2f}", "cells": len(pairs)}
 
 
-def default_options():
-    """The time of the default variant divided by the time of the fastest variant, in each of two cells."""
-    return {"mean": f"{mean(row['by_fastest'] for row in table('rivals/rival-options.csv') if row['variant'] == 'opengl'):.2f}"}
+def options():
+    """The time of a variant of the baseline divided by the time of the fastest one, as a mean over two cells."""
+    by_fastest = {row["variant"]: row["by_fastest"] for row in table("rivals/rival-options.csv")}
+    return {**ends(by_fastest.values(), ".2f"), "default": f"{by_fastest['opengl']:.2f}"}
 
 
 def layer_ratios(column, models=None):
@@ -169,11 +181,17 @@ SENTENCES = [
      same_coat_simulation),
     ("docs/results.md", "the test called {wrong} of {equal} pairs of equal sides different, and {slower} of {more} sides with 5% "
      "more work slower.", trials),
-    ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}.", rival_ratios),
-    ("docs/rival.md", "The lowest ratio is {least} ({least_cell}). The highest ratio is {most} ({most_cell}).", rival_ratios),
+    ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}.", lambda: ratios_of(rivals())),
+    ("docs/rival.md", "The lowest ratio is {least} ({least_cell}). The highest ratio is {most} ({most_cell}).", lambda: ratios_of(rivals())),
     ("docs/rival.md", "Its 95% interval is {low} to {high}, from the means of the three processes.", interval_of_the_mean),
-    ("results/rasterizer-notes.md", "On the same CPU the rasterizer is {mean} times as fast as the baseline", rival_ratios),
-    ("results/rasterizer-notes.md", "the ratios of single cells range from {least} to {most}.", rival_ratios),
+    ("docs/rival.md", "The geometric mean of the {cells} ratios against this variant is {mean}. The lowest ratio is {least} "
+     "({least_cell}), and the highest ratio is {most} ({most_cell}).", lambda: ratios_of(strongest())),
+    ("results/rasterizer-notes.md", "the geometric mean of the 32 ratios is {mean}.", strongest_limits),
+    ("results/rasterizer-notes.md", "For a mean of 10, the frames would have to take {less}% less time.", strongest_limits),
+    ("results/rasterizer-notes.md", "if all parts of a frame except the kernel `tile_shells` took no time, the mean would be {alone}.",
+     strongest_limits),
+    ("results/rasterizer-notes.md", "On the same CPU the rasterizer is {mean} times as fast as the baseline", lambda: ratios_of(rivals())),
+    ("results/rasterizer-notes.md", "the ratios of single cells range from {least} to {most}.", lambda: ratios_of(rivals())),
     ("docs/rival.md", "The OpenCL pipeline draws them {least} to {most} times as fast as the OpenGL baseline. In the OpenCL pipeline "
      "a frame with curls and clumps takes {opencl} times as long as a frame of plain shells (geometric mean over {cells} cells).",
      plain_shells),
@@ -183,7 +201,8 @@ SENTENCES = [
      "other cells of these three models the ratio is {second} to {most}.", rival_ratios_of_large_models),
     ("docs/rival.md", "the geometric mean over the four cells of a model is {torus} for the torus and {lion} for the lion",
      rival_ratios_of_models),
-    ("docs/rival.md", "The geometric mean of the two quotients is {mean}", default_options),
+    ("docs/rival.md", "The geometric mean of the two quotients is {least} to {most}; for our default variant (`opengl`) it is {default}.",
+     options),
     ("docs/performance.md", "on the models of `silva2010-table1`, frames with twice as many layers take {least} to {most} times "
      "as long",
      lambda: layer_ratios("half_ratio")),

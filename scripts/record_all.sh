@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Records the results of this machine that results/ holds: runs all experiments whose rows the documents and the claims
-# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/effects, docs/scaling, docs/strands, docs/roofline, the table of
-# README.md, the verdicts in docs/claims.md and the figures in the documents (scripts/figures.py). The machine must run
-# nothing else. The script takes about three hours on two cores.
+# use, and then writes results/, docs/table1, docs/topology, docs/rivals, docs/rivals-avx2, docs/effects, docs/scaling,
+# docs/strands, docs/roofline, the table of README.md, the verdicts in docs/claims.md and the figures in the documents
+# (scripts/figures.py). The machine must run nothing else. The script takes about four hours on two cores.
 #
 # Usage: scripts/record_all.sh FOLDER
 # FOLDER receives the runs. If the script is stopped, the same command continues after the last complete part.
@@ -70,6 +70,7 @@ cp -r "$runs/wet/wetfur2010-table1" results/
 find results/wetfur2010-table1 -mindepth 1 ! -name '*.jsonl' -delete
 scripts/record_report.sh docs/topology "$runs"/{update-time,topologies,solvers,substeps,springs,studies}
 scripts/record_report.sh docs/rivals "$runs"/{rivals,strongest,rivals-tori,rival-options}
+ROWS=results/avx2 scripts/record_report.sh docs/rivals-avx2 "$runs/avx2"
 scripts/record_report.sh docs/effects "$runs"/{overheads,readings,depth}
 scripts/record_report.sh docs/strands "$runs"/{strands,ways}
 scripts/strands_sheet.sh "$runs/strands"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Records results of a machine: copies the rows to results/ and writes tables, charts and claims to FOLDER in docs/.
 # Usage: scripts/record_report.sh FOLDER RESULTS... Each RESULTS is a folder that `pelage run` wrote.
-# The script first deletes FOLDER.
+# The script first deletes FOLDER. The environment variable ROWS can name another folder than results/ for the rows.
 #
 # scripts/record_all.sh contains the commands that recorded results/, and calls this script.
 set -euo pipefail
@@ -9,6 +9,7 @@ cd "$(dirname "$0")/.."
 (($# > 1)) || { sed -n 's/^# //p' "$0" | head -2 >&2; exit 2; }
 pelage=${PELAGE:-build/release/pelage}
 docs=$1
+rows_in=${ROWS:-results}
 shift
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -16,14 +17,14 @@ trap 'rm -rf "$work"' EXIT
 "$pelage" report "$@" -o "$work/report" 2>"$work/said" | sed 's/[[:blank:]]*$//' >"$work/report.txt"
 for folder in "$@"; do
   find "$folder" -name '*.jsonl' -printf '%h\n' | sort -u | while read -r place; do
-    rm -rf "results/$(basename "$place")"
+    rm -rf "${rows_in:?}/$(basename "$place")"
   done
 done
 for folder in "$@"; do
   # Two folders RESULTS may contain .jsonl files of the same name, with rows of the same experiment and device. The
-  # script gives the copies in results/ different names, so that it overwrites no file.
+  # script gives the copies different names, so that it overwrites no file.
   find "$folder" -name '*.jsonl' | sort | while read -r rows; do
-    place=results/$(basename "$(dirname "$rows")")
+    place=$rows_in/$(basename "$(dirname "$rows")")
     mkdir -p "$place"
     name=$(basename "$rows" .jsonl) part=1
     while [[ -e $place/$name$([[ $part = 1 ]] || echo "-$part").jsonl ]]; do part=$((part + 1)); done
