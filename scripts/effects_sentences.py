@@ -11,7 +11,7 @@ EFFECTS = {
     "clump": "clumps",
     "wet": "clumps, and the light of wet fur",
     "facing": "`blend.faces` \"back-then-front\"",
-    "all": "curls, clumps and this order of faces",
+    "all": "curls, clumps and `blend.faces` \"back-then-front\"",
     "mask": "as wet fur, with a mask in every frame",
     "soaked": "soaked fur (`docs/soaked.md`)",
     "style": "curls, and all maps of the fur's shape (`docs/style.md`)",

@@ -10,6 +10,7 @@ lines anywhere in the document.
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
                                there is one. The test house.Figures runs this command.
 """
+import json
 import re
 import sys
 
@@ -79,6 +80,24 @@ def options():
     """The time of a variant of the baseline divided by the time of the fastest one, as a mean over two cells."""
     by_fastest = {row["variant"]: row["by_fastest"] for row in table("rivals/rival-options.csv")}
     return {**ends(by_fastest.values(), ".2f"), "default": f"{by_fastest['opengl']:.2f}"}
+
+
+AGREEMENTS = {
+    "byte": "With `byte`, the PSNR against the reference is therefore only {few} dB with 16 layers and {many} dB with 64 layers",
+    "byte-two": "With `levels=two,texels=byte` the PSNR against the reference is {few} dB with 16 layers and {many} dB with 64",
+    "rgba16f": "With rgba16f and 64 layers, the PSNR against the reference is {many} dB",
+}
+
+
+def agreement(variant):
+    """The PSNR of a variant of the baseline against the reference, by number of layers."""
+    [file] = (ROOT / "results/rival-options").glob("*.jsonl")
+    values = {}
+    for row in map(json.loads, file.read_text(encoding="utf-8").splitlines()):
+        if row["variant"] == variant:
+            [psnr] = [check["value"] for check in row["check"] if check["metric"] == "psnr"]
+            values[{16: "few", 64: "many"}[row["axes"]["layers"]]] = f"{psnr:.0f}"
+    return values
 
 
 def layer_ratios(column, models=None):
@@ -184,6 +203,9 @@ SENTENCES = [
     ("docs/rival.md", "The geometric mean of the {cells} ratios (baseline time / OpenCL time) is {mean}.", lambda: ratios_of(rivals())),
     ("docs/rival.md", "The lowest ratio is {least} ({least_cell}). The highest ratio is {most} ({most_cell}).", lambda: ratios_of(rivals())),
     ("docs/rival.md", "Its 95% interval is {low} to {high}, from the means of the three processes.", interval_of_the_mean),
+    ("docs/rival.md", "In {cells} of the cells, other programs used more than 10% of the processors' time while a process measured the "
+     "cell.", lambda: {"cells": sum(row["contended"] > 0 for row in rivals())}),
+    *(("docs/rival.md", text, lambda option=option: agreement(option)) for option, text in AGREEMENTS.items()),
     ("docs/rival.md", "The geometric mean of the {cells} ratios against this variant is {mean}. The lowest ratio is {least} "
      "({least_cell}), and the highest ratio is {most} ({most_cell}).", lambda: ratios_of(strongest())),
     ("results/rasterizer-notes.md", "the geometric mean of the 32 ratios is {mean}.", strongest_limits),

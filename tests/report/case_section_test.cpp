@@ -42,6 +42,21 @@ TEST(CaseSection, ShowsTheRatioToABaselineAndTheStepsPerFrame) {
   EXPECT_EQ(text_of(sections(rows).at(0).table).find("Time steps"), std::string::npos);
 }
 
+TEST(CaseSection, SaysWhichCaseARatioAboveOneMakesSlower) {
+  std::vector<FoundRow> rows = test::own_rows({{"mood", {"dry", "wet"}}});
+  const auto text_with = [&](const std::string& ratio) {
+    for (FoundRow& found : rows) {
+      found.row.metrics = {{ratio, {1.25, "times", "", 1.2, 1.3}}};
+      found.row.provenance["view"] = {{"values", {ratio}}};
+    }
+    return text_of(sections(rows).at(0).table);
+  };
+  EXPECT_NE(text_with("baseline_ratio").find("Above 1, the case is slower."), std::string::npos);
+  EXPECT_EQ(text_with("baseline_ratio").find("ours is faster"), std::string::npos);
+  EXPECT_NE(text_with("half_ratio").find("divided by the time of a frame with half"), std::string::npos);
+  EXPECT_EQ(text_with("half_ratio").find("ours is faster"), std::string::npos);
+}
+
 // The titles of these experiments promise frames per second. Their preset smoke has no published numbers.
 TEST(CaseSection, CasesWithoutPublishedNumbersOfTable1ShowFramesPerSecond) {
   std::vector<FoundRow> rows = test::bare_rows("silva2010-table1", "smoke");
