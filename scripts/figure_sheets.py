@@ -37,9 +37,8 @@ W1, W2, W4, W5, W6 = (f"wetfur2010-fig{n:02d}" for n in (1, 2, 4, 5, 6))
 REST = ["--set", "dynamics.wind.strength=0"]  # a scene without its wind
 # Few triangles and few layers, so that single lines can be seen.
 SECTION = ["--model", "banisch-grass", "--set", "fur.layers=9", "--set", "fur.length=0.4"]
-COMBED = [*REST, "--set", "fur.comb=0.6", "--set", "fur.comb_direction=[1,0,0]", "--set", "fur.layer_spacing=paper"]
 UPRIGHT = [*REST, "--set", "fur.comb=0"]
-WEAK = ["--set", "dynamics.wind.strength=0.12", "--set", "fur.layer_spacing=paper"]
+FORCE = ["--set", "fur.comb=0", "--set", "dynamics.wind.strength=0.2", "--set", "fur.layer_spacing=paper"]
 
 ARROW = ["--line-width", "5"]
 
@@ -48,22 +47,22 @@ PAGES = {
         ("Figure 1", "One model with fur in four states.",
          [labelled("straight", case(S1, "straight")), labelled("curly", case(S1, "curly")),
           labelled("dry", case(S1, "dry")), labelled("wet, in clumps", case(S1, "wet"))]),
-        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, the orange lines strands, and the red arrow is "
-         "the mean displacement of the tips.",
-         [labelled("upright strands", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
+        ("Figure 2", "Sections of the layers, and the curl. The blue lines are layers, and the orange lines strands, whose red "
+         "points carry the layers. The red arrow is the mean displacement of the tips.",
+         [labelled("upright fur, as in earlier methods", diagram("layers", S6, "bent", *SECTION, *UPRIGHT)),
           labelled("layers sheared in proportion to their height", diagram("layers", S6, "sheared", *SECTION)),
-          labelled("strands at rest, with the layers of the paper", diagram("layers", S6, "bent", *SECTION, *COMBED)),
-          labelled("strands bent by a force", diagram("layers", S6, "bent", *SECTION, *WEAK)),
+          labelled("virtual strands at rest", diagram("layers", S6, "bent", *SECTION, *UPRIGHT, "--set", "fur.layer_spacing=paper")),
+          labelled("virtual strands bent by a force", diagram("layers", S6, "bent", *SECTION, *FORCE)),
           labelled("curl of a strand, at three wetnesses", diagram("curl", S7, "large"))]),
         ("Figure 3", "From textures to fur.",
          [labelled("colour texture", diagram("coat", S3, "c")),
-          labelled("four slices of the fur texture, h = 1/8, 3/8, 5/8, 7/8, each relative to its brightest texel", diagram("slices", S3, "c")),
+          labelled("four slices of the fur texture, h = 1/8, 3/8, 5/8, 7/8, 64 x 64 texels of each, as square roots", diagram("slices", S3, "c")),
           labelled("result", case(S3, "c"))]),
         ("Figure 4", "Forces on the strands. The red arrow in (b) is the direction of the wind.",
          [labelled("one triangle; its strand is white", diagram("lines", S4, "triangle", "--line-width", "4")),
           labelled("a square in the wind", diagram("wind", S4, "wind", *ARROW))]),
         ("Figure 5", "The wetness mask, and a clump of radius r in section: each strand of the clump leans towards its centre c. At the "
-         "height h, the displacement of the outermost strand is d, and that of its tip is rho r. "
+         "height h, the displacement of the outermost strand is d (p is its point there), and that of its tip is \u03c1 r. "
          "In the mask, black is dry, and the brightness of the blue is the wetness; its hue tells clumps apart.",
          [labelled("mask with the triangles of the UV map", diagram("mask", S9, "a")),
           labelled("section of a clump of Figure 9 (a)", diagram("clump", S9, "a", "--set", "fur.layers=64"))]),
@@ -89,7 +88,7 @@ PAGES = {
           labelled("mask of the wet bunny", diagram("mask", S11, "wet"))]),
         ("Figure 12", "Random droplets, and droplets in letters.",
          [labelled("dry cat", case(S12, "dry")), labelled("cat with droplets", case(S12, "droplets")),
-          labelled("letters", case(S12, "text")), labelled("mask of the letters", diagram("mask", S12, "text"))]),
+          labelled("CGI10 in droplets", case(S12, "text")), labelled("mask of the letters", diagram("mask", S12, "text"))]),
         ("Figure 13", "Clumps from near, with 64 layers.", [labelled("wet bunny", case(S13, "near"))]),
     ]),
     "wetfur2010": ("Real-Time Rendering of Wet Fur (Silva et al. 2010)", [
@@ -98,7 +97,7 @@ PAGES = {
           labelled("mask of the wet bunny", diagram("mask", W1, "wet"))]),
         ("Figure 2", "A wet blanket. (a) is a photograph of a blanket, which is left out.",
          [labelled("(b) drawn by the method", case(W2, "b"))]),
-        ("Figure 3", "The wetness mask, and a clump in section. The letters are those of S Figure 5.",
+        ("Figure 3", "The wetness mask, and a clump in section. p is a point of the outermost strand at the height h, d its displacement; that of the tip is \u03c1 r.",
          [labelled("mask with the triangles of the UV map", diagram("mask", W4, "a")),
           labelled("section of a clump", diagram("clump", W4, "a"))]),
         ("Figure 4", "The shape of clumps. (b) and (d) show fewer clumps than (a) and (c).",
@@ -108,8 +107,8 @@ PAGES = {
          [labelled("fur", case(W5, "a")), labelled("mask", diagram("mask", W5, "c")),
           labelled("result", case(W5, "c"))]),
         ("Figure 6", "Wet and dry fur side by side, and letters.",
-         [labelled("partly wet bunny", case(W6, "a")), labelled("border of wet and dry fur", case(W6, "b")),
-          labelled("letters", case(W6, "c")), labelled("mask of the letters", diagram("mask", W6, "c"))]),
+         [labelled("partly wet bunny", case(W6, "a")), labelled("border of wet and dry fur, on a square", case(W6, "b")),
+          labelled("VCS 10 in droplets", case(W6, "c")), labelled("mask of the letters", diagram("mask", W6, "c"))]),
     ]),
 }
 

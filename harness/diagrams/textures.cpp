@@ -1,6 +1,7 @@
 #include "harness/diagrams/textures.hpp"
 
 #include <algorithm>
+#include <glm/exponential.hpp>
 
 namespace pelage::diagrams {
 namespace {
@@ -30,25 +31,27 @@ Picture coat_picture(const CoatTexture& coat) {
 
 Picture slices_picture(const FurTexture& fur) {
   constexpr int shown = 4, gap = 8;  // number of slices; width of the line between them in pixels
-  const auto size = std::size_t(fur.size);
-  Picture picture = empty_picture(shown * fur.size + (shown - 1) * gap, fur.size);
+  const int side = std::min(fur.size, 64), zoom = 256 / side, width = zoom * side;
+  const auto grey = [&](int layer, int x, int y) {
+    const auto row = std::size_t(layer) * std::size_t(fur.size) + std::size_t(y);
+    const auto& t = fur.level[0][row * std::size_t(fur.size) + std::size_t(x)];
+    return float(t[0]) / 255.0f * float(t[1]) / 127.5f;
+  };
+  Picture picture = empty_picture(shown * width + (shown - 1) * gap, width);
+  float brightest = 0;
   for (int i = 0; i < shown; ++i) {
-    const auto layer = std::size_t(fur.layers * (2 * i + 1) / (2 * shown));
-    float brightest = 0;
-    for (int y = 0; y < fur.size; ++y)
-      for (int x = 0; x < fur.size; ++x) {
-        const auto& t = fur.level[0][(layer * size + std::size_t(fur.size - 1 - y)) * size + std::size_t(x)];
-        const float grey = float(t[0]) / 255.0f * float(t[1]) / 127.5f;
-        picture.at(i * (fur.size + gap) + x, y) = glm::vec4(grey, grey, grey, 1);
-        brightest = std::max(brightest, grey);
+    const int layer = fur.layers * (2 * i + 1) / (2 * shown);
+    for (int y = 0; y < width; ++y)
+      for (int x = 0; x < width; ++x) {
+        const float here = grey(layer, x / zoom, (width - 1 - y) / zoom);
+        picture.at(i * (width + gap) + x, y) = glm::vec4(here, here, here, 1);
+        brightest = std::max(brightest, here);
       }
-    for (int y = 0; y < fur.size; ++y)
-      for (int x = 0; x < fur.size; ++x) {
-        glm::vec4& pixel = picture.at(i * (fur.size + gap) + x, y);
-        if (brightest > 0) pixel = glm::vec4(glm::vec3(pixel) / brightest, 1);
-      }
-    if (i > 0) fill(picture, i * (fur.size + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
   }
+  for (glm::vec4& pixel : picture.pixel)
+    if (brightest > 0) pixel = glm::vec4(glm::sqrt(glm::vec3(pixel) / brightest), 1);
+  for (int i = 1; i < shown; ++i)
+    fill(picture, i * (width + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
   return picture;
 }
 

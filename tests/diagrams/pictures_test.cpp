@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "harness/compare/frame_output.hpp"
@@ -173,13 +174,13 @@ TEST(Textures, ShowTheirTexelsWithTheTopRowAtVOne) {
   FurTexture fur{2, 8, {std::vector<std::array<std::uint8_t, 2>>(std::size_t(8) * 4, {0, 0})}};
   fur.level[0][(7 * 2 + 0) * 2 + 1] = {255, 255};  // last layer, row v = 0, column 1
   const Picture slices = diagrams::slices_picture(fur);
-  ASSERT_EQ(slices.width, 4 * 2 + 3 * 8);
-  EXPECT_EQ(slices.at(slices.width - 1, 1).x, 1.0f);
+  ASSERT_EQ(slices.width, 4 * 256 + 3 * 8);
+  EXPECT_EQ(slices.at(slices.width - 1, 255).x, 1.0f);
   EXPECT_EQ(
       std::count_if(slices.pixel.begin(), slices.pixel.end(), [](const glm::vec4& p) { return p.x > 0; }),
-      1 + 3 * 8 * 2);                             // the texel, and the lines between the slices
-  fur.level[0][(7 * 2 + 1) * 2 + 0] = {255, 51};  // a darker texel; the brightest one stays white
-  EXPECT_NEAR(diagrams::slices_picture(fur).at(slices.width - 2, 0).x, 0.2f, 1e-6f);
+      128 * 128 + 3 * 8 * 256);                   // the texel, and the lines between the slices
+  fur.level[0][(1 * 2 + 1) * 2 + 0] = {255, 51};  // a darker texel; the brightest one of all slices stays white
+  EXPECT_NEAR(diagrams::slices_picture(fur).at(0, 0).x, std::sqrt(0.2f), 1e-6f);
 }
 
 }  // namespace

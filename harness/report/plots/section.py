@@ -116,7 +116,8 @@ def draw_layers(rows):
                       linewidth=1.6 if base else 0.8, solid_capstyle="round")
     for line in grouped(rows, "segment").values():
         strand = [row for row in line if row["end"] == 0]
-        axis.plot(column(strand, "x"), column(strand, "y"), color=COLOURS[1], linewidth=0.9)
+        axis.plot(column(strand, "x"), column(strand, "y"), color=COLOURS[1], linewidth=1.2)
+        axis.plot(column(strand, "x"), column(strand, "y"), "o", color="#D00000", markersize=2.5)
     mark_displacement(axis, rows)
     plain(axis, "x, R", "y, R")
     return figure
