@@ -50,8 +50,7 @@ Picture slices_picture(const FurTexture& fur) {
   }
   for (glm::vec4& pixel : picture.pixel)
     if (brightest > 0) pixel = glm::vec4(glm::sqrt(glm::vec3(pixel) / brightest), 1);
-  for (int i = 1; i < shown; ++i)
-    fill(picture, i * (width + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
+  for (int i = 1; i < shown; ++i) fill(picture, i * (width + gap) - gap, gap, glm::vec4(0.5f, 0.5f, 0.5f, 1));
   return picture;
 }
 

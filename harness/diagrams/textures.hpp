@@ -10,8 +10,8 @@ namespace pelage::diagrams {
 Picture coat_picture(const CoatTexture& coat);
 
 /// Returns four slices of the fur's texture side by side, with a grey line of 8 pixels between them: those of
-/// the layers floor(N (2 i + 1) / 8), i = 0..3. A slice shows the 64 x 64 texels from (u, v) = 0 on (the whole
-/// slice if it is smaller) on 256 x 256 pixels. The value of a pixel is the square root of the coverage
+/// the layers floor(N (2 i + 1) / 8), i = 0..3. A slice shows the 64 x 64 texels from (u, v) = 0 on (the
+/// whole slice if it is smaller) on 256 x 256 pixels. The value of a pixel is the square root of the coverage
 /// times the strand's shade, divided by the greatest value of the four slices. v increases upwards.
 Picture slices_picture(const FurTexture& fur);
 
