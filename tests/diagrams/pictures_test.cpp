@@ -178,7 +178,7 @@ TEST(Textures, ShowTheirTexelsWithTheTopRowAtVOne) {
   EXPECT_EQ(slices.at(slices.width - 1, 255).x, 1.0f);
   EXPECT_EQ(
       std::count_if(slices.pixel.begin(), slices.pixel.end(), [](const glm::vec4& p) { return p.x > 0; }),
-      128 * 128 + 3 * 8 * 256);  // the texel, and the lines between the slices
+      128 * 128 + 3 * 8 * 256);                   // the texel, and the lines between the slices
   fur.level[0][(1 * 2 + 1) * 2 + 0] = {255, 51};  // darker; the brightest texel of all slices stays white
   EXPECT_NEAR(diagrams::slices_picture(fur).at(0, 0).x, std::sqrt(0.2f), 1e-6f);
 }
