@@ -2,9 +2,9 @@
 """Checks the measured figures in sentences of the documents, or writes them.
 
 SENTENCES lists sentences with places for numbers, and a function that computes the numbers. The sentences on
-mass-spring systems are in springs_sentences.py, those on effects and readings in effects_sentences.py. The functions
-read the tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/. A sentence may be broken into
-lines anywhere in the document.
+mass-spring systems are in springs_sentences.py, those on effects and readings in effects_sentences.py and
+pairs_sentences.py. The functions read the tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/.
+A sentence may be broken into lines anywhere in the document.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if
@@ -15,6 +15,7 @@ import re
 import sys
 
 import effects_sentences
+import pairs_sentences
 import springs_sentences
 from recorded_tables import ROOT, by, ends, mean, median, table
 
@@ -252,6 +253,7 @@ SENTENCES = [
      lambda: ends(drawing_share("torus"), ".0f")),
     ("docs/performance.md", "the rate of operations of `tile_shells` is {least} to {most}% of its roof", share_of_roof),
     *effects_sentences.SENTENCES,
+    *pairs_sentences.SENTENCES,
     *springs_sentences.SENTENCES,
 ]
 

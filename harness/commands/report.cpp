@@ -16,8 +16,8 @@ namespace pelage {
 namespace {
 
 struct ReportOptions {
-  std::vector<std::string> results;
-  std::string output, view;
+  std::vector<std::string> results, views;
+  std::string output;
 };
 
 /// Replaces the view (table [report] of the experiment file) in the rows of an experiment by the view in
@@ -59,7 +59,7 @@ int report(const ReportOptions& options) {
   Results results = read_all_results(options.results);
   for (LeftOut& one : missing_cases(journals_of(options.results), results.rows))
     results.left_out.push_back(std::move(one));
-  if (!options.view.empty()) use_view(results.rows, options.view);
+  for (const std::string& view : options.views) use_view(results.rows, view);
   const std::vector<Model> known = models();
   const auto footnote = [&known](const std::string& name) {
     for (const Model& model : known)
@@ -87,8 +87,10 @@ void add_report(CLI::App& app, Chosen& chosen) {
   command->add_option("-o,--output", options->output, "Folder of the report")->required()->type_name("DIR");
   command
       ->add_option(
-          "--view", options->view,
-          "Experiment file whose table [report] replaces the one that the rows of this experiment recorded")
+          "--view", options->views,
+          "Experiment file whose table [report] replaces the one that the rows of this experiment recorded; "
+          "may be given several times")
+      ->allow_extra_args(false)
       ->type_name("FILE");
   command->callback([options, &chosen] { chosen = [options] { return report(*options); }; });
 }
