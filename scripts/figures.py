@@ -247,7 +247,7 @@ SENTENCES = [
      held_out),
     ("docs/performance.md", "Pictures of 3840 x 2160 pixels take {least} to {most}% less time than the linear model predicts",
      largest_pictures),
-    ("docs/performance.md", "`tile_shells` takes {least} to {most}% of the frame time of the lion",
+    ("docs/performance.md", "`tile_shells` takes {least}% of the frame time of the lion",
      lambda: ends(drawing_share("lion"), ".0f")),
     ("docs/performance.md", "and {least} to {most}% of the frame time of the torus",
      lambda: ends(drawing_share("torus"), ".0f")),
