@@ -4,7 +4,7 @@
 SENTENCES lists sentences with places for numbers, and a function that computes the numbers. The sentences on
 mass-spring systems are in springs_sentences.py, those on effects and readings in effects_sentences.py and
 pairs_sentences.py. The functions read the tables in docs/aa-test and those that scripts/record_all.sh wrote to docs/.
-A sentence may be broken into lines anywhere in the document.
+In a document, a line break may be anywhere in a sentence.
 
   scripts/figures.py           writes the numbers into the documents, after new rows were recorded
   scripts/figures.py --check   prints each sentence that a document does not contain with these numbers, and fails if

@@ -93,7 +93,7 @@ std::function<double(const Row&, double)> of_strands(double by) {
   return [=](const Row& row, double v) { return is(row, "variant", "strands") ? by * v : v; };
 }
 
-/// Returns a change that multiplies the ratio to plain shells by `by`, in the rows of the effect `reading`.
+/// Returns a change for the rows of the effect `reading`: it multiplies their ratio to plain shells by `by`.
 std::function<void(Row&)> overhead_of(const std::string& reading, double by) {
   return metric("baseline_ratio",
                 [=](const Row& row, double v) { return is(row, "reading", reading) ? by * v : v; });

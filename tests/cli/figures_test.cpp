@@ -48,7 +48,7 @@ TEST(Figures, TheCollectionNamesAllTheirCases) {
   for (std::string experiment, name, kind; list >> experiment >> name >> kind;) {
     EXPECT_NE(dry.out.find(fmt::format("{}\t{}\t", experiment, name)), std::string::npos)
         << experiment << " " << name;
-    // Lines and arrows are drawn over the picture of the case.
+    // The diagrams `lines` and `wind` contain the picture of the case.
     if (kind == "picture" || kind == "lines" || kind == "wind")
       shown.insert(fmt::format("{} {}", experiment, name));
   }
