@@ -106,6 +106,19 @@ float soaked_share(float rho) {
 // Returns the wetness with which a clump displaces the fur: in soaked fur, clumps disappear.
 float clumping(float rho) { return rho * (1.0 - soaked_share(rho)); }
 
+// Returns the displacement of a fragment that the clump would cause without the film of soaked fur. from: vector from the
+// clump's centre. rate: f(h) of S Eq. 5.
+vec2 unsoaked_shift(vec4 clump, vec2 from, float rate) {
+#if CLUMP_READING == CLUMP_CONVERGE
+  float near = min(clump.w * rate, 0.98);
+  return near / (1.0 - near) * from;
+#elif CLUMP_READING == CLUMP_DISTANCE
+  return rate * clump.w * clump.z * inversesqrt(max(dot(from, from), 1e-30)) * from;
+#else
+  return rate * clump.w * (CLUMP_READING == CLUMP_LITERAL ? clump.z : CLUMP_GAIN) * from;
+#endif
+}
+
 // Returns the mask's texel k (0 to 3) of the four whose centres are around p, and its bilinear weight.
 vec4 texel_around(vec2 p, int k, out float weight) {
   int size = textureSize(mask, 0).x;
@@ -183,7 +196,11 @@ void main() {
 #ifdef CONSISTENT_CELLS
   // A fragment outside the disc of its texel's clump is dry.
   float depth = here.z - length(from);
+#ifdef SOAKED_FUR
+  vec2 border = unsoaked_shift(here, from, look.x);
+#else
   vec2 border = amount * pull;
+#endif
   rho = here.w;
   if (depth < 0.0) {
     rho = 0.0;

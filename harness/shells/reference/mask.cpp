@@ -220,10 +220,14 @@ struct ClumpReading {
   double stretch(double f) const { return scale == "converge" ? 1.0 / (1.0 - share(f)) : 1.0; }
 };
 
+ClumpReading unsoaked_reading(const ClumpScene& scene, const Clump& clump) {
+  return {scene.scale, double(scene.gain), clump};
+}
+
 /// Returns the displacement by a clump. In soaked fur, clumps disappear.
 ClumpReading clump_reading(const Scene& scene, Clump clump) {
   clump.wetness *= 1.0 - soaked_share(scene.soaked, clump.wetness);
-  return {scene.clump.scale, double(scene.clump.gain), clump};
+  return unsoaked_reading(scene.clump, clump);
 }
 
 }  // namespace
@@ -303,7 +307,8 @@ Displacement clump_displacement(const FrameInput& input, const Mask& mask, const
 
   if (scene.cells == "consistent") {
     result.placements = placements(input.scene, mask, f(n), root, uv);
-    result.border_d = clump_reading(input.scene, texel).displacement(f(n), uv);
+    // Without the film: the wetness of the strands' light jumps at the border also in soaked fur.
+    result.border_d = unsoaked_reading(scene, texel).displacement(f(n), uv);
     find_film(input.scene, mask, uv, result);
     result.border_distance = std::abs(texel.radius - glm::length(uv - texel.centre));
     return result;
