@@ -163,7 +163,7 @@ def same_coat_simulation():
 
 def strand_ratios():
     rows = [row for row in table("strands/demoreuille2011-scaling-ratio.csv") if row["distance"] == "near"]
-    values = {count: ends((row["opengl_ratio"] for row in rows if row["count"] == float(count)), ".1f") for count in ("100000", "1000000")}
+    values = {count: ends((row["opengl_ratio"] for row in rows if row["count"] == float(count)), ".2f") for count in ("100000", "1000000")}
     return {"low": values["100000"]["least"], "high": values["100000"]["most"], "low_million": values["1000000"]["least"],
             "high_million": values["1000000"]["most"], "mean": f"{mean(row['opengl_ratio'] for row in rows):.2f}"}
 

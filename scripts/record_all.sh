@@ -57,7 +57,7 @@ for preset in quick beyond millions; do record "scaling-$preset" scaling --prese
 record rivals rivals --repeat 3
 record strongest rivals-strongest
 under=scripts/without_avx512.sh record avx2 rivals rivals-strongest
-record rivals-tori rivals-tori
+record rivals-tori rivals-tori --repeat 3
 record rival-options rival-options
 record overheads overheads --repeat 3
 record readings readings --preset paper
