@@ -22,7 +22,9 @@ namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
 // With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
-// reserves terabytes of address space and writes its reports to stderr.
+// reserves terabytes of address space and writes its reports to stderr. GCC 12's AddressSanitizer, unlike
+// glibc, does not hold the lock of its allocator during fork(). If another thread allocates at that moment,
+// the child process waits until limits.time is over, which happens rarely, in tests with several threads.
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
