@@ -50,9 +50,16 @@ BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts)
     build.text = std::move(text);
     state_->builds.push_back(std::move(build));
   }
-  const std::lock_guard guard(State::lock);
-  State::existing.push_back(state_.get());
-  state_->thread = std::thread([state = state_.get()] { state->build_all(); });
+  {
+    const std::lock_guard guard(State::lock);
+    State::existing.push_back(state_.get());
+    state_->thread = std::thread([state = state_.get()] { state->build_all(); });
+  }
+#if defined(__SANITIZE_ADDRESS__)
+  // GCC 12's AddressSanitizer, unlike glibc, does not hold the lock of its allocator during fork(). A child
+  // process of isolated() would wait for ever if this thread allocated at that moment.
+  for (const State::Build& build : state_->builds) build.result.wait();
+#endif
 }
 
 BuildAhead::~BuildAhead() {

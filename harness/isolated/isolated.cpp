@@ -24,7 +24,7 @@ namespace {
 // With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
 // reserves terabytes of address space and writes its reports to stderr. GCC 12's AddressSanitizer, unlike
 // glibc, does not hold the lock of its allocator during fork(). If another thread allocates at that moment,
-// the child process waits until limits.time is over, which happens rarely, in tests with several threads.
+// the child process waits until limits.time is over (cl::BuildAhead avoids this).
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;
