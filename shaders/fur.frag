@@ -106,8 +106,8 @@ float soaked_share(float rho) {
 // Returns the wetness with which a clump displaces the fur: in soaked fur, clumps disappear.
 float clumping(float rho) { return rho * (1.0 - soaked_share(rho)); }
 
-// Returns the displacement of a fragment that the clump would cause without the film of soaked fur. from: vector from the
-// clump's centre. rate: f(h) of S Eq. 5.
+// Returns by how much the clump displaces a fragment if no film of soaked fur covers it. `from` is the vector from the
+// clump's centre to the fragment, and `rate` is f(h) of S Eq. 5.
 vec2 unsoaked_shift(vec4 clump, vec2 from, float rate) {
 #if CLUMP_READING == CLUMP_CONVERGE
   float near = min(clump.w * rate, 0.98);

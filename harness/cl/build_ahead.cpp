@@ -56,8 +56,8 @@ BuildAhead::BuildAhead(const Device& device, std::vector<ProgramText> texts)
     state_->thread = std::thread([state = state_.get()] { state->build_all(); });
   }
 #if defined(__SANITIZE_ADDRESS__)
-  // GCC 12's AddressSanitizer, unlike glibc, does not hold the lock of its allocator during fork(). A child
-  // process of isolated() would wait for ever if this thread allocated at that moment.
+  // isolated() calls fork(). If another thread allocates memory at that moment, GCC 12's AddressSanitizer
+  // leaves its allocator locked in the child process, and the child process waits for ever. glibc does not.
   for (const State::Build& build : state_->builds) build.result.wait();
 #endif
 }

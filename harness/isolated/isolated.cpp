@@ -22,9 +22,9 @@ namespace {
 
 #if defined(__SANITIZE_ADDRESS__)
 // With AddressSanitizer, the child process has no memory limit and keeps stderr, because AddressSanitizer
-// reserves terabytes of address space and writes its reports to stderr. GCC 12's AddressSanitizer, unlike
-// glibc, does not hold the lock of its allocator during fork(). If another thread allocates at that moment,
-// the child process waits until limits.time is over (cl::BuildAhead avoids this).
+// reserves terabytes of address space and writes its reports to stderr. If another thread allocates memory
+// during fork(), GCC 12's AddressSanitizer leaves its allocator locked in the child process. The child
+// process then waits until limits.time is over. cl::BuildAhead therefore has no running thread at that time.
 constexpr bool sanitized = true;
 #else
 constexpr bool sanitized = false;

@@ -7,7 +7,8 @@ namespace pelage::shells {
 namespace {
 
 /// Returns the number of work-items per side of a work-group: at most 8. With blend.order "depth" a work-item
-/// needs 3 kB of private memory, and PoCL keeps that of a whole work-group on the stack of a thread.
+/// needs 3 kB of private memory, and PoCL keeps the private memory of a work-group on the stack of one
+/// thread.
 std::size_t side_of_group(const cl::DeviceInfo& device) {
   std::size_t side = 8;
   while (side > 1 && side * side > device.max_work_group) side /= 2;

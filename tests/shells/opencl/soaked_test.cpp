@@ -59,6 +59,10 @@ TEST(Soaked, TheChangePerStepOfWetnessIsSmall) {
   EXPECT_GT(greatest.mean, 1e-4);
   EXPECT_LT(greatest.mean, 0.005);  // as docs/soaked.md says
   EXPECT_LT(greatest.most, 0.3);
+  for (const double low : {0.2, 0.3, 0.5, 0.7, 0.92}) {
+    const Picture first = drawn(input, float(low)), last = drawn(input, float(low + 0.01 / 400));
+    EXPECT_LT(change(first, last).mean, 0.02 * greatest.mean);
+  }
 }
 
 float difference(const glm::vec4& a, const glm::vec4& b) {
@@ -76,8 +80,8 @@ std::vector<std::size_t> most_different(const Picture& a, const Picture& b, std:
   return pixels;
 }
 
-/// Halves the interval of wetness from `low` to `high` `levels` times. Keeps the half in which the pixel
-/// changes more. Returns the pixel's change in the last interval.
+/// Searches the interval of wetness from `low` to `high` for a jump of a pixel: halves the interval `levels`
+/// times and keeps the half in which the pixel changes more. Returns the pixel's change in the last interval.
 float change_in_the_limit(FrameInput& input, std::size_t pixel, double low, double high, int levels) {
   glm::vec4 first = drawn(input, float(low)).pixel[pixel], last = drawn(input, float(high)).pixel[pixel];
   for (int i = 0; i < levels; ++i) {
