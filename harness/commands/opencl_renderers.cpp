@@ -44,7 +44,7 @@ double draw_at(Pipeline& pipeline, const DynamicsScene& dynamics) {
 class ShellsRenderer : public SceneRenderer {
  public:
   explicit ShellsRenderer(const RendererOptions& options) : device_(cl::choose_device(options.device)) {
-    options_.mapping = options.mapping;
+    options_.mapping = offered_mapping(options.mapping, device_.info());
   }
   std::string device() const override { return text_of(device_); }
 

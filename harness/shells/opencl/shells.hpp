@@ -19,6 +19,15 @@ const std::vector<std::string>& mappings();
 /// Returns "name: description; ..." of all mappings, for --help.
 std::string mappings_help();
 
+/// Returns the names of the mappings that the commands offer on a device, its default mapping first. The
+/// mapping `tile` is left out if a work-item has one lane: it then needs 350 KB of private memory per
+/// work-item, which compilers for GPUs refuse.
+std::vector<std::string> mappings_on(const cl::DeviceInfo& device);
+
+/// Returns `name`, or the name of the device's default mapping for "". Throws InputError if mappings_on()
+/// does not contain `name`.
+std::string offered_mapping(const std::string& name, const cl::DeviceInfo& device);
+
 /// Returns the name of the device's default mapping.
 std::string default_mapping(const cl::DeviceInfo& device);
 
