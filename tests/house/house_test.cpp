@@ -78,6 +78,30 @@ TEST(House, KeepsOneCopyOfAComputationInTheKernels) {
   EXPECT_TRUE(faults.empty()) << joined(faults);
 }
 
+TEST(House, LaunchesKernelsInOnePlaceAndInGroupsOfAKnownSize) {
+  Faults faults;
+  for (const std::string& file : written_files()) {
+    const Faults found = launch_faults(file, read(root / file));
+    faults.insert(faults.end(), found.begin(), found.end());
+  }
+  EXPECT_TRUE(faults.empty()) << joined(faults);
+  EXPECT_NE(read(root / "harness/cl/program.cpp").find("clEnqueueNDRangeKernel("), std::string::npos);
+}
+
+TEST(House, PlantedLaunchesAreFound) {
+  const std::string of_driver =
+      "check(clEnqueueNDRangeKernel(q, k, 1, nullptr, &n,\n  nullptr, 0, nullptr, &event));";
+  const std::string of_size =
+      "check(clEnqueueNDRangeKernel(q, k, 1, nullptr, &n, &group, 0, nullptr, &event));";
+  EXPECT_EQ(launch_faults("harness/cl/program.cpp", of_driver).size(), 1u);
+  EXPECT_EQ(launch_faults("harness/cl/program.cpp", of_size).size(), 0u);
+  EXPECT_EQ(
+      launch_faults("harness/cl/program.cpp", "group > 0 ? clEnqueueTask(q, k, 0, nullptr, &event) : 0;")
+          .size(),
+      1u);
+  EXPECT_EQ(launch_faults("bench/lod.cpp", of_size).size(), 1u);
+}
+
 TEST(House, LinksAreReadFromCMake) {
   const Links small = room_links(
       "function(pelage_room name)\n"

@@ -32,4 +32,8 @@ Faults text_faults(const std::string& path, const std::string& text);
 /// surface.clh if the file does not contain its computation.
 Faults copy_faults(const std::string& path, const std::string& text);
 
+/// Finds launches of kernels outside of harness/cl/program.cpp, and launches that leave the size of the
+/// work-groups to the driver: PoCL compiles a kernel again for each size.
+Faults launch_faults(const std::string& path, const std::string& text);
+
 }  // namespace pelage::house

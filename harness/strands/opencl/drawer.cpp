@@ -210,9 +210,7 @@ void Drawer::write_layers(const cl::Queue& queue) {
 void Drawer::enqueue_keys(const cl::Queue& queue, cl::PhaseEvents* events) {
   write_layers(queue);
   make_keys_.with(params_, constants_, keys_, layer_table_, rows_, blocks_, pairs_, live_, curves_);
-  const std::size_t group = queue.device().info().cpu ? 1 : 64;
-  const std::size_t items = (std::size_t(params_.runs) + group - 1) / group * group;
-  cl::Event event = make_keys_.enqueue(queue, items, group);
+  cl::Event event = make_keys_.enqueue(queue, std::size_t(params_.runs));
   if (events) events->emplace_back("keys", std::move(event));
 }
 
