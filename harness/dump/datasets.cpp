@@ -21,7 +21,7 @@ std::vector<glm::vec3> sum(const std::vector<glm::vec3>& a, const std::vector<gl
   return out;
 }
 
-/// Returns the surface normal of each vertex (docs/frame.md, section 3). With a mass-spring topology, the
+/// Returns the surface normal of each vertex (docs/shells.md, section 3). With a mass-spring topology, the
 /// normal is the direction at rest of the vertex's stick (the spring from the surface to a moving mass). With
 /// Silva's strands, it is the normalized weighted mean of the triangle normals.
 std::vector<glm::vec3> vertex_normals(const FrameInput& input) {

@@ -156,9 +156,9 @@ TEST(DumpOfMaps, HoldsThemAndTheField) {
   }
 }
 
-// docs/frame.md may name only datasets of the table of docs/dump.md.
+// docs/shells.md may name only datasets of the table of docs/dump.md.
 TEST(Document, NamesOnlyDatasetsOfItsTable) {
-  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/frame.md");
+  std::ifstream stream(fs::path(PELAGE_SOURCE_DIR) / "docs/shells.md");
   const std::string rules{std::istreambuf_iterator<char>(stream), {}};
   static const std::regex name("`((?:mesh|tangent|curl|strand|weight|stick|droplet|layer|camera)/\\w+)`");
   const Datasets table = documented();

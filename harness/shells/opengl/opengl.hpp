@@ -63,7 +63,7 @@ std::string to_text(const OpenGlOptions& options);
 /// OpenGL reports an error.
 class OpenGl {
  public:
-  /// `mask` is the wetness mask (docs/frame.md, section 2) with wetness.size^2 texels. A texel holds the
+  /// `mask` is the wetness mask (docs/shells.md, section 2) with wetness.size^2 texels. A texel holds the
   /// centre (c_u, c_v) and the radius r of a clump, and the wetness rho.
   OpenGl(std::shared_ptr<const FrameInput> input, const std::vector<glm::vec4>& mask,
          const OpenGlOptions& options = {});
@@ -78,8 +78,8 @@ class OpenGl {
   /// option `triangles` "seen", bend() then finds the seen triangles. Therefore call set_mask() before
   /// bend().
   void bend(const std::vector<glm::vec3>& tips, int frames = 0);
-  /// Changes the wetness mask. Only for scenes whose water changes over time (docs/water.md). For each
-  /// vertex, the host computes the axes of its curl.
+  /// Changes the wetness mask. Only for scenes whose water changes over time (docs/shells.md, section 10).
+  /// For each vertex, the host computes the axes of its curl.
   void set_mask(const std::vector<glm::vec4>& mask);
   /// Draws one frame: it uploads the bent vertices and a changed mask, draws the base surface and all layers,
   /// and calls glFinish. Returns the wall time in ms.

@@ -1,4 +1,4 @@
-// Checks that the errors of the solvers in docs/topology.md are equal to the errors in the recorded results.
+// Checks that the errors of the solvers in docs/springs.md are equal to the errors in the recorded results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ std::string words(std::map<std::string, double> errors, int digits, const std::s
 }
 
 TEST(Documents, ErrorsAreThoseOfTheRows) {
-  std::ifstream stream(root / "docs/topology.md");
+  std::ifstream stream(root / "docs/springs.md");
   const std::string text =
       std::regex_replace(std::string{std::istreambuf_iterator<char>(stream), {}}, std::regex("\\s+"), " ");
   for (const auto& [name, solver, digits] :
@@ -58,7 +58,7 @@ TEST(Documents, ErrorsAreThoseOfTheRows) {
         fmt::format("the rms error of {} is {}, and its 99th percentile is {}.", name,
                     words(errors(solver, "rms"), digits, " of the fur's length"),
                     words(errors(solver, "p99"), digits, ""));
-    EXPECT_NE(text.find(expected), std::string::npos) << "docs/topology.md must say: " << expected;
+    EXPECT_NE(text.find(expected), std::string::npos) << "docs/springs.md must say: " << expected;
   }
 }
 
