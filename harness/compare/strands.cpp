@@ -117,6 +117,7 @@ std::vector<DrawnStrand> reference_curves(const StrandInput& input, const std::v
   std::vector<DrawnStrand> curves(input.fur.strands.size());
   for_each_index(curves.size(), 256, [&](std::size_t i) {
     curves[i] = naive::between(keys, input.fur.strands[i], input.dynamics.first_segment);
+    curves[i].rank = strands::layer_look(input.look, curves[i].layer).rank;
   });
   return curves;
 }

@@ -13,6 +13,7 @@
 #include "harness/isolated/isolated.hpp"
 #include "harness/mesh/archive.hpp"
 #include "harness/mesh/cache.hpp"
+#include "harness/mesh/canonical.hpp"
 #include "harness/mesh/components.hpp"
 #include "harness/mesh/finish.hpp"
 #include "harness/mesh/gltf_files.hpp"
@@ -31,7 +32,7 @@ namespace {
 // whenever a change of the code changes the prepared mesh of any model or file.
 constexpr int recipe = 4;
 constexpr int procedural_recipe = 3;  // version of the preparation of procedural shapes
-constexpr int file_recipe = 2;        // version of the preparation of users' mesh files
+constexpr int file_recipe = 3;        // version of the preparation of users' mesh files
 
 constexpr std::uint32_t most_faces = 8'000'000;
 constexpr int most_torus_faces = 8'000'000;
@@ -103,12 +104,16 @@ Surface shape_of(const Source& source, const MeshOptions& options, Stages& stage
   } else {
     soup = read_soup(source.file(), options.keep_uv);
   }
+  const bool file = source.kind == "file";
+  if (file) {
+    stages.begin("sorting points and faces");
+    sort_soup(soup);
+  }
   if (options.keep_uv && soup.uv.empty()) refuse_uv(source, "has no UV map of its own");
   if (options.keep_uv) return weld(soup, source.label);
   if (soup.polygon.size() > most_faces)
     throw InputError(fmt::format("{}: {} faces; at most {} can be prepared", source.label,
                                  soup.polygon.size(), most_faces));
-  const bool file = source.kind == "file";
   return repair(soup, {!file, !file || options.largest_only}, source.label, stages);
 }
 

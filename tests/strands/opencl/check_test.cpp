@@ -1,4 +1,5 @@
-// Tests the check of a time step (harness/compare/strands.hpp) on strands that touch the body.
+// Tests the comparison of the device with the reference (harness/compare/strands.hpp): a time step of strands
+// that touch the body, and a picture whose fur layers are not drawn in the order of their numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -39,6 +40,25 @@ TEST(StepCheck, HoldsForStrandsThatTouchTheBody) {
   EXPECT_GT(touching, std::ptrdiff_t(step.before.size() / 100));
   for (const Check& check : check_chain_step(*input, step, 1))
     EXPECT_TRUE(check.holds()) << check.metric << " is " << check.value << ", the limit is " << check.limit;
+}
+
+TEST(ReferencePicture, HasTheOrderOfTheLayers) {
+  Scene scene;
+  scene.dynamics.topology = "chains";
+  scene.image.width = 160;
+  scene.image.height = 120;
+  scene.strands.shadow = "none";
+  scene.strands.layers.resize(2);
+  scene.strands.layers[0].order_offset = 1;  // layer 0 is drawn behind layer 1
+  scene.strands.layers[1].colour = {1, 0.1f, 0.1f};
+  for (StrandLayerScene& layer : scene.strands.layers) layer.count = 2000;
+  const auto mesh = std::make_shared<Mesh>(synthetic::grid(synthetic::torus(), 24, 12));
+  const auto input = prepare_strands(scene, mesh);
+  ASSERT_EQ(input->look.layers[0].rank, 1);
+  ASSERT_EQ(input->look.layers[1].rank, 0);
+  Strands strands(cl::choose_device(""), input);
+  const Agreement found = compare(strands.picture(), reference_strands(*input, 0).picture);
+  EXPECT_TRUE(within(found)) << found.psnr << " dB, " << found.flips << " flips";
 }
 
 }  // namespace
