@@ -107,7 +107,8 @@ def ratio_row(label, rows):
     rows = sorted(rows, key=lambda row: row["opengl_ratio"])
 
     def cell(row):
-        place = ", ".join(f"{row[key]:.0f} {unit}" for key, unit in (("layers", "layers"), ("count", "strands")) if key in row)
+        units = {"layers": "layers", "count": "strands"}
+        place = ", ".join(f"{row[key]:.0f} {unit}" for key, unit in units.items() if key in row)
         return f"{row['opengl_ratio']:.1f} ({row['model']}, {place}, {row['size']})"
     return [label, len(rows), f"{mean(row['opengl_ratio'] for row in rows):.2f}", cell(rows[0]), cell(rows[-1])]
 
@@ -129,7 +130,8 @@ def opengl():
                                (ROOT / "results/tables/rivals/rivals-ratio.txt").read_text(encoding="utf-8"))
     yield None, f"The 95% interval of the mean in the first line is {low} to {high}.", ""
     yield None, "Geometric mean of the ratio by model (Table 1):", markdown(["model", "ratio"], [
-        [model, f"{mean(row['opengl_ratio'] for row in rows):.1f}"] for (model,), rows in by(table("rivals/rivals-ratio.csv"), "model").items()])
+        [model, f"{mean(row['opengl_ratio'] for row in some):.1f}"]
+        for (model,), some in by(table("rivals/rivals-ratio.csv"), "model").items()])
 
 
 def options():
@@ -241,7 +243,8 @@ def scaling():
         ["divisor", "ratio"], [["32 layers", span((row["half_ratio"] for row in rows), ".2f")],
                                ["16 layers", span((row["quarter_ratio"] for row in rows), ".2f")]])
     text = (ROOT / "results/tables/scaling/scaling.txt").read_text(encoding="utf-8")
-    yield None, "", "```\n" + "".join(f"{line}\n" for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)) + "```\n"
+    lines = [line for line in text.splitlines() if re.search(r"^(  per|\d+ cases|ms =|Most memory)", line)]
+    yield None, "", "```\n" + "\n".join(lines) + "\n```\n"
     shares = by((row for row in table("roofline/roofline.csv") if row["kernel"] == "tile_shells"), "case")
     yield "The kernel `tile_shells`", (
         "Share of the frame time, and rate of operations / roof of the device (`pelage roofline`)."), markdown(
@@ -275,9 +278,10 @@ INTRODUCTION = """# Recorded results
 
 A virtual machine with two AMD EPYC cores and no GPU recorded these results (OpenCL by PoCL, OpenGL by llvmpipe).
 `scripts/record_all.sh` records them again, and `scripts/recorded_tables.py` writes this page; a test compares the page
-with the tables. `results/EXPERIMENT` holds the rows, `results/tables` the tables and plots that `pelage report` made of
-them, [claims.md](claims.md) the verdicts on the papers' claims, and [notes.md](notes.md) what was tried to make the
-kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md) defines the terms.
+with the tables. The rows are in one folder per experiment, `results/tables` holds the tables and plots that
+`pelage report` made of them, [claims.md](claims.md) the verdicts on the papers' claims, and [notes.md](notes.md) what
+was tried to make the kernels faster. Numbers in square brackets are 95% intervals. [The glossary](../docs/glossary.md)
+defines the terms.
 """
 
 
@@ -309,7 +313,8 @@ def main():
         for path in stale:
             path.write_text(wanted[path], encoding="utf-8")
     elif stale:
-        sys.exit("\n".join(f"{path.relative_to(ROOT)} is not what results/tables says: run scripts/recorded_tables.py" for path in stale))
+        sys.exit("\n".join(f"{path.relative_to(ROOT)} differs from results/tables: run scripts/recorded_tables.py"
+                           for path in stale))
 
 
 if __name__ == "__main__":
