@@ -1,5 +1,5 @@
 // The wetness mask as a picture, with the triangles of the UV map over it, as in the insets of S Fig. 5, 11
-// and 12 and W Fig. 1, 3 and 6 (docs/figures.md).
+// and 12 and W Fig. 1, 3 and 6 (docs/experiments.md).
 #pragma once
 #include <vector>
 

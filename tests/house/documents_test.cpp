@@ -1,7 +1,10 @@
-// Tests that every function `name()` and every file that the documents name in backticks exists.
+// Tests that the documents name functions and files that exist, that their links lead somewhere, and that the
+// code cites documents and sections that exist.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -82,16 +85,126 @@ std::vector<std::string> gone(const std::string& text) {
   return faults;
 }
 
+std::vector<fs::path> documents() {
+  std::vector<fs::path> found{root / "README.md", root / "ARTIFACT.md"};
+  for (const char* folder : {"docs", "results"})
+    for (const auto& entry : fs::directory_iterator(root / folder))
+      if (entry.path().extension() == ".md") found.push_back(entry.path());
+  return found;
+}
+
+/// Returns the titles of a document's sections.
+std::vector<std::string> titles_of(const std::string& text) {
+  static const std::regex heading("(?:^|\n)#+ ([^\n]+)");
+  std::vector<std::string> titles;
+  for (std::sregex_iterator match(text.begin(), text.end(), heading), end; match != end; ++match)
+    titles.push_back((*match)[1]);
+  return titles;
+}
+
+/// Returns the name that a link gives to a section: lower case, - for blanks, without other punctuation.
+std::string anchor_of(const std::string& title) {
+  std::string anchor;
+  for (const char c : title)
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_')
+      anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    else if (c == ' ')
+      anchor += '-';
+  return anchor;
+}
+
+/// Returns one line for each link of a document in `folder` that does not lead to a file or a section.
+std::vector<std::string> dead_links(const std::string& text, const fs::path& folder) {
+  static const std::regex link(R"(\]\(([^)#\s]*)(?:#([^)\s]+))?\))");
+  std::vector<std::string> faults;
+  for (std::sregex_iterator match(text.begin(), text.end(), link), end; match != end; ++match) {
+    const std::string to = (*match)[1], section = (*match)[2];
+    if (to.starts_with("http")) continue;
+    if (!fs::exists(folder / to)) {
+      faults.push_back(fmt::format("{}: no such file", match->str()));
+      continue;
+    }
+    if (section.empty()) continue;
+    const std::vector<std::string> titles = titles_of(to.empty() ? text : read(folder / to));
+    if (std::none_of(titles.begin(), titles.end(),
+                     [&](const auto& one) { return anchor_of(one) == section; }))
+      faults.push_back(fmt::format("{}: no such section", match->str()));
+  }
+  return faults;
+}
+
+/// Returns one line for each document or section that `text` cites as "docs/x.md" or "docs/x.md, section Y"
+/// and that does not exist. A section is cited by its number, its title or the first words of its title. A
+/// comment may break the citation over two lines.
+std::vector<std::string> dead_citations(const std::string& text) {
+  static const std::regex line_break(R"(\n[ \t]*(?:///?|#|\*)?<?[ \t]*)");
+  static const std::regex citation(
+      R"re(\b(docs/[\w-]+\.md|results/[\w-]+\.md)`?(?:, sections? ("[^"]+"|[0-9]+|[A-Z][\w-]*)))?)re");
+  const std::string flat = std::regex_replace(text, line_break, " ");
+  std::vector<std::string> faults;
+  for (std::sregex_iterator match(flat.begin(), flat.end(), citation), end; match != end; ++match) {
+    if (!fs::exists(root / (*match)[1].str())) {
+      faults.push_back(fmt::format("{}: no such document", match->str()));
+      continue;
+    }
+    std::string section = (*match)[2];
+    if (section.empty()) continue;
+    section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
+    static const std::regex numbered("([0-9]+)[. ]+(.*)");
+    const std::vector<std::string> titles = titles_of(read(root / (*match)[1].str()));
+    if (std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
+          std::smatch parts;
+          if (!std::regex_match(title, parts, numbered)) return title.starts_with(section);
+          return parts[1] == section || parts[2].str().starts_with(section);
+        }))
+      faults.push_back(fmt::format("{}: no such section", match->str()));
+  }
+  return faults;
+}
+
 }  // namespace
 
 TEST(Documents, NameWhatExists) {
-  std::vector<fs::path> documents{root / "README.md", root / "ARTIFACT.md"};
-  for (const auto& entry : fs::directory_iterator(root / "docs"))
-    if (entry.path().extension() == ".md") documents.push_back(entry.path());
-  EXPECT_GT(documents.size(), 8u);
-  for (const fs::path& document : documents)
-    for (const std::string& fault : gone(read(document)))
-      ADD_FAILURE() << document.lexically_relative(root).generic_string() << ": " << fault;
+  EXPECT_GT(documents().size(), 8u);
+  for (const fs::path& document : documents()) {
+    const std::string text = read(document), name = document.lexically_relative(root).generic_string();
+    for (const std::string& fault : gone(text)) ADD_FAILURE() << name << ": " << fault;
+    for (const std::string& fault : dead_links(text, document.parent_path()))
+      ADD_FAILURE() << name << ": " << fault;
+  }
+}
+
+TEST(Documents, CitedByTheCodeExist) {
+  std::size_t files = 0;
+  for (const char* folder : {"harness", "kernels", "shaders", "tests", "bench", "experiments", "examples",
+                             "scripts", "python", "cmake", "docs"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      static const std::set<std::string> kinds{".cpp",  ".hpp",   ".h",   ".in",  ".cl", ".clh",
+                                               ".vert", ".frag",  ".py",  ".sh",  ".md", ".toml",
+                                               ".1",    ".cmake", ".txt", ".glsl"};
+      if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
+      if (entry.path().filename() == "documents_test.cpp") continue;
+      ++files;
+      for (const std::string& fault : dead_citations(read(entry.path())))
+        ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
+    }
+  EXPECT_GT(files, 500u);
+}
+
+TEST(Documents, PlantedLinksAndCitationsAreFound) {
+  const fs::path docs = root / "docs";
+  EXPECT_EQ(dead_links("[a](gone.md) [b](code.md#gone) [c](#gone)\n# Here\n", docs).size(), 3u);
+  EXPECT_TRUE(dead_links("[a](code.md#kernels) [b](../README.md) [c](#it-is-here) [d](https://x.org)\n"
+                         "## It is: here\n",
+                         docs)
+                  .empty());
+  for (const char* text :
+       {"docs/gone.md", "// docs/code.md, section Gone", "// (docs/code.md,\n// section Gone)",
+        "docs/code.md, section 7", "docs/code.md, section \"No such\""})
+    EXPECT_EQ(dead_citations(text).size(), 1u) << text;
+  for (const char* text :
+       {"docs/code.md", "// docs/code.md,\n/// section Kernels", "`docs/code.md`, section \"A frame\""})
+    EXPECT_TRUE(dead_citations(text).empty()) << text;
 }
 
 TEST(Documents, PlantedNamesAreFound) {

@@ -1,6 +1,6 @@
 // The OpenGL baseline. It is the pipeline of section 4 of Silva et al. 2010, Curling and Clumping Fur. This
 // pipeline draws the mesh once per layer with a vertex shader and a fragment shader. It runs on a GPU, or on
-// the CPU with Mesa's llvmpipe. docs/rival.md describes the baseline.
+// the CPU with Mesa's llvmpipe. docs/baselines.md describes the baseline.
 #pragma once
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// Implementation choices of the baseline. With the defaults, the pictures agree with those of the reference
-/// renderer. docs/rival.md compares the times of all choices.
+/// renderer. docs/baselines.md compares the times of all choices.
 struct OpenGlOptions {
   /// One draw call for all layers ("instanced"), or one per layer ("each").
   std::string draws = "instanced";
