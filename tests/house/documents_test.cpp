@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -133,31 +134,65 @@ std::vector<std::string> dead_links(const std::string& text, const fs::path& fol
   return faults;
 }
 
-/// Returns one line for each document or section that `text` cites as "docs/x.md" or "docs/x.md, section Y"
-/// and that does not exist. A section is cited by its number, its title or the first words of its title. A
-/// comment may break the citation over two lines.
+/// Returns one line for each document that `text` cites and that does not exist.
 std::vector<std::string> dead_citations(const std::string& text) {
-  static const std::regex line_break(R"(\n[ \t]*(?:///?|#|\*)?<?[ \t]*)");
-  static const std::regex citation(
-      R"re(\b(docs/[\w-]+\.md|results/[\w-]+\.md)`?(?:, sections? ("[^"]+"|[0-9]+|[A-Z][\w-]*)))?)re");
-  const std::string flat = std::regex_replace(text, line_break, " ");
+  static const std::regex citation(R"(\b(?:docs|results)/[\w-]+\.md)");
   std::vector<std::string> faults;
-  for (std::sregex_iterator match(flat.begin(), flat.end(), citation), end; match != end; ++match) {
-    if (!fs::exists(root / (*match)[1].str())) {
-      faults.push_back(fmt::format("{}: no such document", match->str()));
-      continue;
+  for (std::sregex_iterator match(text.begin(), text.end(), citation), end; match != end; ++match)
+    if (!fs::exists(root / match->str())) faults.push_back(fmt::format("{}: no such document", match->str()));
+  return faults;
+}
+
+/// Returns the titles of the sections of docs/`document`. Empty if there is no such document.
+const std::vector<std::string>& known_titles(const std::string& document) {
+  static std::map<std::string, std::vector<std::string>> known;
+  const auto [entry, fresh] = known.try_emplace(document);
+  if (fresh) entry->second = titles_of(read(root / "docs" / document));
+  return entry->second;
+}
+
+/// Returns the number of characters at the beginning of `text` that cite one of the sections: the number of a
+/// section, or its title with or without its number. 0 if no title fits.
+std::size_t cited(const std::string& text, const std::vector<std::string>& titles) {
+  static const std::regex numbered(R"((\d+)\.? (.*))");
+  std::size_t most = 0;
+  const auto try_name = [&](const std::string& name) {
+    if (text.starts_with(name) && !std::isalnum(static_cast<unsigned char>(text[name.size()])))
+      most = std::max(most, name.size());
+  };
+  for (const std::string& title : titles) {
+    try_name(title);
+    std::smatch m;
+    if (std::regex_match(title, m, numbered)) try_name(m[1]), try_name(m[2]);
+  }
+  return most;
+}
+
+/// Returns one line for each citation such as "docs/strands.md, section Body" of a section that does not
+/// exist. A citation may name several sections.
+std::vector<std::string> gone_sections(const std::string& file) {
+  static const std::regex line_end(R"(\s*\n\s*(///?|#|\*)?\s*)"),
+      citation(R"re(^docs/([\w-]+\.md)[^.;]{0,100}?\bsections? (?=["A-Z0-9]))re"),
+      next_one(R"re(^"?(, and |, | and | to )"?(?=[A-Z0-9]))re");
+  std::vector<std::string> faults;
+  for (std::size_t at = file.find("docs/"); at != std::string::npos; at = file.find("docs/", at + 1)) {
+    // The end of the text is not a letter, so that cited() may look at the character after a title.
+    const std::string text = std::regex_replace(file.substr(at, 300), line_end, " ") + ".";
+    std::smatch m;
+    if (!std::regex_search(text, m, citation) || m.str().find("docs/", 1) != std::string::npos) continue;
+    std::string rest = m.suffix();
+    for (bool more = true; more;) {
+      if (rest.starts_with('"')) rest.erase(0, 1);
+      const std::size_t size = cited(rest, known_titles(m[1]));
+      if (size == 0)
+        faults.push_back(
+            fmt::format("{}{}: no such section", m.str(), rest.substr(0, rest.find_first_of(".,;)"))));
+      rest.erase(0, size);
+      std::smatch link;
+      more =
+          size > 0 && std::regex_search(rest, link, next_one) && cited(link.suffix(), known_titles(m[1])) > 0;
+      if (more) rest = link.suffix();
     }
-    std::string section = (*match)[2];
-    if (section.empty()) continue;
-    section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
-    static const std::regex numbered("([0-9]+)[. ]+(.*)");
-    const std::vector<std::string> titles = titles_of(read(root / (*match)[1].str()));
-    if (std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
-          std::smatch parts;
-          if (!std::regex_match(title, parts, numbered)) return title.starts_with(section);
-          return parts[1] == section || parts[2].str().starts_with(section);
-        }))
-      faults.push_back(fmt::format("{}: no such section", match->str()));
   }
   return faults;
 }
@@ -185,8 +220,10 @@ TEST(Documents, CitedByTheCodeExist) {
       if (!entry.is_regular_file() || !kinds.contains(entry.path().extension().string())) continue;
       if (entry.path().filename() == "documents_test.cpp") continue;
       ++files;
-      for (const std::string& fault : dead_citations(read(entry.path())))
-        ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
+      const std::string text = read(entry.path());
+      for (const auto& faults : {dead_citations(text), gone_sections(text)})
+        for (const std::string& fault : faults)
+          ADD_FAILURE() << entry.path().lexically_relative(root).generic_string() << ": " << fault;
     }
   EXPECT_GT(files, 500u);
 }
@@ -198,13 +235,23 @@ TEST(Documents, PlantedLinksAndCitationsAreFound) {
                          "## It is: here\n",
                          docs)
                   .empty());
-  for (const char* text :
-       {"docs/gone.md", "// docs/code.md, section Gone", "// (docs/code.md,\n// section Gone)",
-        "docs/code.md, section 7", "docs/code.md, section \"No such\""})
+  for (const char* text : {"docs/gone.md", "// docs/gone.md, section 1", "results/gone.md"})
     EXPECT_EQ(dead_citations(text).size(), 1u) << text;
+  EXPECT_TRUE(dead_citations("docs/code.md, results/README.md").empty());
+}
+
+TEST(Documents, PlantedSectionsAreFound) {
+  for (const char* text : {"(docs/strands.md, section Simulation)",
+                           "docs/strands.md derives the\n// scheme in the section\n// Simulation.",
+                           "`docs/shells.md`, section 99", "docs/nothing.md, section 1",
+                           "docs/strands.md, section \"Time steps\""})
+    EXPECT_EQ(gone_sections(text).size(), 1u) << text;
   for (const char* text :
-       {"docs/code.md", "// docs/code.md,\n/// section Kernels", "`docs/code.md`, section \"A frame\""})
-    EXPECT_TRUE(dead_citations(text).empty()) << text;
+       {"(docs/strands.md, section Body)", "docs/strands.md, section \"Time step\".",
+        "docs/strands.md, sections Model and Stops", "`docs/shells.md`, section 6",
+        "docs/shells.md, sections 3, 4 and 5, and section 4 of a paper",
+        "docs/shells.md. Section 99 of a paper", "docs/shells.md; docs/strands.md, section Moving\n/// skin"})
+    EXPECT_TRUE(gone_sections(text).empty()) << text;
 }
 
 TEST(Documents, PlantedNamesAreFound) {

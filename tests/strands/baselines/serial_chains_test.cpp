@@ -8,6 +8,7 @@
 
 #include "harness/strands/reference/chain.hpp"
 #include "tests/strands/support/strands.hpp"
+#include "tests/strands/support/weak_forces.hpp"
 
 namespace pelage::strands::test {
 namespace {
@@ -41,6 +42,23 @@ TEST(SerialChains, ThePlainLoopIsTheReferencesStep) {
 }
 TEST(SerialChains, TheFastLoopIsTheReferencesStep) {
   expect_reference(fast_chain_loop);
+}
+
+TEST(SerialChains, WeakForcesMoveThemLikeTheReference) {
+  for (const WeakForce& force : weak_forces()) {
+    SerialChains serial(chains_under(force), dynamics_under(force), plain_chain_loop);
+    int done = 0;
+    expect_reference(
+        force,
+        [&](int count) {
+          serial.advance(count - done);
+          done = count;
+          std::vector<reference::State> found;
+          for (const ChainState& state : serial.states()) found.push_back(reference::in_double(state));
+          return found;
+        },
+        false);
+  }
 }
 
 }  // namespace
