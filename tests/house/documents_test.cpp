@@ -11,6 +11,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -207,6 +208,26 @@ TEST(Documents, NameWhatExists) {
     for (const std::string& fault : dead_links(text, document.parent_path()))
       ADD_FAILURE() << name << ": " << fault;
   }
+}
+
+// Tables that are written from code or results do not count: whole pages, or the lines between two marks.
+TEST(Documents, TogetherHaveAtMost35000Words) {
+  static const std::set<std::string> written{"results/README.md", "results/claims.md"};
+  std::size_t words = 0;
+  for (const fs::path& document : documents()) {
+    if (written.contains(document.lexically_relative(root).generic_string())) continue;
+    std::istringstream lines(read(document));
+    bool counts = true;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("<!-- ")) counts = line.find(" begin") == std::string::npos;
+      std::istringstream stream(line);
+      if (counts)
+        words += std::size_t(
+            std::distance(std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()));
+    }
+  }
+  EXPECT_GT(words, 20000u);
+  EXPECT_LE(words, 35000u);
 }
 
 TEST(Documents, CitedByTheCodeExist) {
