@@ -10,6 +10,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -95,10 +96,12 @@ std::vector<fs::path> documents() {
 
 /// Returns the titles of a document's sections.
 std::vector<std::string> titles_of(const std::string& text) {
-  static const std::regex heading("(?:^|\n)#+ ([^\n]+)");
   std::vector<std::string> titles;
-  for (std::sregex_iterator match(text.begin(), text.end(), heading), end; match != end; ++match)
-    titles.push_back((*match)[1]);
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    if (const std::size_t end = line.find_first_not_of('#');
+        line.starts_with('#') && end != std::string::npos)
+      titles.push_back(line.substr(end + 1));
   return titles;
 }
 
@@ -139,25 +142,30 @@ std::vector<std::string> dead_links(const std::string& text, const fs::path& fol
 std::vector<std::string> dead_citations(const std::string& text) {
   static const std::regex line_break(R"(\n[ \t]*(?:///?|#|\*)?<?[ \t]*)");
   static const std::regex citation(
-      R"re(\b(docs/[\w-]+\.md|results/[\w-]+\.md)`?(?:, sections? ("[^"]+"|[0-9]+|[A-Z][\w-]*)))?)re");
-  const std::string flat = std::regex_replace(text, line_break, " ");
+      R"re((docs/[\w-]+\.md|results/[\w-]+\.md)`?(?:, sections? ("[^"]+"|[0-9]+|[A-Z][\w-]*))?)re");
+  static const std::regex numbered("([0-9]+)[. ]+(.*)");
   std::vector<std::string> faults;
-  for (std::sregex_iterator match(flat.begin(), flat.end(), citation), end; match != end; ++match) {
-    if (!fs::exists(root / (*match)[1].str())) {
-      faults.push_back(fmt::format("{}: no such document", match->str()));
+  for (std::size_t at = 0; (at = text.find(".md", at)) != std::string::npos; at += 3) {
+    // Only the part of the text around the name is searched, because a search with std::regex is slow.
+    const std::size_t start = std::max(text.rfind("docs/", at) + 1, text.rfind("results/", at) + 1);
+    if (start == 0 || at - start > 60) continue;
+    const std::string part = std::regex_replace(text.substr(start - 1, at - start + 100), line_break, " ");
+    std::smatch match;
+    if (!std::regex_search(part, match, citation, std::regex_constants::match_continuous)) continue;
+    const fs::path document = root / match[1].str();
+    if (!fs::exists(document)) {
+      faults.push_back(fmt::format("{}: no such document", match.str()));
       continue;
     }
-    std::string section = (*match)[2];
-    if (section.empty()) continue;
+    std::string section = match[2];
     section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
-    static const std::regex numbered("([0-9]+)[. ]+(.*)");
-    const std::vector<std::string> titles = titles_of(read(root / (*match)[1].str()));
-    if (std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
+    const std::vector<std::string> titles = titles_of(read(document));
+    if (!section.empty() && std::none_of(titles.begin(), titles.end(), [&](const std::string& title) {
           std::smatch parts;
           if (!std::regex_match(title, parts, numbered)) return title.starts_with(section);
           return parts[1] == section || parts[2].str().starts_with(section);
         }))
-      faults.push_back(fmt::format("{}: no such section", match->str()));
+      faults.push_back(fmt::format("{}: no such section", match.str()));
   }
   return faults;
 }
